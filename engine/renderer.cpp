@@ -132,9 +132,9 @@ struct Renderer::Impl {
     void noteBake() { static_cast<BakeStats&>(stats) = occlusion.stats(); }
     /// @param counts  of the last frame
     void noteFrame(const SceneCounts& counts) {
-        stats.spheres = counts.spheres;
-        stats.cylinders = counts.cylinders;
-        stats.triangles = counts.triangles + counts.translucent;
+        stats.spheres = counts.spheres + counts.layers.spheres;
+        stats.cylinders = counts.cylinders + counts.layers.cylinders;
+        stats.triangles = counts.triangles + counts.layers.triangles;
         stats.meshLevels = counts.meshLevels;
         stats.copyLevels = counts.copyLevels;
         stats.lists = counts.lists;

@@ -4,7 +4,7 @@
 //   INPUT / SAMPLED      source of the primitive's number
 //   SURFACE / IDENTITY   layers instead of colour
 //   RIMS                 composites outlines and halos   TRANSLUCENT          on every path: composites a layer of
-// translucent triangles where nothing opaque is in front     TESTED, NEAREST_INPUT, NEAREST_SAMPLED   decided by the
+// translucent primitives where nothing opaque is in front     TESTED, NEAREST_INPUT, NEAREST_SAMPLED   decided by the
 // depth test, or by the nearest depth: an input                                              attachment, a texture
 #extension GL_GOOGLE_include_directive : require
 #define COPY_OF_PIXEL
@@ -119,24 +119,22 @@ void main() {
     uint firstTriangle = view.spheres + view.cylinders;
     bool cylinder = kCylinders && index >= view.spheres && index < firstTriangle;
     bool triangle = kTriangles && index >= firstTriangle;
-#ifdef TRANSLUCENT
-    showTriangle(index - firstTriangle, shown);
-    float d = encodedDepth(shown.hit.order);
-#ifdef TESTED
-    gl_FragDepth = d;
-#else
-    if (isHidden(d)) discard;
-#endif
-#else
     if (triangle)
         showTriangle(index - firstTriangle, shown);
     else if (cylinder)
         showCylinder(index - view.spheres, shown);
     else
         showSphere(index, shown);
+#ifdef TRANSLUCENT
+    float d = encodedDepth(shown.hit.order);
+#ifdef TESTED
+    gl_FragDepth = d;
+#else
+    if (isHidden(d)) discard;
+#endif
+#endif
     if (!triangle && !shown.wire && shadesOcclusion(shown.hit))
         shown.occlusion = patchTexel(patchPlace(shown.patchAddress), shown.at, shown.texels);
-#endif
     uint colorBits = looks[shown.look];
     if (kBlendColors && triangle)
         colorBits = cornerColor(uvec3(looks[shown.corners.x], looks[shown.corners.y], looks[shown.corners.z]),

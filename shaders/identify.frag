@@ -1,6 +1,6 @@
 #version 440
 // The geometry pass of the `deferred` path: the nearest primitive, its depth through the depth buffer. Also finds
-// layers of translucent triangles.
+// layers of translucent primitives.
 //   DISTANCE   also writes the distance
 //   PEEL   the nearest behind the previous layer (C. Everitt 2001, "Interactive Order-Independent Transparency")
 #extension GL_GOOGLE_include_directive : require

@@ -37,7 +37,7 @@ std::vector<std::string> lowerWords(const std::string& text) {
     return words;
 }
 
-constexpr std::size_t kMostHints = 3;
+constexpr std::size_t kMostHints = 4;
 
 /// Names from other programs (PyMOL, ChimeraX, VMD, ImageMagick, ffmpeg), and their equivalents here.
 struct OtherName {

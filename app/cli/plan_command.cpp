@@ -96,9 +96,12 @@ EffectCost costOfLens(const RenderSettings& settings, const graph::FrameCaps& ca
     return cost;
 }
 
-/// The option that makes a mesh translucent.
+/// The option that makes something translucent.
 const char* opacityOption(const RepresentationOptions& look) {
-    return look.surfaceOpacity < 1 ? "surface-opacity" : look.cartoonOpacity < 1 ? "cartoon-opacity" : "show";
+    return look.surfaceOpacity < 1   ? "surface-opacity"
+           : look.cartoonOpacity < 1 ? "cartoon-opacity"
+           : look.atomOpacity < 1    ? "atom-opacity"
+                                     : "show";
 }
 
 /// Cost of each active effect alone: the frame with it compared with the frame without any, with opaque meshes.

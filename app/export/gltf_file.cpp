@@ -100,8 +100,8 @@ private:
                            {"NORMAL", addAccessor(mesh.normals, kFloat, "VEC3", kVertices)}};
         if (!color) attributes["COLOR_0"] = addColors(mesh, occlusion);
         if (!occlusion.empty()) attributes["_OCCLUSION"] = addAccessor(occlusion, kFloat, "SCALAR", kVertices);
-        const bool translucent =
-            !color && std::any_of(mesh.atoms.begin(), mesh.atoms.end(), [](std::uint32_t c) { return !isOpaque(c); });
+        const auto translucentColor = [](std::uint32_t c) { return !isOpaque(c); };
+        const bool translucent = color ? translucentColor(*color) : std::ranges::any_of(mesh.atoms, translucentColor);
         const int indices = addAccessor(mesh.triangles, kUnsignedInt, "SCALAR", kIndices);
         json_["accessors"].back()["count"] = mesh.triangles.size() * 3;
         const Json primitive = {
@@ -114,7 +114,9 @@ private:
         const auto [known, added] = materials_.emplace(std::pair(color, translucent), json_["materials"].size());
         if (added) {
             Json shade = {{"metallicFactor", 0}, {"roughnessFactor", 0.6}};
-            if (color) shade["baseColorFactor"] = {linearOf(*color, 0), linearOf(*color, 1), linearOf(*color, 2), 1};
+            if (color)
+                shade["baseColorFactor"] = {linearOf(*color, 0), linearOf(*color, 1), linearOf(*color, 2),
+                                            opacitySteps(*color) / double{kOpacitySteps}};
             json_["materials"].push_back({{"pbrMetallicRoughness", shade}});
             if (translucent) json_["materials"].back().update({{"alphaMode", "BLEND"}, {"doubleSided", true}});
         }

@@ -8,7 +8,6 @@
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/text.h"
-#include "engine/scene/build/translucent_atoms.h"
 #include "engine/scene/color/colors.h"
 
 namespace nacre::app::mvs {
@@ -114,9 +113,6 @@ void fade(const Node& node, const Structure& structure, SceneLayer& layer, Scene
     if (!value || !value->is_number() || !(value->get<double>() >= 0 && value->get<double>() <= 1))
         return warnings.add(node, "its opacity is no number from 0 to 1");
     if (layer.style == Style::line) return warnings.add(node, "lines are drawn opaque");
-    const bool mesh = layer.style == Style::cartoon || layer.style == Style::surface;
-    if (!mesh && layer.atoms.size() > kMostTranslucentAtoms)
-        return warnings.add(node, "more than " + std::to_string(kMostTranslucentAtoms) + " atoms are drawn opaque");
     const std::vector<bool> atoms = selected(node, node.param("selector"), structure, warnings);
     if (layer.opacity.empty()) layer.opacity.assign(layer.atoms.size(), 1.0f);
     for (std::size_t i = 0; i < layer.atoms.size(); ++i)

@@ -55,6 +55,8 @@ void drawStyles(PanelFrame& f) {
     if (shows(Style::cartoon, look)) slideOnRelease(f.ui, "cartoon-opacity", 100, look.cartoonOpacity);
     if (shows(Style::surface, look)) slideOnRelease(f.ui, "surface-opacity", 100, look.surfaceOpacity);
     if (shows(Style::ellipsoids, look)) slideOnRelease(f.ui, "probability", 1, look.sizes.probability);
+    if (f.viewer.document() && !f.viewer.document()->drawing.scene().spheres.empty())
+        slideOnRelease(f.ui, "atom-opacity", 100, look.atomOpacity);
 }
 
 }  // namespace

@@ -362,8 +362,8 @@ Rule parseShow(std::string_view text) {
     rule.selection = parseSelection(selection);
     rule.style = parseStyle(style);
     if (at == std::string_view::npos) return rule;
-    if (rule.style != Style::cartoon && rule.style != Style::surface)
-        throw std::invalid_argument("only cartoons and surfaces have an opacity: '" + std::string(text) + "'");
+    if (rule.style == Style::line || rule.style == Style::carbohydrate)
+        throw std::invalid_argument("lines and symbols of sugars are opaque: '" + std::string(text) + "'");
     rule.opacity = parseNumber(text.substr(at + kOpacity.size()), kLeastOpacity, 1);
     return rule;
 }

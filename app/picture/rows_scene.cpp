@@ -188,6 +188,18 @@ std::string printResolution(const P& d) {
     return d.look.surface.resolution > 0 ? numberText(d.look.surface.resolution) : "auto";
 }
 
+template <auto share>
+Option opacity(T key, const char* help, Option::Control control) {
+    return {.key = key,
+            .syntax = "SHARE",
+            .standard = "=",
+            .help = help,
+            .parse = [](T text, P& d) { d.look.*share = parseNumber(text, kLeastOpacity, 1); },
+            .print = printNumber<&P::look, share>,
+            .save = differing,
+            .control = std::move(control)};
+}
+
 std::vector<Option> meshes() {
     using C = CartoonOptions;
     using S = SurfaceOptions;
@@ -261,21 +273,17 @@ std::vector<Option> meshes() {
         row("cavities", "show|hide", "Surfaces of closed cavities",
             parseSwitch<kShowHide, &P::look, &R::surface, &S::cavities>,
             printSwitch<kShowHide, &P::look, &R::surface, &S::cavities>),
-        row(
-            "surface-opacity", "SHARE", "Opacity of surfaces, 0.01 to 1",
-            [](T text, P& d) { d.look.surfaceOpacity = parseNumber(text, kLeastOpacity, 1); },
-            printNumber<&P::look, &R::surfaceOpacity>),
-        row(
-            "cartoon-opacity", "SHARE", "Opacity of cartoons, 0.01 to 1",
-            [](T text, P& d) { d.look.cartoonOpacity = parseNumber(text, kLeastOpacity, 1); },
-            printNumber<&P::look, &R::cartoonOpacity>),
+        opacity<&R::surfaceOpacity>("surface-opacity", "Opacity of surfaces, 0.01 to 1",
+                                    {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"}),
+        opacity<&R::cartoonOpacity>("cartoon-opacity", "Opacity of cartoons, 0.01 to 1",
+                                    {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"}),
+        opacity<&R::atomOpacity>("atom-opacity", "Opacity of spheres and sticks, 0.01 to 1",
+                                 {"Atom opacity", 0.1, 1, "Atom opacity: %.2f"}),
         row(
             "probability", "P", "Probability in % that an atom is inside its ellipsoid (--style ellipsoids), 1 to 99",
             [](T text, P& d) { d.look.sizes.probability = parseNumber(text, 1, 99); },
             printNumber<&P::look, &R::sizes, &Sizes::probability>),
     };
-    rows.end()[-3].control = {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"};
-    rows.end()[-2].control = {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"};
     rows.back().control = {"Probability of ellipsoids", 1, 99, "Probability of ellipsoids: %.0f %%"};
     return under(Topic::mesh, Facet::scene, std::move(rows));
 }

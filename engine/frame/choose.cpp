@@ -123,7 +123,7 @@ const char* lackOfSamples(const RenderSettings& settings, bool translucent) {
     if (settings.fine) return "16 bits per channel and sample do not fit the tile";
     if (settings.effects.rims() || settings.effects.contours.width > 0)
         return "outlines and halos have one sample per pixel";
-    if (translucent) return "translucent surfaces have one sample per pixel";
+    if (translucent) return "translucent layers have one sample per pixel";
     return nullptr;
 }
 
@@ -319,7 +319,8 @@ void Chooser::chooseEffects() {
     if (const std::uint32_t pixels = shadowPixels(settings_)) add(Kind::shadow, pixels);
     if (settings_.effects.linesByGroups()) add(Kind::outlines);
     if (settings_.effects.halos.width > 0) add(Kind::halos);
-    if (drawsLayers(request_, scene_)) add(Kind::translucency, kTranslucentLayers);
+    if (drawsLayers(request_, scene_))
+        add(Kind::translucency, scene_.hasTranslucentAtoms ? kLayersOfAtoms : kTranslucentLayers);
     if (request_.part == Part::whole && hasLens(settings_)) add(Kind::lens);
 }
 
@@ -343,7 +344,7 @@ void Chooser::chooseColor() {
             color = ColorFormat::linear;
     }
     if (color == ColorFormat::linear && choice_.has(Kind::translucency) && !device_.blendsFloats)
-        throw Error("cannot draw translucent surfaces", device_.plan.name,
+        throw Error("cannot draw translucent layers", device_.plan.name,
                     "it does not blend 32 bits per channel, which layers and 16-bit pictures need; use 8 bits");
 }
 
@@ -384,7 +385,8 @@ HostWork Chooser::hostWorkOfTiles() const {
     const bool meshless = scene_.triangles == 0;
     const bool many = settings_.tuning.cull && scene_.spheres >= settings_.tuning.hideFrom;
     const bool small = settings_.tuning.cull && scene_.radiusPixels <= kSmallPixels && scene_.spheres >= kManySpheres;
-    if ((small || many) && meshless && plain && scene_.boxed && !choice_.drawsEdges()) return HostWork::frontSpheres;
+    if ((small || many) && meshless && plain && scene_.boxed && !scene_.hasTranslucentAtoms && !choice_.drawsEdges())
+        return HostWork::frontSpheres;
     if (many) return HostWork::hiddenSpheres;
     return HostWork::none;
 }
@@ -403,7 +405,7 @@ void Chooser::chooseGeometry() {
                        : device_.plan.geometry.storesVaryings && !request_.counted ? Geometry::fetched
                                                                                    : Geometry::instanced;
     if (!debugs()) choice_.host = tiles ? hostWorkOfTiles() : hostWorkOf(choice_.path);
-    if (tiles) choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
+    if (tiles && !scene_.hasTranslucentAtoms) choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
     if (request_.part == Part::edges && choice_.shadedByCompute()) {
         // A sphere that nothing cuts or outlines is known by its number.
         const bool alone = !scene_.hasCylinders && !scene_.hasWires && scene_.meshTriangles == 0 && !rims() &&
@@ -571,12 +573,11 @@ void Chooser::chooseVertices() {
     const graph::GeometryCaps& caps = device_.plan.geometry;
     const FrameTuning& tuning = settings_.tuning;
     const SphereShapes ofLight = shapesOf(PlateShape::none, tuning.impostor, caps, scene_.light);
-    const PassCost triangles = costOf(Handed::number, false, ofLight);
-    PrimitiveCounts layer;
-    layer.triangles = scene_.translucent;
+    const PassCost ofLayers =
+        costOf(Handed::number, false, shapesOf(PlateShape::none, tuning.impostor, caps, scene_.layers));
     for (VertexOutputs* outputs : {&choice_.vertices, &overflow.vertices}) {
         outputs->light = roundsOf(costOf(Handed::depth, caps.storesVaryings, ofLight), scene_.light);
-        outputs->layers = roundsOf(triangles, layer);
+        outputs->layers = roundsOf(ofLayers, scene_.layers);
     }
     if (!reasons_ || !limited(choice_.vertices)) return;
     PrimitiveCounts counts = scene_;

@@ -61,12 +61,14 @@ struct FrameRequest {
 struct SceneFacts : passes::PrimitiveCounts {
     // Of the scene:
     bool hasCylinders = false, hasWires = false, hasTranslucent = false;
-    std::uint64_t meshTriangles = 0;  ///< of the finest level
-    bool leveled = false;             ///< each view has its own levels of detail
-    bool boxed = false;               ///< the scene's spheres have finite bounding boxes
+    bool hasTranslucentAtoms = false;  ///< spheres or cylinders among the translucent primitives
+    std::uint64_t meshTriangles = 0;   ///< of the finest level
+    bool leveled = false;              ///< each view has its own levels of detail
+    bool boxed = false;                ///< the scene's spheres have finite bounding boxes
     // Of the view:
-    double smallestPixels = 1e9;      ///< half the width of the narrowest primitive or line in the picture
-    passes::PrimitiveCounts light{};  ///< what the light's view submits to the shadow map
+    double smallestPixels = 1e9;       ///< half the width of the narrowest primitive or line in the picture
+    passes::PrimitiveCounts light{};   ///< what the light's view submits to the shadow map
+    passes::PrimitiveCounts layers{};  ///< of translucent layers
 };
 
 // Output of choose():
@@ -91,8 +93,9 @@ enum class Refinement : std::uint8_t {
     everywhere,  ///< frames of a block each draw samples in every pixel; there is no other frame
 };
 
-/// Translucent layers per pixel: the nearest ones in front of opaque surfaces.
-constexpr std::uint32_t kTranslucentLayers = 2;
+/// Translucent layers per pixel: the nearest ones in front of what is opaque. Atoms lie closer behind each other than
+/// surfaces do.
+constexpr std::uint32_t kTranslucentLayers = 2, kLayersOfAtoms = 3;
 
 /// An effect with passes or images of its own. Fog, clipping and plain outlines are a few instructions of the shading.
 struct Effect {
@@ -100,8 +103,8 @@ struct Effect {
         shadow,            ///< a map of what the light sees; size: its width, pixels
         outlines,          ///< by groups of atoms
         halos,             ///< drawn by the pass of those outlines
-        translucency,      ///< layers of triangles; size: their number
-        tileTranslucency,  ///< the same, found by compute
+        translucency,      ///< layers of primitives; size: their number
+        tileTranslucency,  ///< of triangles alone, found by compute
         lens,              ///< depth of field: frames of distances, and a blur of the picture
     };
     Kind kind{};

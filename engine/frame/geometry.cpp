@@ -7,7 +7,7 @@
 #include "engine/frame/effects/translucency/translucency.h"
 #include "engine/frame/level_scenes.h"
 #include "engine/passes/placed_copies.h"
-#include "engine/passes/select_triangles.h"
+#include "engine/passes/select_opacity.h"
 #include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre {
@@ -46,23 +46,23 @@ SceneCounts countsOf(Representation r, const RenderSettings& settings, SceneFact
     passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks, cullingMargin(settings, view, !r.wires.empty()),
                                                       meshErrorOf(settings, view), true);
     const SceneSizes sizes = sizesOf(r);
-    const TranslucentRuns runs = translucentRuns(r);
+    const TranslucentParts parts = translucentParts(r);
     SceneCounts counts;
     counts.meshLevels = placed.triangleLevels(r);
-    const std::uint64_t triangles = placed.triangleCount();
-    passes::selectTriangles(placed.triangles, runs, passes::Triangles::translucent);
-    counts.translucent = placed.triangleCount();
-    counts.triangles = triangles - counts.translucent;
-    counts.spheres = placed.sphereCount();
-    counts.cylinders = placed.cylinderCount();
-    counts.radiusPixels = sizes.meanRadius * view.pixelsPerAngstrom;
-    counts.flat = view.projection == Projection::perspective;
+    const auto countedOf = [&](passes::PlacedCopies copies, passes::Opacity which) -> PrimitiveCounts {
+        passes::select(copies, parts, which);
+        return {copies.sphereCount(), copies.cylinderCount(), copies.triangleCount(),
+                sizes.meanRadius * view.pixelsPerAngstrom, view.projection == Projection::perspective};
+    };
+    static_cast<PrimitiveCounts&>(counts) = countedOf(placed, passes::Opacity::opaque);
+    counts.layers = countedOf(placed, passes::Opacity::translucent);
 
-    if (shadowPixels(settings) > 0) counts.light = countsInLight(r, settings, runs);
+    if (shadowPixels(settings) > 0) counts.light = countsInLight(r, settings, parts);
 
-    facts = factsOf(r, chunks, runs);
+    facts = factsOf(r, chunks, parts);
     static_cast<PrimitiveCounts&>(facts) = counts;
     facts.light = counts.light;
+    facts.layers = counts.layers;
     facts.smallestPixels = smallestPixels(sizes, !r.wires.empty(), settings, view);
     return counts;
 }
@@ -92,9 +92,7 @@ void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const gr
         const bool screen = pass.has(Verb::reads) || pass.name.starts_with(kTranslucentColor);
         if (pass.kind != graph::PassKind::graphics || !tests) continue;
         if (pass.name.starts_with(kTranslucentLayer)) {
-            PrimitiveCounts layer;
-            layer.triangles = counts.translucent;
-            tell(p, costOf(Handed::number, false, shapes), layer);
+            tell(p, costOf(Handed::number, false, shapesOf(plates, impostor, caps, counts.layers)), counts.layers);
         } else if (screen) {
             continue;
         } else if (pass.name == kShadowPass) {

@@ -6,12 +6,14 @@
 
 #include "engine/frame/frame.h"
 #include "engine/graph/plan.h"
+#include "engine/passes/placed_copies.h"
 #include "engine/scene/build/representation.h"
 
 namespace nacre {
 
 struct SceneCounts : passes::PrimitiveCounts {
-    passes::PrimitiveCounts light{};  ///< of the light's view
+    passes::PrimitiveCounts light{};   ///< of the light's view
+    passes::PrimitiveCounts layers{};  ///< of translucent layers, beside the others
     std::vector<MeshLevelCount> meshLevels{};
     std::vector<CopyLevelCount> copyLevels{};
     TileCounts lists{};  ///< tile lists

@@ -58,10 +58,23 @@ bool hasShapesOf(const Scene& scene, const Representation& r) {
            sameBytes(r.cylinderModels, now.cylinderModels) && sameBytes(r.triangleModels, now.triangleModels);
 }
 
+/// Whether a representation with the scene's shapes has its opaque and translucent ones.
+bool hasOpacitiesOf(const Scene& scene, const Representation& r) {
+    const Representation& now = scene.representation;
+    const auto same = [](const auto& looks, const auto& others, const std::vector<std::uint32_t>& order) {
+        for (std::size_t i = 0; i < order.size(); ++i)
+            if (translucencyOf(looks[i]) != translucencyOf(others[order[i]])) return false;
+        return true;
+    };
+    return same(now.sphereLooks, r.sphereLooks, scene.order.spheres) &&
+           same(now.cylinderLooks, r.cylinderLooks, scene.order.cylinders) &&
+           translucentParts(r).triangles == scene.translucent.triangles;
+}
+
 /// @param scene  with its representation, in order
 void completeScene(const gpu::Device& device, Scene& scene) {
     fitBuffer(scene.representation, passes::mostShapeBytes(device.caps()));
-    scene.translucent = translucentRuns(scene.representation);
+    scene.translucent = translucentParts(scene.representation);
     scene.solid = isSolid(scene.representation) && scene.translucent.empty();
     scene.chunks = chunksOf(scene.representation);
     scene.buffers = passes::makeSceneBuffers(device, scene.representation);
@@ -87,11 +100,12 @@ SceneSizes sizesOf(const Representation& r) {
     return sizes;
 }
 
-SceneFacts factsOf(const Representation& r, const Chunks& chunks, const TranslucentRuns& translucent) {
+SceneFacts factsOf(const Representation& r, const Chunks& chunks, const TranslucentParts& translucent) {
     SceneFacts facts;
     facts.hasCylinders = !r.cylinders.empty();
     facts.hasWires = !r.wires.empty();
     facts.hasTranslucent = !translucent.empty();
+    facts.hasTranslucentAtoms = translucent.hasAtoms();
     facts.meshTriangles = r.triangles.size();
     facts.boxed = chunks.finiteSpheres();
     return facts;
@@ -166,14 +180,8 @@ Scene makeOrderedScene(const gpu::Device& device, Representation representation)
 bool recolor(Scene& scene, Representation& r) {
     Representation& now = scene.representation;
     if (scene.buffers.empty() || !hasShapesOf(scene, r)) return false;
-    const TranslucentRuns translucent = translucentRuns(r);
-    const auto asBefore = [](const TranslucentRun& a, const TranslucentRun& b) {
-        return a.first == b.first && a.count == b.count && a.kind == b.kind;
-    };
-    // Translucent triangles do not occlude: with other ones the bake is outdated.
-    if (!std::equal(translucent.begin(), translucent.end(), scene.translucent.begin(), scene.translucent.end(),
-                    asBefore))
-        return false;
+    // Translucent primitives do not occlude: with other ones the bake is outdated.
+    if (!hasOpacitiesOf(scene, r)) return false;
     putInOrder(r, scene.order);
     // The shapes stay where they are: a running bake may read them. The meshes have the levels that a buffer holds.
     r.spheres = std::move(now.spheres), r.cylinders = std::move(now.cylinders), r.wires = std::move(now.wires);

@@ -25,9 +25,9 @@ struct Scene {
     passes::SceneBuffers buffers;
     SceneSizes sizes;
     Chunks chunks;
-    TranslucentRuns translucent;  ///< of the translucent triangles
-    StreamOrder order;            ///< maps to the caller's order
-    bool solid = false;           ///< from outside, backs of triangles are behind fronts
+    TranslucentParts translucent;
+    StreamOrder order;   ///< maps to the caller's order
+    bool solid = false;  ///< from outside, backs of triangles are behind fronts
 };
 
 /// A scene in the representation's own order. @throws Error
@@ -48,7 +48,7 @@ Scene makeMovedScene(const gpu::Device& device, Representation representation, c
 graph::Extent imageExtent(const View& view);
 
 /// Facts of a scene for choose(), without those of a view.
-SceneFacts factsOf(const Representation& representation, const Chunks& chunks, const TranslucentRuns& translucent);
+SceneFacts factsOf(const Representation& representation, const Chunks& chunks, const TranslucentParts& translucent);
 
 /// Room around the picture within which primitives may reach into it, pixels.
 double cullingMargin(const RenderSettings& settings, const View& view, bool wires);

@@ -6,7 +6,7 @@
 #include "engine/passes/covers.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/read_back.h"
-#include "engine/passes/select_triangles.h"
+#include "engine/passes/select_opacity.h"
 
 namespace nacre {
 
@@ -32,17 +32,14 @@ SceneFacts SceneFrames::facts(const RenderSettings& settings) const {
 }
 
 passes::PrimitiveCounts SceneFrames::countsOf(const passes::SceneView& view) {
-    return {view.copies.sphereCount(),
-            view.copies.cylinderCount(),
-            view.copies.triangleCount(),
-            view.radiusPixels,
-            view.flat(),
-            view.translucent ? view.translucent->copies.triangleCount() : 0};
+    return {view.copies.sphereCount(), view.copies.cylinderCount(), view.copies.triangleCount(), view.radiusPixels,
+            view.flat()};
 }
 
 void SceneFrames::addViewFacts(SceneFacts& facts, const passes::SceneView& view) {
     static_cast<passes::PrimitiveCounts&>(facts) = countsOf(view);
     if (view.light) facts.light = countsOf(*view.light);
+    if (view.translucent) facts.layers = countsOf(*view.translucent);
     facts.smallestPixels = view.smallestPixels;
 }
 
@@ -119,6 +116,7 @@ void SceneFrames::count(PreparedFrame& prepared) {
     SceneCounts& counts = prepared.counts;
     static_cast<passes::PrimitiveCounts&>(counts) = countsOf(view);
     if (view.light) counts.light = countsOf(*view.light);
+    if (view.translucent) counts.layers = countsOf(*view.translucent);
     if (view.tiles) counts.spheres = view.tiles->shownSpheres().value_or(counts.spheres);
     if (view.tiles) counts.lists = view.tiles->counts();
 }
@@ -182,8 +180,7 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
         viewTranslucent(*over, view, shown_->translucent);
         view.translucent = over;
     }
-    passes::selectTriangles(view.copies.triangles, shown_->translucent,
-                            layered ? passes::Triangles::opaque : passes::Triangles::solid);
+    passes::select(view.copies, shown_->translucent, layered ? passes::Opacity::opaque : passes::Opacity::solid);
     addViewFacts(facts, view);
 
     FrameShape& shape = prepared.shape;

@@ -105,7 +105,7 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
     if (options.viewDirection && representation.copies.transforms.empty()) {
         HiddenTriangles hidden;
         if (options.path == OcclusionMaps::tiles && !representation.triangles.empty() &&
-            translucentRuns(representation).empty())
+            translucentParts(representation).empty())
             hidden = {result.occluders, options.viewDirection->towards, representation.radius, maps.pixels};
         keepSeen(result.open, result.layout, representation, *options.viewDirection, hidden);
     }

@@ -93,7 +93,11 @@ std::string occlusionCacheName(const Representation& representation, std::string
     for (const Triangle& t : representation.triangles)
         hash.add(t.a).add(t.b).add(t.c).add(std::bit_cast<std::uint32_t>(t.step()));
     for (const MeshVertex& v : representation.meshVertices) hash.add(v.xz).add(v.yz).add(v.normal);
-    for (const TranslucentRun& run : translucentRuns(representation)) hash.add(run.first).add(run.count);
+    const TranslucentParts translucent = translucentParts(representation);
+    for (const TranslucentRuns* runs : {&translucent.spheres, &translucent.cylinders, &translucent.triangles}) {
+        hash.add(std::uint64_t{runs->size()});
+        for (const TranslucentRun& run : *runs) hash.add(run.first).add(run.count);
+    }
     hash.add(std::bit_cast<std::uint64_t>(representation.radius));
     addCopies(hash, representation.copies);
     for (const auto* runs :

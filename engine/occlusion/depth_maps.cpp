@@ -6,7 +6,7 @@
 
 #include "engine/occlusion/pipelines.h"
 #include "engine/passes/geometry_passes.h"
-#include "engine/passes/select_triangles.h"
+#include "engine/passes/select_opacity.h"
 #include "engine/passes/vertex_costs.h"
 #include "engine/passes/view_constants.h"
 #include "engine/scene/instances/mesh_levels.h"
@@ -123,7 +123,7 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
       path_(path),
       sizes_(device.caps(), representation, path, budgetBytes, detail),
       radius_(representation.radius),
-      translucent_(translucentRuns(representation)) {
+      translucent_(translucentParts(representation)) {
     const auto dealOut = [&](const std::vector<ModelRun>& runs, std::vector<ModelRun> Runs::*kind) {
         for (const ModelRun& run : runs) {
             if (run.model >= runs_.size()) runs_.resize(run.model + 1);
@@ -165,7 +165,7 @@ passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t mo
     const double error = runs_.size() > 1 ? 0 : errorInSpace(seen, DepthMapSizes::kMeshError);
     passes::PlacedCopies all = passes::placeCopies(representation_, seen, nullptr, 0, error);
     // Translucent primitives do not occlude.
-    passes::selectTriangles(all.triangles, translucent_, passes::Triangles::opaque);
+    passes::select(all, translucent_, passes::Opacity::opaque);
     if (runs_.size() > 1) {
         all.spheres = within(all.spheres, runs_[model].spheres);
         all.cylinders = within(all.cylinders, runs_[model].cylinders);

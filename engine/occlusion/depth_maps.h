@@ -120,8 +120,8 @@ private:
     DepthMapSizes sizes_;
     double radius_, meanRadius_ = 0;
     std::uint64_t mostInstances_ = 0;
-    TranslucentRuns translucent_;  ///< left out of maps
-    std::vector<Runs> runs_;       // by model
+    TranslucentParts translucent_;  ///< left out of maps
+    std::vector<Runs> runs_;        // by model
     std::unique_ptr<TileMaps> tiles_;
     gpu::Image partMap_, partDepth_;  // for a direction drawn in parts
 };

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "engine/occlusion/open_patch.h"
+#include "engine/scene/build/translucency.h"
 #include "engine/simd/lanes.h"
 #include "engine/threads.h"
 
@@ -118,10 +119,19 @@ private:
     void collect(std::uint32_t self) {
         around_.clear();
         tree_.near(self, [&](std::uint32_t item) {
+            if (!isOpaque(item)) return true;  // what is translucent occludes nothing
             around_.push_back(item);
             return around_.size() < kMostNeighbours;
         });
         last_ = 0;
+    }
+    bool isOpaque(std::uint32_t item) const {
+        const std::size_t spheres = r_.spheres.size();
+        if (item < spheres && item < r_.sphereLooks.size())
+            return translucencyOf(r_.sphereLooks[item]) == Translucency::opaque;
+        if (item >= spheres && item - spheres < r_.cylinderLooks.size())
+            return translucencyOf(r_.cylinderLooks[item - spheres]) == Translucency::opaque;
+        return true;
     }
     bool holds(std::uint32_t item, const glm::vec3& p) const {
         return item < r_.spheres.size() ? inside(r_.spheres[item], p)

@@ -27,8 +27,8 @@ struct AtlasWord {
 };
 
 struct OpenTexels {
-    /// Texels of spheres and cylinders outside all other primitives, in linear order (all sphere patches, then all
-    /// cylinder patches): only these can be lit. All texels of vertices follow.
+    /// Texels of spheres and cylinders outside all other opaque primitives, in linear order (all sphere patches, then
+    /// all cylinder patches): only these can be lit. All texels of vertices follow.
     std::vector<std::uint32_t> texels;
     std::size_t sphereTexels = 0;  ///< number of sphere texels
     std::vector<AtlasWord> words;  ///< those with at least one source

@@ -87,7 +87,9 @@ FullScreenPass fullScreenOf(const gpu::PipelineContext& context, const SceneView
 }
 
 bool isEmpty(const SceneView& view, const DeferredPass& pass) {
-    return pass.over ? view.copies.triangles.empty() : view.buffers->empty();
+    const PlacedCopies& drawn = view.copies;
+    return pass.over ? drawn.spheres.empty() && drawn.cylinders.empty() && drawn.triangles.empty()
+                     : view.buffers->empty();
 }
 
 }  // namespace

@@ -11,10 +11,9 @@ namespace nacre::passes {
 
 /// Primitives that a view submits, in all copies, and their size in the picture.
 struct PrimitiveCounts {
-    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;  ///< without triangles of translucent layers
-    double radiusPixels = 0;                                  ///< mean radius of the spheres
-    bool flat = false;                                        ///< no impostor leans
-    std::uint64_t translucent = 0;                            ///< triangles of translucent layers
+    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
+    double radiusPixels = 0;  ///< mean radius of the spheres
+    bool flat = false;        ///< no impostor leans
 };
 
 /// What the vertex stage of a pass hands on.

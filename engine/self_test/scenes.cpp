@@ -13,10 +13,12 @@
 namespace nacre {
 namespace {
 
+constexpr std::uint32_t kOpaque = 0xff000000, kColor = ~kOpaque;
+
 /// A colour for each of 63 atoms, far from the next; never black.
 std::uint32_t colorOf(std::uint32_t atom) {
     constexpr std::uint32_t kLevels[] = {0x20, 0x60, 0xa0, 0xe0};
-    return kLevels[atom & 3] | kLevels[atom >> 2 & 3] << 8 | kLevels[atom >> 4 & 3] << 16;
+    return kOpaque | kLevels[atom & 3] | kLevels[atom >> 2 & 3] << 8 | kLevels[atom >> 4 & 3] << 16;
 }
 
 Representation sample(const char* name, Style style) {
@@ -48,9 +50,7 @@ void addOctahedra(Representation& r, float size) {
         }
         for (const glm::uvec3& face : kFaces) mesh.triangles.push_back(face + first);
     }
-    constexpr std::uint32_t kOpaque = 0xff000000;
-    std::vector<SphereLook> looks = r.sphereLooks;
-    for (SphereLook& look : looks) look.color |= kOpaque;
+    const std::vector<SphereLook> looks = r.sphereLooks;
     const auto lookOf = [&](std::uint32_t atom) { return looks[atom]; };
     appendMesh(mesh, glm::dvec3(0), lookOf, r);
 }
@@ -81,8 +81,6 @@ Representation repeated(Representation r, int side) {
     r.radius = one.radius + std::sqrt(3.0) * middle * step;
     return r;
 }
-
-constexpr std::uint32_t kColor = 0xffffff;  // without the opacity
 
 struct Ray {
     glm::dvec3 from, along;
@@ -139,7 +137,7 @@ private:
             if (under <= 0) continue;
             const double way = middle - std::sqrt(under);
             const glm::dvec3 at = ray.from + way * ray.along;
-            nearest.meet(way, {r_.sphereLooks[i].color, at, glm::normalize(at - centers_[i])});
+            nearest.meet(way, {r_.sphereLooks[i].color & kColor, at, glm::normalize(at - centers_[i])});
         }
     }
 
@@ -156,7 +154,8 @@ private:
             const double t = (-ab - std::sqrt(under)) / aa, along = glm::dot(from + t * ray.along, axis);
             // Both ends are inside of spheres.
             const CylinderLook& look = r_.cylinderLooks[i];
-            if (along > 0 && along < length) nearest.meet(t, {along < length / 2 ? look.colorA : look.colorB});
+            if (along > 0 && along < length)
+                nearest.meet(t, {(along < length / 2 ? look.colorA : look.colorB) & kColor});
         }
     }
 

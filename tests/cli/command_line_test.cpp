@@ -81,7 +81,7 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
           Case{"serve --port 8080", "nacre serve has no option --port (did you mean '--listen'?)"},
           Case{"render sample:dna -o a.png --sel all", "did you mean '--show'?"},
           Case{"render sample:dna -o a.png --opacity 1",
-               "mean '--surface-opacity', '--cartoon-opacity' or '--map-opacity'?"},
+               "mean '--surface-opacity', '--cartoon-opacity', '--atom-opacity' or '--map-opacity'?"},
           Case{"render sample:dna -o a.png --cartoon",
                "did you mean '--style cartoon', '--cartoon-scale' or '--cartoon-opacity'?"},
           Case{"info sample:dna --transparent", "nacre info has no option --transparent (see"},

@@ -20,6 +20,7 @@ LOOKS = {
     "clipped": ["--clip", "0", "--style", "licorice"],
     "lens": ["--depth-of-field", "20"],
     "translucent": ["--style", "surface", "--surface-opacity", "0.5"],
+    "translucent atoms": ["--style", "ball-and-stick", "--atom-opacity", "0.5"],
     "lines": ["--style", "lines"],
     "perspective": ["--projection", "perspective", "--fog", "auto"],
 }

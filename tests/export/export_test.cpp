@@ -216,6 +216,15 @@ TEST(Export, WhatIsTranslucentIsBlended) {
         for (const auto& color : colorsOf(file)) ASSERT_NEAR(color[3], opacity, 1.0 / 65535);
         EXPECT_EQ(glbJson(file)["materials"][0].value("alphaMode", "OPAQUE"), opacity < 1 ? "BLEND" : "OPAQUE");
     }
+    look.style = Style::ballAndStick;
+    look.atomOpacity = 0.25;
+    ExportOptions options;
+    options.instances = true;
+    const Representation scene = represent(glucose, drawnAtoms(glucose), look);
+    for (const auto& material : glbJson(glbFile(exportScene(glucose, scene, options), {"glucose", 1}))["materials"]) {
+        EXPECT_EQ(material["alphaMode"], "BLEND");
+        EXPECT_EQ(material["pbrMetallicRoughness"]["baseColorFactor"][3], 0.25);
+    }
 }
 
 TEST(Export, SticksOfInstancesStandWhereThoseOfTrianglesDo) {

@@ -262,6 +262,21 @@ TEST(Choose, ThatDidNotHoldSaysWhy) {
     EXPECT_EQ(decisions[2].why, "asked for");
 }
 
+TEST(Choose, DrawsLayersOfAtomsByTriangles) {
+    SceneFacts scene;
+    scene.hasTranslucent = true;
+    const FrameCaps caps = software(true);
+    RenderSettings settings;
+    settings.supersample = 1;
+    const FrameChoice meshes = choose(pictureOf(settings), scene, caps);
+    EXPECT_EQ(meshes.effects.size(Effect::Kind::tileTranslucency), kTranslucentLayers);
+    scene.hasTranslucentAtoms = true;
+    const FrameChoice atoms = choose(pictureOf(settings), scene, caps);
+    EXPECT_EQ(atoms.path, meshes.path);
+    EXPECT_EQ(atoms.effects.size(Effect::Kind::translucency), kLayersOfAtoms);
+    EXPECT_FALSE(atoms.has(Effect::Kind::tileTranslucency));
+}
+
 TEST(Choose, RefusesWhatTheDeviceCannotDraw) {
     FrameCaps caps = graph::capabilitySet("apple-moltenvk");
     RenderSettings settings;

@@ -111,7 +111,7 @@ TEST(VertexLimitOfPlans, IsNeverExceeded) {
         SceneFacts facts;
         facts.spheres = some(3'000'000), facts.cylinders = some(2'000'000), facts.triangles = some(4'000'000);
         facts.radiusPixels = 1 + static_cast<double>(random() % 30);
-        if (random() % 4 == 0) facts.hasTranslucent = true, facts.translucent = some(4'000'000);
+        if (random() % 4 == 0) facts.hasTranslucent = true, facts.layers.triangles = some(4'000'000);
         RenderSettings settings = phoneSettings();
         if (random() % 4 == 0) {
             settings.effects.shadow.strength = 0.5;

@@ -200,7 +200,7 @@ TEST(DebugView, EncodedIsTheAttachmentOnEveryRung) {
 TEST(DebugView, PatchesAreTheAtlasAndFollowTheView) {
     Representation lone;
     lone.spheres = {{{0, 0, 0}, 1.7f}};
-    lone.sphereLooks = {{}};
+    lone.sphereLooks = {{0xff000000u, 0}};
     lone.radius = 1.7;
     ValidatedRenderer renderer(Visibility::encoded);
     renderer->setScene(lone);

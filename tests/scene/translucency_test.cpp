@@ -9,6 +9,7 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
+#include "engine/scene/build/chunks.h"
 #include "engine/scene/color/colors.h"
 
 namespace nacre::test {
@@ -44,7 +45,7 @@ TEST(Translucency, ComesFromARuleOrFromWhatIsForAll) {
     look.surfaceOpacity = 0.75;
     look.rules = {shown("chain A", Style::surface, 0.25), shown("chain B", Style::surface, {})};
     const Representation r = represent(dna, drawnAtoms(dna), look);
-    const TranslucentRuns runs = translucentRuns(r);
+    const TranslucentRuns runs = translucentParts(r).triangles;
     ASSERT_EQ(runs.size(), 2u);
     // Of the one mesh, what is opaque first, then what hides more than a half; the cartoon stands before it, whole.
     EXPECT_EQ(runs[0].kind, Translucency::dense);
@@ -66,12 +67,41 @@ TEST(Translucency, ComesFromARuleOrFromWhatIsForAll) {
     }
 }
 
+TEST(Translucency, OfAtomsIsOneRunBehindTheOpaqueOnes) {
+    const Molecule dna = sampleMolecule("dna");
+    RepresentationOptions look;
+    look.style = Style::ballAndStick;
+    look.atomOpacity = 0.25;
+    look.rules = {shown("chain A", Style::licorice, 1.0)};
+    Representation r = represent(dna, drawnAtoms(dna), look);
+    const auto chainOf = [&](std::uint32_t number) {
+        return dna.chains[dna.residues[dna.atoms[number - 1].residue].chain].name;
+    };
+    orderInSpace(r);
+    const TranslucentParts parts = translucentParts(r);
+    ASSERT_EQ(parts.spheres.size(), 1u);
+    ASSERT_EQ(parts.cylinders.size(), 1u);
+    EXPECT_TRUE(parts.triangles.empty());
+    EXPECT_EQ(parts.spheres[0].kind, Translucency::faint);
+    EXPECT_EQ(parts.spheres[0].first + parts.spheres[0].count, r.spheres.size());
+    for (std::uint32_t i = 0; i < r.spheres.size(); ++i) {
+        const bool opaque = chainOf(r.sphereLooks[i].atom) == "A";
+        ASSERT_EQ(opacitySteps(r.sphereLooks[i].color), opaque ? 128u : 32u);
+        ASSERT_EQ(i < parts.spheres[0].first, opaque);
+    }
+    // A stick has the opacity of the atom at each end.
+    for (const CylinderLook& stick : r.cylinderLooks) {
+        ASSERT_EQ(opacitySteps(stick.colorA), chainOf(stick.atomA) == "A" ? 128u : 32u);
+        ASSERT_EQ(opacitySteps(stick.colorB), chainOf(stick.atomB) == "A" ? 128u : 32u);
+    }
+}
+
 TEST(Translucency, IsNoneWhereAllIsOpaque) {
     const Molecule dna = sampleMolecule("dna");
     RepresentationOptions look;
     look.style = Style::surface;
     look.surface.resolution = 1.2;
-    EXPECT_TRUE(translucentRuns(represent(dna, drawnAtoms(dna), look)).empty());
+    EXPECT_TRUE(translucentParts(represent(dna, drawnAtoms(dna), look)).empty());
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ class Options(TypedDict, total=False):
     cavities: str | bool
     surface_opacity: str | float
     cartoon_opacity: str | float
+    atom_opacity: str | float
     probability: str | float
     interactions: str | bool | Mask | tuple[str | Mask, str | Mask]
     interaction_kinds: str

@@ -247,6 +247,9 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
         wanted.empty() && !anyBackbone && std::ranges::none_of(looks, [](const AtomLook& look) { return look.beside; })
             ? std::vector<bool>()
             : bondedAmong(facts.molecule(), appearance.atoms);
+    const auto opacity = [&](std::uint32_t rule, double ofAll) {
+        return rule == kBase ? ofAll : rules[rule - 1].opacity.value_or(ofAll);
+    };
     std::vector<bool> inLines(count), inSugars(count);
     Appearance atoms;
     for (std::size_t i = 0; i < count; ++i) {
@@ -265,14 +268,12 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
         atoms.styles.push_back(style);
         atoms.colors.push_back(appearance.colors[i]);
         atoms.tints.push_back(appearance.tints[i]);
+        atoms.opacity.push_back(opacity(looks[i].style, options.atomOpacity));
     }
     if (!wanted.empty())
         colorAsCartoon(
             facts.molecule(), looks, inCartoon,
             [&](std::uint32_t number) { return coloringOf(options, number).scheme; }, appearance);
-    const auto opacity = [&](std::uint32_t rule, double ofAll) {
-        return rule == kBase ? ofAll : rules[rule - 1].opacity.value_or(ofAll);
-    };
     appearance.cartoon = meshAtomsOf(
         appearance, inCartoon, [&](std::size_t i) { return opacity(looks[i].cartoonRule, options.cartoonOpacity); });
     appearance.surface = meshAtomsOf(
@@ -285,6 +286,7 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
     appearance.styles = std::move(atoms.styles);
     appearance.colors = std::move(atoms.colors);
     appearance.tints = std::move(atoms.tints);
+    appearance.opacity = std::move(atoms.opacity);
     if (appearance.atoms.empty() && appearance.cartoon.atoms.empty() && appearance.surface.atoms.empty() &&
         appearance.lines.atoms.empty() && appearance.sugars.atoms.empty())
         appearance.seen = 0;

@@ -48,7 +48,7 @@ struct Sizes {
     friend bool operator==(const Sizes&, const Sizes&) = default;
 };
 
-constexpr double kLeastOpacity = 0.01;  ///< of a cartoon or surface; less would be invisible
+constexpr double kLeastOpacity = 0.01;  ///< less would be invisible
 
 /// One of `--show`, `--hide`, `--color-by`. A later rule overrides an earlier one.
 struct Rule {
@@ -64,7 +64,7 @@ struct Rule {
     Style style = Style::spacefill;      ///< for show
     Coloring coloring;                   ///< for color
     bool on = true;                      ///< false: the rule has no effect
-    std::optional<double> opacity = {};  ///< of the shown cartoon or surface; empty: the default
+    std::optional<double> opacity = {};  ///< of what the rule shows; empty: that of all
     friend bool operator==(const Rule&, const Rule&) = default;
 };
 
@@ -78,8 +78,9 @@ struct RepresentationOptions {
     std::optional<glm::dvec3> center = {};  ///< of the scene, Å in the file's frame; empty: of what is drawn
     CartoonOptions cartoon = {};
     SurfaceOptions surface = {};
-    double cartoonOpacity = 1, surfaceOpacity = 1;  ///< kLeastOpacity to 1, where no rule sets one
-    bool modelsOcclude = false;                     ///< models drawn together occlude each other
+    /// kLeastOpacity to 1, where no rule sets one. Atoms: spheres and sticks of every style.
+    double cartoonOpacity = 1, surfaceOpacity = 1, atomOpacity = 1;
+    bool modelsOcclude = false;  ///< models drawn together occlude each other
     ContactOptions contacts = {};
     std::vector<Coloring> colorFrom = {};  ///< tables: override `color`; rules override them; the last one wins
     Carbohydrates carbohydrates = Carbohydrates::off;
@@ -120,6 +121,7 @@ struct Appearance {
     std::vector<Style> styles;  ///< same length as atoms; atom styles and backbone only
     std::vector<std::uint32_t> colors;
     std::vector<std::uint32_t> tints;           ///< same length as atoms: tint of the copy's colour (colors.h); 0: none
+    std::vector<double> opacity;                ///< same length as atoms; 1: opaque
     MeshAtoms cartoon, surface, lines, sugars;  ///< lines and sugars have no opacity
     static constexpr std::uint16_t kNoLegend = 0xffff;
     bool anyByCopy() const;

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "engine/scene/build/translucency.h"
+
 namespace nacre {
 namespace {
 
@@ -67,8 +69,9 @@ std::uint32_t spread(std::uint32_t bits) {
 }
 
 /// Numbers of a stream's primitives in the order that they are to have: where the runs begin, they stay apart.
-template <typename Primitive>
-std::vector<std::uint32_t> mortonOrder(const std::vector<Primitive>& stream, const std::vector<std::uint32_t>& starts) {
+template <typename Primitive, typename Look>
+std::vector<std::uint32_t> mortonOrder(const std::vector<Primitive>& stream, const std::vector<Look>& looks,
+                                       const std::vector<std::uint32_t>& starts) {
     glm::vec3 low(kLargestFloat), high(-kLargestFloat);
     for (const Primitive& p : stream) {
         const glm::vec3 center = ballOf(p).center;
@@ -79,7 +82,8 @@ std::vector<std::uint32_t> mortonOrder(const std::vector<Primitive>& stream, con
     std::vector<std::uint64_t> keys(stream.size());  // code, number
     for (std::uint32_t i = 0; i < stream.size(); ++i) {
         const glm::vec3 at = (ballOf(stream[i]).center - low) / side * 1023.0f;
-        std::uint32_t code = 0;
+        // Translucent ones last, so that each class is one run.
+        std::uint32_t code = static_cast<std::uint32_t>(translucencyOf(looks[i])) << 30;
         for (int axis = 0; axis < 3; ++axis)
             code |= spread(at[axis] > 0 ? static_cast<std::uint32_t>(std::min(at[axis], 1023.0f)) : 0) << axis;
         keys[i] = std::uint64_t{code} << 32 | i;
@@ -129,8 +133,9 @@ std::vector<std::uint32_t> runStarts(const std::vector<PrimitiveRun>& copies, co
 }
 
 StreamOrder orderInSpace(Representation& r) {
-    StreamOrder order{mortonOrder(r.spheres, runStarts(r.copies.spheres, r.sphereModels, r.spheres.size())),
-                      mortonOrder(r.cylinders, runStarts(r.copies.cylinders, r.cylinderModels, r.cylinders.size()))};
+    StreamOrder order{
+        mortonOrder(r.spheres, r.sphereLooks, runStarts(r.copies.spheres, r.sphereModels, r.spheres.size())),
+        mortonOrder(r.cylinders, r.cylinderLooks, runStarts(r.copies.cylinders, r.cylinderModels, r.cylinders.size()))};
     putInOrder(r, order);
     return order;
 }

@@ -35,8 +35,8 @@ struct StreamOrder {
 };
 
 /// Sorts spheres and cylinders in Morton order (G. M. Morton, 1966: interleaves the bits of the coordinates), so that
-/// neighbours in a stream are neighbours in space. Runs of copies or models stay separate, and primitives at one
-/// position keep their order.
+/// neighbours in a stream are neighbours in space. Runs of copies or models stay separate, in them opaque and
+/// translucent primitives, and primitives at one position keep their order.
 StreamOrder orderInSpace(Representation& representation);
 
 /// Applies an order found before. @param order  for as many spheres and cylinders

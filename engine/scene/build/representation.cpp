@@ -18,6 +18,7 @@
 #include "engine/scene/build/gaps.h"
 #include "engine/scene/build/line_drawing.h"
 #include "engine/scene/build/mesh_scene.h"
+#include "engine/scene/color/colors.h"
 #include "engine/scene/instances/assembly_scene.h"
 #include "engine/scene/view/bounds.h"
 
@@ -36,7 +37,7 @@ void appendAtoms(const Molecule& molecule, const Appearance& appearance, Represe
                                  ? static_cast<float>(ellipsoids.ball(index))
                                  : drawnRadius(atom, appearance.styles[i], appearance.sizes);
         result.spheres.push_back({glm::vec3(position), radius});
-        result.sphereLooks.push_back({appearance.colors[i], index + 1});
+        result.sphereLooks.push_back({withOpacity(appearance.colors[i], appearance.opacity[i]), index + 1});
     }
 }
 

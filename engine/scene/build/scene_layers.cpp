@@ -16,7 +16,7 @@
 #include "engine/scene/build/join_parts.h"
 #include "engine/scene/build/line_drawing.h"
 #include "engine/scene/build/mesh_scene.h"
-#include "engine/scene/build/translucent_atoms.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre {
 namespace {
@@ -49,6 +49,12 @@ SceneLayer newLayer(const ResidueFacts& facts, std::span<const std::uint32_t> dr
     layer.colors = colorAtoms(facts, layer.atoms, coloring).colors;
     if (opacity < 1) layer.opacity.assign(layer.atoms.size(), static_cast<float>(opacity));
     return layer;
+}
+
+double opacityOf(Style style, const RepresentationOptions& options) {
+    return style == Style::surface   ? options.surfaceOpacity
+           : style == Style::cartoon ? options.cartoonOpacity
+                                     : options.atomOpacity;
 }
 
 void recolorLayers(const ResidueFacts& facts, const std::vector<bool>* chosen, const Coloring& coloring,
@@ -86,11 +92,8 @@ void applyRule(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, 
             layer = filtered(layer, [&](std::size_t i) { return !chosen[layer.atoms[i]]; });
         return;
     }
-    const double ofAll = rule.style == Style::surface   ? options.surfaceOpacity
-                         : rule.style == Style::cartoon ? options.cartoonOpacity
-                                                        : 1.0;
-    SceneLayer layer =
-        newLayer(facts, drawn, &chosen, rule.style, options.color, options, rule.opacity.value_or(ofAll));
+    SceneLayer layer = newLayer(facts, drawn, &chosen, rule.style, options.color, options,
+                                rule.opacity.value_or(opacityOf(rule.style, options)));
     if (layer.atoms.empty()) result.warnings.push_back("'" + rule.selection.text + "' matches no atoms to show");
     result.layers.push_back(std::move(layer));
 }
@@ -132,6 +135,7 @@ Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer)
             if (backbone && !guides[layer.atoms[i]]) continue;
             appearance.atoms.push_back(layer.atoms[i]);
             appearance.colors.push_back(layer.colors[i]);
+            appearance.opacity.push_back(layer.opacity.empty() ? 1.0 : static_cast<double>(layer.opacity[i]));
         }
         appearance.tints.assign(appearance.atoms.size(), 0);
         appearance.styles.assign(appearance.atoms.size(), layer.style);
@@ -159,13 +163,12 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
         const float own =
             layer.style == Style::ellipsoids ? static_cast<float>(ellipsoids.ball(index)) : ballRadius(layer, atom);
         part.spheres.push_back({glm::vec3(glm::dvec3(atom.position) - center), own * layer.atomScale});
-        part.sphereLooks.push_back({appearance.colors[i], index + 1});
+        part.sphereLooks.push_back({withOpacity(appearance.colors[i], appearance.opacity[i]), index + 1});
     }
     if (!appearance.atoms.empty()) {
         addBonds(facts, appearance, DrawnOrders(facts, appearance, options), {}, nullptr, part);
         for (Cylinder& cylinder : part.cylinders) cylinder.radius *= layer.bondScale;
     }
-    meshTranslucentAtoms(layer, part);
     if (!appearance.lines.atoms.empty())
         addLines(molecule, appearance, options.lineWidth * static_cast<double>(layer.atomScale), nullptr, part);
     RepresentationOptions own = options;
@@ -278,10 +281,8 @@ GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32
     GuidedLayers result;
     result.layers = facts.molecule().guide->layers;
     if (options.style) {
-        const double opacity = *options.style == Style::surface   ? options.surfaceOpacity
-                               : *options.style == Style::cartoon ? options.cartoonOpacity
-                                                                  : 1.0;
-        result.layers = {newLayer(facts, drawn, nullptr, *options.style, options.color, options, opacity)};
+        result.layers = {newLayer(facts, drawn, nullptr, *options.style, options.color, options,
+                                  opacityOf(*options.style, options))};
     }
     if (options.color != Coloring(ColorScheme::element)) recolorLayers(facts, nullptr, options.color, "all", result);
     for (const Rule& rule : options.rules)

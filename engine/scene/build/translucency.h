@@ -1,5 +1,5 @@
 #pragma once
-// Translucent triangles: those with a vertex whose colour is not opaque (colors.h).
+// Translucent primitives: those with a colour that is not opaque (colors.h).
 
 #include <cstdint>
 #include <vector>
@@ -8,22 +8,32 @@
 
 namespace nacre {
 
-/// Opacity class of a triangle, by its most opaque vertex.
+/// Opacity class of a primitive, by its most opaque end or vertex.
 enum class Translucency : std::uint8_t {
     opaque,  ///< fully opaque
     dense,   ///< above one half: picking hits it
     faint,   ///< picking and layers ignore it
 };
+Translucency translucencyOf(const SphereLook& look);
+Translucency translucencyOf(const CylinderLook& look);
 Translucency translucencyOf(const Representation& representation, const Triangle& triangle);
 
-/// Consecutive translucent triangles.
+/// Consecutive translucent primitives of a stream.
 struct TranslucentRun {
     std::uint32_t first = 0, count = 0;
     Translucency kind = Translucency::dense;
+    friend bool operator==(const TranslucentRun&, const TranslucentRun&) = default;
 };
 using TranslucentRuns = std::vector<TranslucentRun>;  ///< ascending
 
-TranslucentRuns translucentRuns(const Representation& representation);
+struct TranslucentParts {
+    TranslucentRuns spheres, cylinders, triangles;
+    bool empty() const { return !hasAtoms() && triangles.empty(); }
+    bool hasAtoms() const { return !spheres.empty() || !cylinders.empty(); }
+    friend bool operator==(const TranslucentParts&, const TranslucentParts&) = default;
+};
+
+TranslucentParts translucentParts(const Representation& representation);
 
 /// Sorts the triangles of a mesh by class, so that there are few runs.
 void orderByTranslucency(const Representation& representation, std::vector<Triangle>::iterator first,

@@ -23,10 +23,10 @@ constexpr bool isCopyTint(std::uint32_t color) { return (color >> 24 & 1) == 0; 
 /// A copy's colour in a tint, as shaders mix them: multiplied in linear light.
 std::uint32_t tintedColor(std::uint32_t color, std::uint32_t tint);
 
-/// The mean in linear light, opaque. @param colors  at least one @param shares  same length, above 0
+/// The mean, in linear light. @param colors  at least one @param shares  same length, above 0
 std::uint32_t meanColor(std::span<const std::uint32_t> colors, std::span<const float> shares);
 
-/// For meshes: the other seven bits of the highest byte store opacity in steps of 1/128, from 1/128 to 1.
+/// The other seven bits of the highest byte store opacity in steps of 1/128, from 1/128 to 1.
 constexpr std::uint32_t kOpacitySteps = 128;
 std::uint32_t withOpacity(std::uint32_t color, double opacity);
 constexpr std::uint32_t opacitySteps(std::uint32_t color) { return (color >> 25) + 1; }

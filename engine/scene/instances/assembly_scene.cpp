@@ -142,6 +142,7 @@ void AssemblyScene::sortByCopies(Appearance& appearance) const {
     appearance.styles = inOrder(appearance.styles, order);
     appearance.colors = inOrder(appearance.colors, order);
     appearance.tints = inOrder(appearance.tints, order);
+    appearance.opacity = inOrder(appearance.opacity, order);
 }
 
 void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {

@@ -79,7 +79,7 @@ private:
 class Covers {
 public:
     Covers(const Representation& scene, const std::vector<bool>& chosen)
-        : scene_(scene), chosen_(chosen), through_(!translucentRuns(scene).empty()) {}
+        : scene_(scene), chosen_(chosen), through_(!translucentParts(scene).triangles.empty()) {}
 
     /// A contact's dashes are of nothing, and cover nothing: they go with its atoms.
     bool isContact(std::uint32_t number) const { return number > chosen_.size(); }
@@ -142,11 +142,13 @@ void Covers::count(const Placed& placed, const PartPicture& picture, double near
     };
     placed.eachSphere(false, [&](std::size_t i, const glm::dvec3& center, double radius) {
         const std::uint32_t atom = scene_.sphereLooks[i].atom;
-        if (!isPart(atom) && !isContact(atom)) picture.eachOfBall(center, radius, note(byAtom_, atom));
+        if (!isPart(atom) && !isContact(atom) && translucencyOf(scene_.sphereLooks[i]) == Translucency::opaque)
+            picture.eachOfBall(center, radius, note(byAtom_, atom));
     });
     placed.eachStick(false, [&](std::size_t i, const glm::dvec3& center, double radius) {
         const CylinderLook& look = scene_.cylinderLooks[i];
-        if (chosenOf(look) == 0 && !isContact(look.atomA)) picture.eachOfBall(center, radius, note(byStick_, i));
+        if (chosenOf(look) == 0 && !isContact(look.atomA) && translucencyOf(look) == Translucency::opaque)
+            picture.eachOfBall(center, radius, note(byStick_, i));
     });
     placed.eachTriangle(false, [&](std::size_t i, const std::array<glm::dvec3, 3>& corners) {
         const Triangle& t = scene_.triangles[i];
@@ -158,7 +160,8 @@ void Covers::count(const Placed& placed, const PartPicture& picture, double near
 void Covers::peel(const Placed& placed, double nearest) {
     placed.eachSphere(false, [&](std::size_t i, const glm::dvec3& center, double) {
         const std::uint32_t atom = scene_.sphereLooks[i].atom;
-        if (center.z > nearest && !isPart(atom) && !isContact(atom)) atomsGone_.insert(atom);
+        const bool opaque = translucencyOf(scene_.sphereLooks[i]) == Translucency::opaque;
+        if (center.z > nearest && !isPart(atom) && !isContact(atom) && opaque) atomsGone_.insert(atom);
     });
     placed.eachTriangle(false, [&](std::size_t i, const std::array<glm::dvec3, 3>& corners) {
         const Triangle& t = scene_.triangles[i];

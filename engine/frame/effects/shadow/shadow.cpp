@@ -5,7 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "engine/passes/geometry_passes.h"
-#include "engine/passes/select_triangles.h"
+#include "engine/passes/select_opacity.h"
 #include "engine/passes/view_constants.h"
 
 namespace nacre {
@@ -25,17 +25,17 @@ View lightView(const RenderSettings& settings, const View& view) {
 }
 
 void placeInLight(passes::PlacedCopies& copies, const Representation& r, const RenderSettings& settings,
-                  const View& view, const View& light, const TranslucentRuns& translucent) {
+                  const View& view, const View& light, const TranslucentParts& translucent) {
     // As the view does, so that nothing shades itself.
     passes::placeCopies(copies, r, light, nullptr, 0, meshErrorOf(settings, view));
     // Translucent parts cast no shadow.
-    passes::selectTriangles(copies.triangles, translucent, passes::Triangles::opaque);
+    passes::select(copies, translucent, passes::Opacity::opaque);
 }
 
 }  // namespace
 
 passes::PrimitiveCounts countsInLight(const Representation& r, const RenderSettings& settings,
-                                      const TranslucentRuns& translucent) {
+                                      const TranslucentParts& translucent) {
     const View light = lightView(settings, settings.view);
     passes::PlacedCopies copies;
     placeInLight(copies, r, settings, settings.view, light, translucent);

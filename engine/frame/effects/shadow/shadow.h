@@ -16,7 +16,7 @@ std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSe
 
 /// Primitives that the light sees.
 passes::PrimitiveCounts countsInLight(const Representation& representation, const RenderSettings& settings,
-                                      const TranslucentRuns& translucent);
+                                      const TranslucentParts& translucent);
 
 /// Where a point of view space is in the map, for shaders.
 void addShadow(layout::EffectConstants& constants, const RenderSettings& settings);

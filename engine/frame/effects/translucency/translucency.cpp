@@ -2,7 +2,8 @@
 
 #include "engine/frame/record.h"
 #include "engine/passes/deferred_shading.h"
-#include "engine/passes/select_triangles.h"
+#include "engine/passes/geometry_passes.h"
+#include "engine/passes/select_opacity.h"
 #include "engine/software/software.h"
 #include "shaders.h"
 
@@ -13,10 +14,11 @@ using graph::Clear;
 using passes::NearestFrom;
 using passes::SceneView;
 
-/// A layer of triangles: the nearest behind the previous layer. @param before  its depth; none: the first layer
+/// A layer: the nearest primitives behind the previous layer. @param before  its depth; none: the first layer
 passes::GeometryPass layerPass(const std::optional<passes::Reads>& before) {
-    passes::GeometryPass pass{{{}, {}, {shaders::numberTriangleVertex, NACRE_STAGE(identifyTriangle)}}};
-    if (before) pass.shaders.triangle = {shaders::numberTriangleReadsVertex, NACRE_STAGE(peelTriangle)};
+    static const passes::PrimitiveShaders kFirst = NACRE_SHADERS(number, , identify, ),
+                                          kNext = NACRE_SHADERS(number, Reads, peel, );
+    passes::GeometryPass pass{before ? kNext : kFirst};
     pass.depth = gpu::DepthUse::write;
     pass.reads = before;
     return pass;
@@ -81,11 +83,9 @@ void declareTranslucentColors(Frame& f, const FrameShape& shape) {
     }
 }
 
-void viewTranslucent(passes::SceneView& view, const passes::SceneView& all, const TranslucentRuns& runs) {
+void viewTranslucent(passes::SceneView& view, const passes::SceneView& all, const TranslucentParts& parts) {
     view = all;
-    view.copies.spheres.clear();
-    view.copies.cylinders.clear();
-    passes::selectTriangles(view.copies.triangles, runs, passes::Triangles::translucent);
+    passes::select(view.copies, parts, passes::Opacity::translucent);
     view.effects.contours.width = 0;
     view.rims = {};
     view.constants.contourWidth = 0;

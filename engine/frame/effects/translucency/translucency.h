@@ -1,6 +1,6 @@
 #pragma once
-// Translucent triangles: layers of the nearest ones, composited over the path's opaque picture, which is identical with
-// and without them, in one piece. Layers are found before opaque visibility; hidden ones are dropped when they are
+// Translucent primitives: layers of the nearest ones, composited over the path's opaque picture, which is identical
+// with and without them, in one piece. Layers are found before opaque visibility; hidden ones are dropped when they are
 // composited.
 
 #include "engine/frame/frame.h"
@@ -9,19 +9,19 @@
 
 namespace nacre {
 
-/// Draw translucent triangles; numbered from the nearest layer.
+/// Draw translucent primitives; numbered from the nearest layer.
 constexpr const char* kTranslucentLayer = "translucent layer ";
 constexpr const char* kTranslucentColor = "translucent colour ";
 
-/// Declares the passes that find the numbers of the nearest translucent triangles of each pixel, and of the next ones
+/// Declares the passes that find the numbers of the nearest translucent primitives of each pixel, and of the next ones
 /// behind; none for a choice without layers.
 void declareTranslucentLayers(Frame& frame, const FrameShape& shape);
 
 /// Composites the layers over the path's result, farthest first.
 void declareTranslucentColors(Frame& frame, const FrameShape& shape);
 
-/// A view of a scene's translucent triangles only, without outlines.
+/// A view of a scene's translucent primitives only, without outlines.
 /// @param all  a view of the whole scene's copies
-void viewTranslucent(passes::SceneView& view, const passes::SceneView& all, const TranslucentRuns& runs);
+void viewTranslucent(passes::SceneView& view, const passes::SceneView& all, const TranslucentParts& parts);
 
 }  // namespace nacre
