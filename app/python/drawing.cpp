@@ -129,6 +129,7 @@ PictureDescription requestOf(const Structure& structure, const std::string& json
     values.push_back({"output", output});
     PictureDescription request;
     app::setOptions(values, request);
+    request.input.conformations = structure.reading.conformations;
     app::completePicture(request);
     app::checkSize(request, app::kMostSamplesHeld);
     return request;
@@ -297,7 +298,7 @@ std::vector<bool> selected(const Structure& structure, const std::string& text) 
         Selection selection = parseSelection(text);
         app::InputOptions inputs;
         for (const std::string& input : structure.inputs) app::addInput(inputs, input);
-        if (!inputs.further.empty()) app::nameInputs(app::inputNames(inputs), selection);
+        if (inputs.several()) app::nameInputs(app::inputNames(inputs), selection);
         return selectAtoms(*structure.molecule, selection);
     } catch (const Error& error) {
         throw app::UsageError(error.what());

@@ -14,6 +14,7 @@
 
 #include "app/drawing/drawing.h"
 #include "app/images/image_file.h"
+#include "app/movie/camera_path.h"
 #include "app/python/colors.h"
 #include "engine/molecule/molecule.h"
 #include "engine/results.h"
@@ -70,7 +71,8 @@ std::vector<std::string> save(const Structure& structure, const std::string& pat
 /// Motion of a movie: options of `nacre movie` without dashes, and their values.
 struct Moving {
     std::vector<std::pair<std::string, std::string>> motion;
-    bool models = false;  ///< show the models, or the trajectory's frames
+    app::MovieModels models = app::MovieModels::one;
+    bool loop = false;  ///< of a morph
 };
 /// Draws a movie. @param between  called after each frame; if it throws, nothing is written
 /// @returns the number of frames, and warnings of the scene

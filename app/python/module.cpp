@@ -287,7 +287,7 @@ void addReading(py::module_& m) {
             [](const Structure& s) {
                 // Without the trajectory; atoms have the positions of its frame.
                 return py::make_tuple(py::bytes(freely([&] { return pickled(*s.molecule); })), s.inputs, s.notes,
-                                      s.reading.model);
+                                      s.reading.model, s.reading.conformations);
             },
             [](const py::tuple& state) {
                 const std::string bytes = state[0].cast<py::bytes>();
@@ -295,6 +295,7 @@ void addReading(py::module_& m) {
                 Structure structure{std::move(molecule), state[1].cast<std::vector<std::string>>()};
                 structure.notes = state[2].cast<std::vector<std::string>>();
                 structure.reading.model = state[3].cast<int>();
+                structure.reading.conformations = state[4].cast<bool>();
                 return structure;
             }));
     py::class_<Frames>(m, "Frames")
@@ -361,9 +362,12 @@ void addDrawing(py::module_& m) {
         return interruptible([s, path, options, colors] { return exportScene(s, path, options, colors); });
     });
     m.def("movie", [](const Structure& s, const std::string& path,
-                      const std::vector<std::pair<std::string, std::string>>& motion, bool models,
-                      const std::string& options, const Colors& colors) {
-        return interruptible([s, path, moving = Moving{motion, models}, options, colors] {
+                      const std::vector<std::pair<std::string, std::string>>& motion, bool sequence, bool morph,
+                      bool loop, const std::string& options, const Colors& colors) {
+        if (sequence && morph) throw app::UsageError("models and morph exclude each other");
+        using M = app::MovieModels;
+        const M models = morph ? M::morph : sequence ? M::sequence : M::one;
+        return interruptible([s, path, moving = Moving{motion, models, loop}, options, colors] {
             return movie(s, path, moving, options, colors, checkInterrupt);
         });
     });

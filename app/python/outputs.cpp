@@ -17,6 +17,7 @@
 #include "app/python/frames.h"
 #include "app/python/interrupt.h"
 #include "engine/error.h"
+#include "engine/molecule/trajectory/morph.h"
 
 namespace nacre::python {
 namespace {
@@ -29,17 +30,28 @@ app::CameraMotion motionOf(const Moving& moving) {
         } catch (const std::invalid_argument& error) {
             throw app::UsageError(key + ": " + error.what());
         }
-    if (!motion.spin && !motion.rock && !motion.sweep && !moving.models) motion.spin = glm::dvec3(0, 1, 0);
+    motion.models = moving.models;
+    motion.loop = moving.loop;
+    const bool one = moving.models == app::MovieModels::one, morph = moving.models == app::MovieModels::morph;
+    if (!motion.spin && !motion.rock && !motion.sweep && one) motion.spin = glm::dvec3(0, 1, 0);
     app::checkCameraMotion(motion);
-    if (motion.easing == app::Easing::stops) throw app::UsageError("easing: 'stops' is for a path along views");
+    if (motion.loop && !morph) throw app::UsageError("loop: it is for morph");
+    if (motion.easing == app::Easing::stops && !morph)
+        throw app::UsageError("easing: 'stops' is for morph, and for a path along views");
     return motion;
 }
 
-/// The models of a structure, or the frames of the trajectory that it was opened with.
+std::uint64_t framesOf(const app::CameraMotion& motion, std::uint64_t models, bool trajectory) {
+    const double seconds = app::secondsOf(motion, models, trajectory);
+    return static_cast<std::uint64_t>(std::max(std::llround(seconds * motion.framesPerSecond), 1ll));
+}
+
+/// The models of a structure, the frames of the trajectory that it was opened with, or a morph.
 class Models {
 public:
     /// @throws Error if there is one alone
-    explicit Models(const Structure& structure) : now_(*structure.molecule), motion_(motionOf(structure, now_)) {
+    Models(const Structure& structure, const app::CameraMotion& motion)
+        : now_(*structure.molecule), motion_(madeOf(structure, motion, now_)) {
         if (!motion_)
             throw Error("cannot show models", structure.inputs.front(),
                         structure.molecule->othersMissing.empty() ? "it has only one, or models of other atoms"
@@ -57,6 +69,18 @@ public:
     }
 
 private:
+    static std::unique_ptr<Motion> madeOf(const Structure& structure, const app::CameraMotion& motion,
+                                          const Molecule& now) {
+        if (motion.models != app::MovieModels::morph) return motionOf(structure, now);
+        const app::InputOptions& read = structure.reading;
+        if (!read.trajectory.path.empty()) throw app::UsageError("morph: it goes through models, not a trajectory");
+        const std::uint64_t models = std::max<std::uint64_t>(now.others.size() + 1, 2);
+        return std::make_unique<Motion>(morphOfModels(structure.molecule, read.model,
+                                                      app::morphPlaces(motion, framesOf(motion, models, false), models),
+                                                      motion.loop, structure.inputs.front()),
+                                        now, app::motionOptions(read.trajectory, now));
+    }
+
     Molecule now_;
     std::unique_ptr<Motion> motion_;
 };
@@ -69,14 +93,16 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
     checkName("movie()", path, app::isMovieName(path) && !app::isFrameFolder(path), app::movieEndings());
     const app::CameraMotion motion = motionOf(moving);
     app::PictureDescription request = requestOf(structure, options, kPlain);
-    if (motion.sweep && (moving.models || request.maps.files.empty()))
+    const bool several = moving.models != app::MovieModels::one;
+    if (motion.sweep && (several || request.maps.files.empty()))
         throw app::UsageError("map_sweep: it needs map, and does not go with models");
     request.aim.turns = true;
     std::optional<Models> models;
-    if (moving.models) models.emplace(structure);
+    if (several) models.emplace(structure, motion);
     const std::uint64_t modelCount = models ? models->count() : 1;
-    const double seconds = app::secondsOf(motion, modelCount, !structure.reading.trajectory.path.empty());
-    const auto frames = static_cast<std::uint64_t>(std::max(std::llround(seconds * motion.framesPerSecond), 1ll));
+    const bool morph = moving.models == app::MovieModels::morph;  // its models are the movie's frames
+    const std::uint64_t frames =
+        morph ? modelCount : framesOf(motion, modelCount, !structure.reading.trajectory.path.empty());
     if (frames > app::kMostMovieFrames)
         throw app::UsageError("more than " + std::to_string(app::kMostMovieFrames) + " frames: seconds, fps");
     const app::MovieShape shape{request.size, motion.framesPerSecond, request.background[3] < 1.0f, frames};

@@ -388,6 +388,32 @@ def test_movies_through_models(tmp_path):
         assert structure.movie(models=True, fps=10, **size).data == (tmp_path / "a.png").read_bytes()
 
 
+def test_morphs_are_the_command_lines(tmp_path):
+    (tmp_path / "m.pdb").write_bytes(MODELS)
+    size = {"size": (48, 32), "occlusion": "off"}
+
+    def drawn(*words):
+        subprocess.run([PROGRAM, "movie", *words, "-o", tmp_path / "a.png", "--morph", "--fps", "5", "--size", "48x32",
+                        "--occlusion", "off"], check=True, capture_output=True)
+        return (tmp_path / "a.png").read_bytes()
+
+    models = nacre.open(tmp_path / "m.pdb")
+    assert models.movie(morph=True, fps=5, **size).data == drawn(tmp_path / "m.pdb")
+    assert models.movie(morph=True, loop=True, easing="stops", fps=5, **size).data == \
+        drawn(tmp_path / "m.pdb", "--loop", "--easing", "stops")
+    both = ["sample:dna", "sample:dna"]
+    two = nacre.open(both, conformations=True)
+    assert len(two) == 486 and two.frames == 2
+    again = pickle.loads(pickle.dumps(two))
+    assert two.movie(morph=True, fps=5, **size).data == again.movie(morph=True, fps=5, **size).data == drawn(*both)
+    with pytest.raises(nacre.Error, match="it has one model"):
+        nacre.open(both).movie(morph=True)
+    with pytest.raises(nacre.UsageError, match="exclude each other"):
+        models.movie(morph=True, models=True)
+    with pytest.raises(nacre.UsageError, match="loop: it is for morph"):
+        models.movie(loop=True)
+
+
 def test_export_is_the_command_lines(dna, tmp_path):
     subprocess.run([PROGRAM, "export", "sample:dna", "-o", tmp_path / "a.ply", "--style", "cartoon"], check=True)
     dna.export(tmp_path / "b.ply", style="cartoon")

@@ -253,14 +253,15 @@ class Structure:
         _tell(_nacre.export(structure._core, _writable(path), text, colors))
 
     def movie(self, path=None, *, spin=None, turns=None, rock=None, axis=None, easing=None, map_sweep=None, models=False,
-              seconds=None, fps=None, **options):
+              morph=False, loop=False, seconds=None, fps=None, **options):
         """Draws a movie and returns it; notebooks show it. A path writes it to a file as well: .mp4 or .webm (both need the
         program ffmpeg), .gif or .png (animated). Without a path it is an animated PNG.
 
         spin: axis to turn about, "x", "y", "z" or a vector; turns: their number (1). rock: degrees to either side, about
         axis. map_sweep: contour level of the first map from one to another, "1sigma,3sigma". models: one model after the
-        other, or one frame of the trajectory that it was opened with. Without any of these it turns about y. seconds, fps:
-        how long and how fast. options: those of render().
+        other, or one frame of the trajectory that it was opened with. morph: from each model to the next by interpolated
+        frames, and with loop back to the first; the models may be structures opened with conformations=True. Without any
+        of these it turns about y. seconds, fps: how long and how fast. options: those of render().
         """
         motion = {"spin": spin, "turns": turns, "rock": rock, "axis": axis, "easing": easing, "map-sweep": map_sweep,
                   "seconds": seconds, "fps": fps}
@@ -268,14 +269,14 @@ class Structure:
             usual, pace = _NOTEBOOK_MOVIE
             options = usual | options
             for key, value in pace.items():
-                if motion[key] is None and not (models and key == "seconds"):
+                if motion[key] is None and not ((models or morph) and key == "seconds"):
                     motion[key] = value
         values = [(key, value if isinstance(value, str) else ",".join(map(str, _numpy.ravel(value).tolist())))
                   for key, value in motion.items() if value is not None]
         colors, text = self._given(options)
         with _tempfile.TemporaryDirectory(prefix="nacre-") as folder:
             target = _os.path.join(folder, "movie.png") if path is None else _writable(path)
-            frames, warnings = _nacre.movie(self._core, target, values, bool(models), text, colors)
+            frames, warnings = _nacre.movie(self._core, target, values, bool(models), bool(morph), bool(loop), text, colors)
             with _open(target, "rb") as file:
                 data = file.read()
         _tell(warnings)
@@ -304,7 +305,7 @@ def open(source, *, name="", maps=(), **options):  # noqa: A001: nacre.open, as 
 
     - a path, "sample:dna", "pdb:1BNA" or another INPUT of `nacre render`, or a list of them, which are drawn together, each
       with a name for selections: open(["receptor=a.pdb", "ligand=b.sdf"], fit=("/ligand", "/receptor")) superposes the
-      first on the second
+      first on the second; open(["open.pdb", "closed.pdb"], conformations=True) takes them for models of one
     - a file's bytes or an open file, in any supported format, compressed or not; an address (https://...)
     - a Universe or AtomGroup of MDAnalysis, a Trajectory of MDTraj, a Mol of RDKit with conformers, a Structure, Model or
       Chain of gemmi or Biopython
