@@ -125,16 +125,18 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
     if (input.conformations && !input.further.empty()) structure.model = 1;  // --model counts the INPUTs
     Molecule molecule = loadStructure(structure, onDownload, onModel, onStep);
     moveToFrame(input.trajectory, molecule);
-    if (input.further.empty()) fitModels(input, molecule);
-    if (input.further.empty() && (!input.fits.empty() || !input.alignments.empty()))
+    if (!input.further.empty()) {
+        std::vector<Molecule> molecules;
+        molecules.push_back(std::move(molecule));
+        for (const FurtherInput& further : input.further)
+            molecules.push_back(loadStructure(furtherInput(structure, further), onDownload, onModel, onStep));
+        if (input.several()) return joinInputs(input, std::move(molecules), sayNote);
+        molecule = joinConformations(input, std::move(molecules), sayNote);
+    } else if (!input.fits.empty() || !input.alignments.empty()) {
         throw Error("cannot fit", input.path, "--fit and --align superpose one INPUT on another: name two");
-    if (input.further.empty()) return molecule;
-    std::vector<Molecule> molecules;
-    molecules.push_back(std::move(molecule));
-    for (const FurtherInput& further : input.further)
-        molecules.push_back(loadStructure(furtherInput(structure, further), onDownload, onModel, onStep));
-    return input.conformations ? joinConformations(input, std::move(molecules), sayNote)
-                               : joinInputs(input, std::move(molecules), sayNote);
+    }
+    fitModels(input, molecule);
+    return molecule;
 }
 
 Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload) {

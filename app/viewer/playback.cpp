@@ -40,7 +40,11 @@ void Playback::arrived(const Reading::Arrival& arrival) {
     const std::size_t model = static_cast<std::size_t>(std::max(view.input.model, 1)) - 1;
     if (arrival.another && !arrival.step) stop();
     if (arrival.another) morphs_ = false, readModel_ = std::max(view.input.model, 1);
-    if (morphs_ && !document.moves()) makePlayer(false);
+    if (morphs_ && !document.moves()) {
+        const auto shown = static_cast<std::size_t>(std::lround(place()));
+        makePlayer(false);
+        clock_.goTo(shown);
+    }
     if (document.motion) {
         player_ = std::make_unique<Player>(document.molecule, std::exchange(document.motion, nullptr), wake_);
         const bool trajectory = !view.input.trajectory.path.empty();
