@@ -7,13 +7,22 @@
 
 namespace nacre {
 
+/// How surfaces answer light (shaders/common/shading.glsl).
+enum class Material {
+    matte,    ///< no highlight
+    plastic,  ///< a white highlight
+    metal,    ///< a broad one in the surface's colour, and less of other light
+    glow      ///< light of its own, without shadow
+};
+
 /// Light that stays with the viewer. Factors are 1 by default.
 struct Light {
-    double ambient = 1;    ///< from all directions
-    double direct = 1;     ///< from over the left shoulder
-    double highlight = 1;  ///< brightness; 0: none
-    double gloss = 42;     ///< exponent of the highlight: larger is sharper
-    double occlusion = 1;  ///< strength of ambient occlusion, 0..1
+    Material material = Material::plastic;  ///< of what has none of its own (Representation::ownMaterials)
+    double ambient = 1;                     ///< from all directions
+    double direct = 1;                      ///< from over the left shoulder
+    double highlight = 1;                   ///< brightness; 0: none
+    double gloss = 42;                      ///< exponent of the highlight: larger is sharper
+    double occlusion = 1;                   ///< strength of ambient occlusion, 0..1
     friend bool operator==(const Light&, const Light&) = default;
 };
 

@@ -131,7 +131,10 @@ void main() {
 #ifdef FETCHED
     vec2 place = placeOfCell(passed.w);
     vec3 base = ball.rgb;
-    if (kCopyColors != 0 && ball.w < 0.0) base *= copyColor();
+    if (kCopyColors != 0 && ball.w < 0.0) {
+        float own = materialIn(base);
+        base = (base - vec3(own, 0.0, 0.0)) * copyColor() + vec3(own, 0.0, 0.0);
+    }
 #endif
     float occlusion = sphereOcclusion(hit, place);
 #ifdef IDENTITY

@@ -101,6 +101,7 @@ void slidePlanes(Widgets& ui, Clip& clip, double radius) {
 void drawEffects(PanelFrame& f) {
     const double radius = f.viewer.document() ? f.viewer.document()->drawing.scene().radius : 1;
     if (f.ui.unfold("Light, outlines, fog")) {
+        chooseOption(f, "material");
         for (const char* key : {"ambient", "direct", "shadow", "highlight", "occlusion-strength"}) slideOption(f, key);
         slideOutlines(f);
         slideHalos(f);

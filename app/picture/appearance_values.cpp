@@ -353,18 +353,30 @@ std::pair<std::string_view, std::string_view> divide(std::string_view text, cons
 }  // namespace
 
 Rule parseShow(std::string_view text) {
-    // The separator between a style and its opacity.
-    constexpr std::string_view kOpacity = ":opacity=";
-    const std::size_t at = text.rfind(kOpacity);
-    const auto [selection, style] = divide(text.substr(0, at), "SELECTION=STYLE");
+    std::string_view rest = text;
+    /// What follows a separator, which is cut off with it.
+    const auto cut = [&](std::string_view separator) -> std::optional<std::string_view> {
+        const std::size_t at = rest.rfind(separator);
+        if (at == std::string_view::npos) return std::nullopt;
+        const std::string_view value = rest.substr(at + separator.size());
+        rest = rest.substr(0, at);
+        return value;
+    };
+    const std::optional<std::string_view> material = cut(":material="), opacity = cut(":opacity=");
+    const auto [selection, style] = divide(rest, "SELECTION=STYLE");
     Rule rule;
     rule.action = Rule::Action::show;
     rule.selection = parseSelection(selection);
     rule.style = parseStyle(style);
-    if (at == std::string_view::npos) return rule;
-    if (rule.style == Style::line || rule.style == Style::carbohydrate)
-        throw std::invalid_argument("lines and symbols of sugars are opaque: '" + std::string(text) + "'");
-    rule.opacity = parseNumber(text.substr(at + kOpacity.size()), kLeastOpacity, 1);
+    const auto refused = [&](const char* why) {
+        return std::invalid_argument(std::string(why) + ": '" + std::string(text) + "'");
+    };
+    if (opacity && (rule.style == Style::line || rule.style == Style::carbohydrate))
+        throw refused("lines and symbols of sugars are opaque");
+    if (opacity && material) throw refused("a rule gives a material or an opacity, not both");
+    if (material && rule.style == Style::line) throw refused("lines have no material");
+    if (opacity) rule.opacity = parseNumber(*opacity, kLeastOpacity, 1);
+    if (material) rule.material = static_cast<Material>(parseChoice(*material, kMaterialNames));
     return rule;
 }
 

@@ -3,6 +3,7 @@
 // std::invalid_argument with the reason, as text that continues "--option: "; functions for selections also
 // nacre::Error.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,8 +42,12 @@ std::string colorSourceText(const Coloring& coloring);
 /// Whether a value is a table itself, no file's name.
 bool isTableText(std::string_view text);
 
+/// In the order of Material.
+inline constexpr std::array<const char*, 4> kMaterialNames{"matte", "plastic", "metal", "glow"};
+
 constexpr std::size_t kMostRules = 1000;
-/// "SELECTION=STYLE", "SELECTION" and "SELECTION=SCHEME" or "SELECTION=COLOR", split at the last '='.
+/// "SELECTION=STYLE", also with ":opacity=SHARE" or ":material=NAME" behind it, "SELECTION" and "SELECTION=SCHEME" or
+/// "SELECTION=COLOR", split at the last '='.
 Rule parseShow(std::string_view text);
 Rule parseHide(std::string_view text);
 Rule parseColorBy(std::string_view text);

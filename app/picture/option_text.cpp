@@ -51,7 +51,10 @@ std::pair<std::string, std::string> ruleText(const Rule& rule) {
     switch (rule.action) {
         case Rule::Action::show:
             return {"show", rule.selection.text + "=" + styleName(rule.style) +
-                                (rule.opacity ? ":opacity=" + numberText(*rule.opacity) : std::string())};
+                                (rule.opacity ? ":opacity=" + numberText(*rule.opacity) : std::string()) +
+                                (rule.material ? std::string(":material=") +
+                                                     kMaterialNames[static_cast<std::size_t>(*rule.material)]
+                                               : std::string())};
         case Rule::Action::hide:
             return {"hide", rule.selection.text};
         case Rule::Action::color:

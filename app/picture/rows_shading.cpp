@@ -244,6 +244,16 @@ std::vector<Option> lightEffectRows() {
                 return focus ? numberText(*focus) : "auto";
             },
             "depth-of-field"),
+        effect("material", "matte|plastic|metal|glow",
+               "Material of what is drawn: no highlight, a white one, a broad one in the own colour, or light of its\n"
+               "own. --show SEL=STYLE:material=metal gives one to a part",
+               parseNamed<kMaterialNames, &P::effects, &E::light, &Light::material>,
+               printNamed<kMaterialNames, &P::effects, &E::light, &Light::material>, {},
+               {.label = "Material",
+                .choices = {{"Material: matte", "matte"},
+                            {"Material: plastic", "plastic"},
+                            {"Material: metal", "metal"},
+                            {"Material: glow", "glow"}}}),
         light<&Light::ambient>("ambient", "Ambient light, 0 to 10", {"Ambient light", 0, 2, "Ambient light: %.2f"}),
         light<&Light::direct>("direct", "Direct light, from over the left shoulder, 0 to 10",
                               {"Direct light", 0, 2, "Direct light: %.2f"}),

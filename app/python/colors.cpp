@@ -57,8 +57,7 @@ void checkCount(const Colors& colors, std::size_t atoms) {
 
 void paint(const Colors& colors, Representation& scene) {
     const auto give = [&](std::uint32_t& color, std::uint32_t atom) {
-        constexpr std::uint32_t kOpacity = 0xfe000000u;
-        color = (color & kOpacity) | (colors.atoms[atom - 1] & ~kOpacity);
+        color = withSurfaceOf(colors.atoms[atom - 1], color);
     };
     for (SphereLook& look : scene.sphereLooks) give(look.color, look.atom);
     for (SphereLook& look : scene.meshLooks) give(look.color, look.atom);

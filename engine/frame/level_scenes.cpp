@@ -44,6 +44,7 @@ Representation LevelScenes::shownBy(const Representation& whole, const RenderSet
     Representation r;
     r.spheres.assign(copies_.spheres().begin(), copies_.spheres().end());
     r.sphereLooks.assign(copies_.looks().begin(), copies_.looks().end());
+    r.ownMaterials = whole.ownMaterials;
     r.atomGroups = whole.atomGroups;
     r.center = whole.center;
     r.radius = whole.radius;

@@ -240,6 +240,7 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     seen->rims = rimsOf(settings);
     seen->copyColors = static_cast<int>(scene.representation.copies.colors.size());
     seen->blendsColors = scene.representation.blendsColors;
+    seen->ownMaterials = scene.representation.ownMaterials;
     if (shadowPixels(settings) > 0) seen->light = lightScene(scene, settings, view, views);
     seen->buffers = &scene.buffers;
     const bool wires = !scene.representation.wires.empty();

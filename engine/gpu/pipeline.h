@@ -34,7 +34,7 @@ public:
     friend bool operator==(const Specialization&, const Specialization&) = default;
 
 private:
-    static constexpr std::size_t kMost = 32;
+    static constexpr std::size_t kMost = 40;
     std::array<vk::SpecializationMapEntry, kMost> entries_{};
     std::array<std::uint32_t, kMost> values_{};
     std::uint32_t count_ = 0;

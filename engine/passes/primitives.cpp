@@ -7,6 +7,7 @@
 #include "engine/passes/bindings.h"
 #include "engine/passes/corners.h"
 #include "engine/passes/eyes.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre::passes {
 namespace {
@@ -302,6 +303,11 @@ void setGeometryConstants(gpu::Specialization& constants, const SceneView& view,
     constants.set(layout::kContoursId, rim > 0 || (view.effects.contours.width > 0 && !view.effects.linesByGroups()));
 }
 
+static_assert(layout::kMatte == static_cast<int>(Material::matte) &&
+              layout::kPlastic == static_cast<int>(Material::plastic) &&
+              layout::kMetal == static_cast<int>(Material::metal) &&
+              layout::kGlow == static_cast<int>(Material::glow) && layout::kMaterials == kMaterials);
+
 void setShadingConstants(gpu::Specialization& constants, const SceneView& view) {
     const Light& light = view.effects.light;
     constants.set(layout::kLightingId, view.lighting);
@@ -309,6 +315,8 @@ void setShadingConstants(gpu::Specialization& constants, const SceneView& view) 
     constants.set(layout::kCapId, static_cast<int>(view.effects.clip.cap));
     constants.set(layout::kCopyColorsId, view.copyColors);
     constants.set(layout::kBlendColorsId, view.blendsColors);
+    constants.set(layout::kOwnMaterialId, view.ownMaterials);
+    constants.set(layout::kMaterialId, static_cast<int>(light.material));
     constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
     constants.set(layout::kShadowId, view.light != nullptr);
     constants.set(layout::kAmbientId, static_cast<float>(light.ambient));

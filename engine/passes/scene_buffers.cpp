@@ -97,7 +97,8 @@ std::vector<glm::vec4> ballsOf(const Representation& r) {
         const std::uint32_t color = r.sphereLooks[i].color;
         const float radius = r.spheres[i].radius;
         const bool tint = isCopyTint(color);
-        balls.emplace_back(linear[color & 0xffu], linear[color >> 8 & 0xffu], linear[color >> 16 & 0xffu],
+        const float own = r.ownMaterials && color >> 25 < kMaterials ? 2 * static_cast<float>((color >> 25) + 1) : 0;
+        balls.emplace_back(linear[color & 0xffu] + own, linear[color >> 8 & 0xffu], linear[color >> 16 & 0xffu],
                            tint ? -radius : radius);
     }
     return balls;

@@ -57,6 +57,7 @@ struct SceneView {
     Effects effects;
     Rims rims;                               ///< lines by groups and halos
     bool blendsColors = false;               ///< Representation has it
+    bool ownMaterials = false;               ///< Representation has it
     int copyColors = 0;                      ///< that copies take in turn
     bool cut = false;                        ///< of a light's view: its planes' numbers are one plane, which cuts off
     std::shared_ptr<SceneView> light;        ///< what the shadow map shows; null: there is none

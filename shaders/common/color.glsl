@@ -166,7 +166,14 @@ float capShade(vec2 q) {
 vec3 lightOf(Hit hit, vec3 base, float occlusion, vec2 q) {
     occlusion = max(occlusion, leastOcclusion());
     if (kClip && hit.cap && effects.capColor != 0u) base = linearColor(effects.capColor);
-    vec3 lit = shade(base, hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion, sunlight(hit, q));
+    int material = kMaterial;
+    if (kOwnMaterials) {
+        float own = materialIn(base);
+        base.r -= own;
+        if (own > 0.0) material = int(0.5 * own) - 1;
+    }
+    vec3 lit =
+        shade(material, base, hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion, sunlight(hit, q));
     if (kClip && hit.cap) lit *= capShade(q);
     if (kContours && hit.contour) lit = effects.contour.rgb;
     return kFog ? mix(lit, effects.fog.rgb, fogAt(hit.Z)) : lit;

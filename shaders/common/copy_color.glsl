@@ -14,14 +14,23 @@ uint copyHere() {
 
 vec3 copyColor() { return effects.copyColors[copyHere() % uint(kCopyColors)].rgb; }
 /// @param color  linear @param bits  as stored: if the lowest bit of the alpha is 0, the colour tints the copy's
-/// colour; the other bits are the opacity (engine/scene/color/colors.h)
+/// colour; the other bits are the opacity or material (engine/scene/color/colors.h)
 vec3 colorInCopy(vec3 color, uint bits) {
     if (kCopyColors == 0 || (bits >> 24 & 1u) == 1u) return color;
     return color * copyColor();
 }
 
+/// A colour's own material travels in its red: twice the material's number, counted from 1, is added to that.
+layout(constant_id = kOwnMaterialId) const bool kOwnMaterials = false;
+bool hasMaterial(uint bits) { return kOwnMaterials && bits >> 25 < kMaterials; }
+float materialIn(vec3 color) { return kOwnMaterials ? 2.0 * floor(0.5 * color.r) : 0.0; }
+
 /// Linear colour from a stored one.
-vec3 linearColor(uint srgb) { return colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb); }
+vec3 linearColor(uint srgb) {
+    vec3 color = colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb);
+    if (hasMaterial(srgb)) color.r += float(2u * ((srgb >> 25) + 1u));
+    return color;
+}
 
 /// Stored colour at a point of a triangle: of the nearest corner, or blended. @param bits  of the corners
 layout(constant_id = kBlendColorsId) const bool kBlendColors = false;
@@ -34,4 +43,4 @@ uint cornerColor(uvec3 bits, uint corner, vec3 shares) {
 }
 
 /// Opacity from a stored colour; 1 is opaque.
-float opacityOf(uint bits) { return float((bits >> 25) + 1u) / 128.0; }
+float opacityOf(uint bits) { return hasMaterial(bits) ? 1.0 : float((bits >> 25) + 1u) / 128.0; }

@@ -48,6 +48,8 @@ const int kCapId = 29;          // style of clipped surfaces: 0 plain, 1 dark, 2
 const int kFogId = 30;          // bool
 const int kShadowId = 31;       // bool: the light's depth map is asked
 const int kBlendColorsId = 33;  // bool: triangles go over from corner to corner in colour
+const int kMaterialId = 34;     // of what has none of its own
+const int kOwnMaterialId = 35;  // bool: some colours have one
 const int kCopyColorsId = 32;   // colours that the copies of an assembly take in turn; 0: they all look the same
 // Pictures.
 const int kCodedId = 40;    // bool: the target takes sRGB-coded colour unchanged
@@ -90,6 +92,9 @@ const uint kNoEdge = 0xffffffffu;
 /// Words before that list: number of full subgroups, and rows of pixels of the bins.
 const uint kEdgeHeader = 4u;
 
+/// Materials: engine/effects.h says what they are.
+const int kMatte = 0, kPlastic = 1, kMetal = 2, kGlow = 3;
+const uint kMaterials = 4u;
 /// Maximum of colours that copies cycle through.
 const int kMostCopyColors = 16;
 

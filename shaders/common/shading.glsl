@@ -10,6 +10,10 @@ layout(constant_id = kHighlightId) const float kHighlight = 1.0;
 layout(constant_id = kGlossId) const float kGloss = 42.0;
 layout(constant_id = kPowersId) const bool kPowers = false;
 layout(constant_id = kDeepeningId) const float kDeepening = 1.0;
+layout(constant_id = kMaterialId) const int kMaterial = kPlastic;
+
+// Of metal: the share of other light, and the highlight's brightness. Of glow: light at the rim, and more facing the viewer.
+const float kDull = 0.45, kShine = 1.1, kGlowRim = 0.95, kGlowFacing = 0.75;
 
 /// strength * x^kGloss. Where pow() is slow, the default exponent is a product with the shortest chain of
 /// multiplications.
@@ -45,11 +49,16 @@ Reach reachOf(vec3 base, float open) {
     return Reach(mix(1.0, reach.direct, kDeepening), mix(1.0, reach.ambient, kDeepening));
 }
 
+/// @param material   one of common/layout.h
 /// @param base       linear base colour
 /// @param occlusion  0 closed to 1 open
 /// @param sun        fraction of the direct light
-vec3 shade(vec3 base, vec3 normal, float occlusion, float sun) {
+vec3 shade(int material, vec3 base, vec3 normal, float occlusion, float sun) {
     if (!kLighting) return base * mix(1.0, occlusion, kDeepening);
+    if (material == kGlow) {
+        precise float own = fma(max(normal.z, 0.0), kGlowFacing, kGlowRim);
+        return base * own;
+    }
     vec3 light = kLight;
     // Hemisphere light: surfaces that face up are slightly brighter.
     const vec3 down = vec3(0.54, 0.52, 0.52), up = vec3(0.70, 0.73, 0.77);
@@ -57,9 +66,16 @@ vec3 shade(vec3 base, vec3 normal, float occlusion, float sun) {
     precise float direct = max(dot(normal, light * (0.74 * kDirect)), 0.0) * sun;
     precise vec3 ambient = fma(vec3(normal.y), slope * kAmbient, level * kAmbient);
     vec3 half_ = normalize(light + vec3(0.0, 0.0, 1.0));
-    precise float highlight = kHighlight == 0.0 ? 0.0 : glossy(max(dot(normal, half_), 0.0), 0.16 * kHighlight) * sun;
+    float facing = max(dot(normal, half_), 0.0);
+    precise float highlight = material == kMatte || kHighlight == 0.0 ? 0.0 : glossy(facing, 0.16 * kHighlight) * sun;
     Reach reach = reachOf(base, occlusion);
     precise vec3 arriving = fma(ambient, vec3(reach.ambient), vec3(direct * reach.direct));
+    if (material == kMetal) {
+        precise float x2 = facing * facing, x4 = x2 * x2;
+        precise float shine = x4 * x4 * (kShine * kHighlight * sun * reach.direct);
+        precise vec3 metal = base * fma(arriving, vec3(kDull), vec3(shine));
+        return metal;
+    }
     precise vec3 lit = fma(base, arriving, vec3(highlight * reach.direct));
     return lit;
 }

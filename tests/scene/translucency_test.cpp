@@ -21,7 +21,7 @@ TEST(Opacity, GoesInStepsOfAHundredAndTwentyEighth) {
         EXPECT_TRUE(isOpaque(color));
         for (const double opacity : {0.0, 1.0 / 128, 0.25, 0.5, 0.75, 0.999}) {
             const std::uint32_t mixed = withOpacity(color, opacity);
-            EXPECT_EQ(opacitySteps(mixed), std::max(1.0, std::round(opacity * 128)));
+            EXPECT_EQ(opacitySteps(mixed), std::max(5.0, std::round(opacity * 128)));
             EXPECT_EQ(isCopyTint(mixed), isCopyTint(color));
             EXPECT_EQ(mixed & 0xffffffu, color & 0xffffffu);
         }

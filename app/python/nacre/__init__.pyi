@@ -116,6 +116,7 @@ class Options(TypedDict, total=False):
     shadow: str | float | bool
     depth_of_field: str | float | bool
     focus_depth: str | float
+    material: str
     ambient: str | float
     direct: str | float
     highlight: str | float

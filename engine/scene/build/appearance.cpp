@@ -9,6 +9,7 @@
 #include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/carbohydrates.h"
 #include "engine/scene/color/color_table.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre {
 namespace {
@@ -159,21 +160,6 @@ std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uin
     return looks;
 }
 
-/// Keeps, of some seen atoms, those that are chosen. @param chosen  by slot
-/// @param opacityOf  of a slot
-template <typename OpacityOf>
-MeshAtoms meshAtomsOf(const Appearance& seen, const std::vector<bool>& chosen, const OpacityOf& opacityOf) {
-    MeshAtoms mesh;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        if (!chosen[i]) continue;
-        mesh.atoms.push_back(seen.atoms[i]);
-        mesh.colors.push_back(seen.colors[i]);
-        mesh.tints.push_back(seen.tints[i]);
-        mesh.opacity.push_back(opacityOf(i));
-    }
-    return mesh;
-}
-
 /// For some atoms, ascending, whether each is bonded to another of them.
 std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     std::vector<bool> bonded(atoms.size());
@@ -250,6 +236,10 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
     const auto opacity = [&](std::uint32_t rule, double ofAll) {
         return rule == kBase ? ofAll : rules[rule - 1].opacity.value_or(ofAll);
     };
+    const auto inMaterial = [&](std::uint32_t rule, std::uint32_t color) {
+        const std::optional<Material> material = rule == kBase ? std::nullopt : rules[rule - 1].material;
+        return material ? withMaterial(color, *material) : color;
+    };
     std::vector<bool> inLines(count), inSugars(count);
     Appearance atoms;
     for (std::size_t i = 0; i < count; ++i) {
@@ -266,7 +256,7 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
         if (inLines[i] || (style == Style::backbone && !guides[atom])) continue;
         atoms.atoms.push_back(appearance.atoms[i]);
         atoms.styles.push_back(style);
-        atoms.colors.push_back(appearance.colors[i]);
+        atoms.colors.push_back(inMaterial(looks[i].style, appearance.colors[i]));
         atoms.tints.push_back(appearance.tints[i]);
         atoms.opacity.push_back(opacity(looks[i].style, options.atomOpacity));
     }
@@ -274,13 +264,22 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
         colorAsCartoon(
             facts.molecule(), looks, inCartoon,
             [&](std::uint32_t number) { return coloringOf(options, number).scheme; }, appearance);
-    appearance.cartoon = meshAtomsOf(
-        appearance, inCartoon, [&](std::size_t i) { return opacity(looks[i].cartoonRule, options.cartoonOpacity); });
-    appearance.surface = meshAtomsOf(
-        appearance, inSurface, [&](std::size_t i) { return opacity(looks[i].surfaceRule, options.surfaceOpacity); });
-    const auto opaque = [](std::size_t) { return 1.0; };
-    appearance.lines = meshAtomsOf(appearance, inLines, opaque);
-    appearance.sugars = meshAtomsOf(appearance, inSugars, opaque);
+    const auto mesh = [&](const std::vector<bool>& chosen, std::uint32_t AtomLook::*rule, double ofAll) {
+        MeshAtoms drawn;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!chosen[i]) continue;
+            const std::uint32_t number = looks[i].*rule;
+            drawn.atoms.push_back(appearance.atoms[i]);
+            drawn.colors.push_back(inMaterial(number, appearance.colors[i]));
+            drawn.tints.push_back(appearance.tints[i]);
+            drawn.opacity.push_back(opacity(number, ofAll));
+        }
+        return drawn;
+    };
+    appearance.cartoon = mesh(inCartoon, &AtomLook::cartoonRule, options.cartoonOpacity);
+    appearance.surface = mesh(inSurface, &AtomLook::surfaceRule, options.surfaceOpacity);
+    appearance.lines = mesh(inLines, &AtomLook::style, 1);
+    appearance.sugars = mesh(inSugars, &AtomLook::style, 1);
     appearance.seen = count;
     appearance.atoms = std::move(atoms.atoms);
     appearance.styles = std::move(atoms.styles);
@@ -395,6 +394,10 @@ float drawnRadius(const Atom& atom, Style style, const Sizes& sizes) {
             break;
     }
     return vanDerWaalsRadius(atom);
+}
+
+bool haveMaterials(const std::vector<Rule>& rules) {
+    return std::ranges::any_of(rules, [](const Rule& rule) { return rule.material.has_value(); });
 }
 
 Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn, Style usual) {

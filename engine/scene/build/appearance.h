@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/effects.h"
 #include "engine/mesh/cartoon.h"
 #include "engine/mesh/surface.h"
 #include "engine/molecule/molecule.h"
@@ -61,12 +62,16 @@ struct Rule {
     };
     Action action = Action::show;
     Selection selection;
-    Style style = Style::spacefill;      ///< for show
-    Coloring coloring;                   ///< for color
-    bool on = true;                      ///< false: the rule has no effect
-    std::optional<double> opacity = {};  ///< of what the rule shows; empty: that of all
+    Style style = Style::spacefill;         ///< for show
+    Coloring coloring;                      ///< for color
+    bool on = true;                         ///< false: the rule has no effect
+    std::optional<double> opacity = {};     ///< of what the rule shows; empty: that of all
+    std::optional<Material> material = {};  ///< of what is shown, where it is opaque; empty: the picture's
     friend bool operator==(const Rule&, const Rule&) = default;
 };
+
+/// Whether any of them gives a material.
+bool haveMaterials(const std::vector<Rule>& rules);
 
 struct RepresentationOptions {
     std::optional<Style> style;  ///< empty: defaultStyle() of the atoms that the rules leave

@@ -225,6 +225,7 @@ void join(Representation& scene, const Representation& others, std::uint32_t num
     keepApart(scene, cylinders, scene.cylinders.size(), model, &Copies::cylinders, &R::cylinderModels);
     keepApart(scene, triangles, scene.triangles.size(), model, &Copies::triangles, &R::triangleModels);
     scene.blendsColors |= others.blendsColors;
+    scene.ownMaterials |= others.ownMaterials;
 }
 
 }  // namespace

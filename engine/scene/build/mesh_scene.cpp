@@ -43,10 +43,9 @@ private:
 
 SphereLook sugarLook(const Molecule& molecule, const MeshLooks& looks, bool ownColors, std::uint32_t atom) {
     const std::uint32_t index = atom & ~kWhiteHalf;
-    const double opacity = opacitySteps(looks(index).color) / double{kOpacitySteps};
     const SugarSymbol* symbol = sugarSymbol(molecule.residues[molecule.atoms[index].residue].name);
     if (atom == index && !ownColors) return looks(index);
-    return {withOpacity(atom == index ? symbol->color : packedColor(0xffffff), opacity), index + 1};
+    return {withSurfaceOf(atom == index ? symbol->color : packedColor(0xffffff), looks(index).color), index + 1};
 }
 
 /// Whether an edge lies in a plane of the grid, as those of a contour do; others cross the grid's cells.

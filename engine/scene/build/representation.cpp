@@ -168,6 +168,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     result.center = bounds.center;
     result.radius = bounds.radius;
     result.style = appearance.style;
+    result.ownMaterials = haveMaterials(options.rules);
     appendAtoms(molecule, appearance, result);
     result.drawnAtoms = countAtoms(appearance, assembly ? &*assembly : nullptr);
     result.legends = std::move(appearance.legends);

@@ -72,6 +72,7 @@ struct Representation {
     std::vector<SurfaceAtom> surfaceAtoms;  ///< of closed surfaces (mesh_caps.h)
     /// Triangles go over from corner to corner in colour; else a point has that of the nearest corner.
     bool blendsColors = false;
+    bool ownMaterials = false;              ///< of some colours (engine/scene/color/colors.h)
     std::vector<std::uint32_t> atomGroups;  ///< of the file's atoms in their order (atom_groups.h), then of contacts
     Copies copies;                          ///< of an assembly; relative to center, too
     /// Models that are drawn together and do not occlude each other, in the order of the primitives; together all of

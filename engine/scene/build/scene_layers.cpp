@@ -94,6 +94,8 @@ void applyRule(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, 
     }
     SceneLayer layer = newLayer(facts, drawn, &chosen, rule.style, options.color, options,
                                 rule.opacity.value_or(opacityOf(rule.style, options)));
+    if (rule.material)
+        for (std::uint32_t& color : layer.colors) color = withMaterial(color, *rule.material);
     if (layer.atoms.empty()) result.warnings.push_back("'" + rule.selection.text + "' matches no atoms to show");
     result.layers.push_back(std::move(layer));
 }
@@ -363,6 +365,7 @@ Representation representLayers(const ResidueFacts& facts, const GuidedLayers& gu
     const SceneGuide& guide = *molecule.guide;
     Representation result;
     result.center = frame.center;
+    result.ownMaterials = haveMaterials(options.rules);
     result.legends = guided.legends;
     result.warnings = guided.warnings;
     const auto lists = static_cast<std::uint32_t>(guide.transforms.empty() ? 1 : guide.lists.size());

@@ -62,8 +62,9 @@ std::uint32_t codedByte(double light) {
 }  // namespace
 
 std::uint32_t withOpacity(std::uint32_t color, double opacity) {
-    const double steps = std::clamp(std::round(opacity * kOpacitySteps), 1.0, static_cast<double>(kOpacitySteps));
-    return (color & 0x01ffffffu) | (static_cast<std::uint32_t>(steps) - 1) << 25;
+    const double steps = std::round(opacity * kOpacitySteps);
+    if (steps >= kOpacitySteps) return color;
+    return (color & ~kSurfaceBits) | (static_cast<std::uint32_t>(std::max(steps, kMaterials + 1.0)) - 1) << 25;
 }
 
 std::uint32_t elementColor(Element element) { return packedColor(kElements[element < kElements.size() ? element : 0]); }

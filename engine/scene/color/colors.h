@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "engine/effects.h"
 #include "engine/molecule/molecule.h"
 #include "engine/scene/color/palettes.h"
 
@@ -26,10 +27,21 @@ std::uint32_t tintedColor(std::uint32_t color, std::uint32_t tint);
 /// The mean, in linear light. @param colors  at least one @param shares  same length, above 0
 std::uint32_t meanColor(std::span<const std::uint32_t> colors, std::span<const float> shares);
 
-/// The other seven bits of the highest byte store opacity in steps of 1/128, from 1/128 to 1.
-constexpr std::uint32_t kOpacitySteps = 128;
+/// The other seven bits of the highest byte store opacity in steps of 1/128. The lowest of these codes are
+/// materials of opaque colours instead, so that the least opacity is 5/128. Other colours have the picture's material.
+constexpr std::uint32_t kOpacitySteps = 128, kMaterials = 4, kSurfaceBits = 0xfe000000u;
+/// An opaque colour stays as it is.
 std::uint32_t withOpacity(std::uint32_t color, double opacity);
-constexpr std::uint32_t opacitySteps(std::uint32_t color) { return (color >> 25) + 1; }
+constexpr std::uint32_t opacitySteps(std::uint32_t color) {
+    return color >> 25 < kMaterials ? kOpacitySteps : (color >> 25) + 1;
+}
+constexpr std::uint32_t withMaterial(std::uint32_t color, Material material) {
+    return (color & ~kSurfaceBits) | static_cast<std::uint32_t>(material) << 25;
+}
+/// A colour with another's opacity or material.
+constexpr std::uint32_t withSurfaceOf(std::uint32_t color, std::uint32_t other) {
+    return (color & ~kSurfaceBits) | (other & kSurfaceBits);
+}
 constexpr bool isOpaque(std::uint32_t color) { return opacitySteps(color) == kOpacitySteps; }
 
 /// Colour of a residue by class: amino acids by family (acid, base, polar, aromatic, aliphatic, sulphur), nucleotides

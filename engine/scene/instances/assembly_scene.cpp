@@ -110,7 +110,7 @@ void AssemblyScene::colorByCopy(Appearance& appearance) {
     const std::size_t count = placement_.transforms.size();
     const auto tint = [](const std::vector<std::uint32_t>& tints, std::vector<std::uint32_t>& colors) {
         for (std::size_t i = 0; i < colors.size(); ++i)
-            if (tints[i]) colors[i] = tints[i];
+            if (tints[i]) colors[i] = withSurfaceOf(tints[i], colors[i]);
     };
     tint(appearance.tints, appearance.colors);
     for (MeshAtoms* mesh : {&appearance.cartoon, &appearance.surface}) tint(mesh->tints, mesh->colors);
