@@ -119,13 +119,13 @@ TEST(VertexLimitOfPlans, IsNeverExceeded) {
         }
         if (random() % 4 == 0) settings.effects.halos.width = 2;
         if (random() % 4 == 0) settings.view.projection = Projection::perspective, facts.flat = true;
-        constexpr Part kParts[] = {Part::whole, Part::layers, Part::solid, Part::pick, Part::motion};
+        constexpr Part kPartsOfFrames[] = {Part::whole, Part::layers, Part::solid, Part::pick, Part::motion};
         constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
                                          Visibility::deferred, Visibility::rasterOrder};
         graph::FrameCaps caps = graph::capabilitySet(random() % 3 == 0 ? "mali-old" : "mali");
         caps.plan.rasterOrder = caps.blendsFloats = true;
         caps.visibility = kPaths[random() % 5];
-        const Part part = kParts[random() % 5];
+        const Part part = kPartsOfFrames[random() % 5];
         const FrameRequest request{settings, part, part == Part::motion ? Ending::window : Ending::readBack};
         EXPECT_LE(largestOf(request, facts, caps), kMali)
             << i << ": " << visibilityName(caps.visibility) << ", part " << static_cast<int>(part) << ", "
