@@ -79,13 +79,13 @@ TEST(Looks, WhatIsNoneIsRefused) {
 
 TEST(EffectOptions, WhatEachSaysIsWhatItReads) {
     const std::pair<const char*, const char*> cases[] = {
-        {"contours", "1.5"},     {"contour-depth", "3"},  {"contour-weights", "3"},  {"contour-color", "#102030"},
-        {"halos", "6"},          {"halo-depth", "20"},    {"halo-strength", "0.4"},  {"halo-color", "#203040"},
-        {"fog", "-5,20.5"},      {"fog", "auto"},         {"fog-strength", "0.3"},   {"ambient", "0.5"},
-        {"shadow", "0.75"},      {"depth-of-field", "7"}, {"depth-of-field", "0.3"}, {"focus-depth", "-2.5"},
-        {"direct", "2"},         {"highlight", "0"},      {"gloss", "100"},          {"occlusion-strength", "0.25"},
-        {"clip", "-3.25"},       {"clip", "-3,4"},        {"clip", ",2.5"},          {"cap", "hatched"},
-        {"cap-color", "#302010"}};
+        {"contours", "1.5"},      {"contour-depth", "3"},  {"contour-weights", "3"},  {"contour-color", "#102030"},
+        {"halos", "6"},           {"halo-depth", "20"},    {"halo-strength", "0.4"},  {"halo-color", "#203040"},
+        {"fog", "-5,20.5"},       {"fog", "auto"},         {"fog-strength", "0.3"},   {"ambient", "0.5"},
+        {"shadow", "0.75"},       {"depth-of-field", "7"}, {"depth-of-field", "0.3"}, {"focus-depth", "-2.5"},
+        {"direct", "2"},          {"highlight", "0"},      {"gloss", "100"},          {"occlusion-strength", "0.25"},
+        {"clip", "-3.25"},        {"clip", "-3,4"},        {"clip", ",2.5"},          {"cap", "hatched"},
+        {"cap-color", "#302010"}, {"material", "metal"}};
     std::set<std::string_view> met;
     const PictureDescription plain;
     for (const auto& [key, value] : cases) {

@@ -164,7 +164,8 @@ TEST(Morph, FindsCounterpartsWhereverTheFileHasThem) {
         FAIL() << "they have nothing in common";
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),
-                     "cannot morph: ball.pdb: only 4 of 486 atoms have a counterpart of the same residue and name");
+                     "cannot take as a conformation: ball.pdb: only 4 of 486 atoms have a counterpart of the same "
+                     "residue and name");
     }
 }
 

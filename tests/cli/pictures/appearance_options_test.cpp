@@ -108,12 +108,14 @@ TEST(AppearanceOptions, CartoonsTakeTheColoursOfChains) {
     EXPECT_EQ(look({"--surface-opacity", "0.5"}).surfaceOpacity, 0.5);
     EXPECT_EQ(look({"--cartoon-opacity", "0.25"}).cartoonOpacity, 0.25);
     EXPECT_EQ(look({"--show", "all=surface:opacity=0.3"}).rules.at(0).opacity, 0.3);
+    EXPECT_EQ(look({"--show", "all=licorice:opacity=0.5"}).rules.at(0).opacity, 0.5);
+    EXPECT_EQ(look({"--atom-opacity", "0.25"}).atomOpacity, 0.25);
     EXPECT_EQ(look({"--show", "all=surface"}).rules.at(0).opacity, std::nullopt);
     const Rule metal = look({"--show", "resi 1:3=licorice:material=metal"}).rules.at(0);
     EXPECT_EQ(metal.material, Material::metal);
     EXPECT_EQ(metal.selection.text, "resi 1:3");
     EXPECT_EQ(ruleText(metal).second, "resi 1:3=licorice:material=metal") << "as saved views have it";
-    for (const char* wrong : {"all=licorice:opacity=0.5", "all=surface:opacity=0", "all=surface:opacity=2",
+    for (const char* wrong : {"all=line:opacity=0.5", "all=surface:opacity=0", "all=surface:opacity=2",
                               "all=surface:opacity=", "all=surface:opacity=nan", "all=surface:0.5", "all:opacity=0.5",
                               "all=licorice:material=wood", "all=line:material=metal",
                               "all=surface:opacity=0.5:material=metal", "all:material=metal"})
