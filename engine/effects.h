@@ -17,7 +17,7 @@ enum class Material {
 
 /// Light that stays with the viewer. Factors are 1 by default.
 struct Light {
-    Material material = Material::plastic;  ///< of what has none of its own (Representation::ownMaterials)
+    Material material = Material::plastic;  ///< where no rule sets one (Representation::ownMaterials)
     double ambient = 1;                     ///< from all directions
     double direct = 1;                      ///< from over the left shoulder
     double highlight = 1;                   ///< brightness; 0: none

@@ -34,7 +34,7 @@ std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points) {
     return hull;
 }
 
-/// What is seen of a cone; a cylinder has two equal radii. @param way  a unit vector in view space
+/// The visible side of a cone, or of a cylinder, whose radii are equal. @param way  a unit vector in view space
 ShapeMark coneOf(const glm::dvec2& origin, const glm::dvec3& way, double from, double radius, double to, double end,
                  std::uint32_t color) {
     constexpr int kSides = 24;
@@ -83,7 +83,7 @@ void layAxes(Room& room, const std::vector<PlacedAxis>& axes) {
         const double neck = (kArm - kHead) * em;
         room.marks.shapes.push_back(coneOf(origin, way, 0, kShaftRadius * em, neck, kShaftRadius * em, axis->color));
         room.marks.shapes.push_back(coneOf(origin, way, neck, kHeadRadius * em, kArm * em, 0, axis->color));
-        // Beyond the tip, and away from the other arms: the name of an axis along the view stands beside it.
+        // A name stands beyond the tip of its axis. If the axis points along the view, the name stands beside it.
         const glm::dvec2 tip(way), away = tip - 0.15 * (middle - tip);
         const glm::dvec2 side = glm::length(away) > 1e-6 ? glm::normalize(away) : glm::dvec2(-1, 0);
         const glm::dvec2 at = origin + em * glm::dvec2(1, -1) * (kArm * tip + kName * side);

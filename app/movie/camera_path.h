@@ -36,7 +36,7 @@ struct LevelSweep {
     MapLevel at(double share) const { return {from.unit, from.value + (to.value - from.value) * share}; }
 };
 
-/// What a movie shows of several models.
+/// How a movie shows several models.
 enum class MovieModels {
     one,
     sequence,  ///< each after the other, or the frames of a trajectory

@@ -354,7 +354,7 @@ std::pair<std::string_view, std::string_view> divide(std::string_view text, cons
 
 Rule parseShow(std::string_view text) {
     std::string_view rest = text;
-    /// What follows a separator, which is cut off with it.
+    /// The text behind a separator. Both are cut off.
     const auto cut = [&](std::string_view separator) -> std::optional<std::string_view> {
         const std::size_t at = rest.rfind(separator);
         if (at == std::string_view::npos) return std::nullopt;

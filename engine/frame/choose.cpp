@@ -154,11 +154,8 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Whether shapes or render passes are other than they were without a limit.
-bool limited(const VertexOutputs& outputs) {
-    const VertexOutputs usual;
-    return !(outputs == usual);
-}
+/// Whether a limit changes shapes or render passes.
+bool limited(const VertexOutputs& outputs) { return outputs != VertexOutputs(); }
 
 /// Render passes that passes begin beyond the first.
 std::uint32_t begun(const Rounds& rounds) { return rounds.count - (rounds.apart ? 0 : 1); }

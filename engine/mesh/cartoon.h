@@ -21,7 +21,7 @@ enum class HelixForm : std::uint8_t {
 /// How the bases of nucleic acids are drawn.
 enum class BaseForm : std::uint8_t {
     plates,  ///< ring plates on a stick from the backbone
-    rings,   ///< the sugar's ring as a plate, too
+    rings,   ///< plates, and the sugar's ring filled
     ladder,  ///< a stick from the backbone to the pairing edge (N1 of purines, N3 of pyrimidines)
     none
 };

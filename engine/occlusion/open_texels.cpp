@@ -119,7 +119,7 @@ private:
     void collect(std::uint32_t self) {
         around_.clear();
         tree_.near(self, [&](std::uint32_t item) {
-            if (!isOpaque(item)) return true;  // what is translucent occludes nothing
+            if (!isOpaque(item)) return true;  // translucent shapes occlude nothing
             around_.push_back(item);
             return around_.size() < kMostNeighbours;
         });

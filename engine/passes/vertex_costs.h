@@ -1,5 +1,5 @@
 #pragma once
-// What vertex stages cost per primitive. Makes no Vulkan calls.
+// Vertices, triangles and bytes of a primitive in a vertex stage. Makes no Vulkan calls.
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,7 @@ struct PrimitiveCounts {
     bool flat = false;        ///< no impostor leans
 };
 
-/// What the vertex stage of a pass hands on.
+/// Outputs of the vertex stage of a pass.
 enum class Handed : std::uint8_t {
     plates,          ///< positions
     depth,           ///< what its fragments find depth by

@@ -48,7 +48,7 @@ const int kCapId = 29;          // style of clipped surfaces: 0 plain, 1 dark, 2
 const int kFogId = 30;          // bool
 const int kShadowId = 31;       // bool: the light's depth map is asked
 const int kBlendColorsId = 33;  // bool: triangles go over from corner to corner in colour
-const int kMaterialId = 34;     // of what has none of its own
+const int kMaterialId = 34;     // where a colour has none of its own
 const int kOwnMaterialId = 35;  // bool: some colours have one
 const int kCopyColorsId = 32;   // colours that the copies of an assembly take in turn; 0: they all look the same
 // Pictures.

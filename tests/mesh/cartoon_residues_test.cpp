@@ -142,7 +142,8 @@ TEST(CartoonResidues, TheTraceOfGfpPassesItsChromophore) {
             << i;
 }
 
-/// Residues in another order, with their bonds. @param order  of the file's residues @param backward  atoms, too
+/// A copy whose residues are in another order; bonds follow them. @param order  of the file's residues @param backward
+/// atoms, too
 Molecule inOrder(const Molecule& molecule, const std::vector<std::uint32_t>& order, bool backward) {
     Molecule moved = molecule;
     moved.atoms.clear(), moved.residues.clear();

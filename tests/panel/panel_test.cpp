@@ -188,11 +188,12 @@ TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
 TEST(Panel, RibbonsAndSurfacesLetThroughWhatASliderSays) {
     Bench b("sample:dna", {1600, 1500});
     PictureDescription look = b.viewer.view();
-    look.look.rules = {parseShow("chain B and resi 1-2=surface")};
+    look.look.rules = {parseShow("chain B and resi 1-2=surface"), parseShow("chain A and resi 3=licorice")};
     b.viewer.setLook(look, b.now);
     b.click("Cartoon");
     for (const auto& [name, value] : {std::pair("Cartoon opacity", &RepresentationOptions::cartoonOpacity),
-                                      {"Surface opacity", &RepresentationOptions::surfaceOpacity}}) {
+                                      {"Surface opacity", &RepresentationOptions::surfaceOpacity},
+                                      {"Atom opacity", &RepresentationOptions::atomOpacity}}) {
         const Control* slider = b.find(name, "slider");
         ASSERT_TRUE(slider) << name;
         EXPECT_EQ(b.viewer.view().look.*value, 1);
