@@ -34,6 +34,13 @@ void takeDefaultLook(const ResidueFacts& facts, std::span<const std::uint32_t> d
     const Molecule& molecule = facts.molecule();
     const bool predicted = molecule.file.confidence;
     if (look.style || molecule.guide || !molecule.file.packed.empty()) return;
+    const auto showsSurface = [](const Rule& rule) {
+        return rule.action == Rule::Action::show && rule.style == Style::surface;
+    };
+    if (!picture.maps.surface.file.empty() && std::ranges::none_of(look.rules, showsSurface)) {
+        look.style = Style::surface;
+        return;
+    }
     if (!picture.maps.files.empty() && !predicted) return;
     const std::vector<bool> hidden = hiddenBy(look.rules, facts);
     std::size_t aminoAcids = 0;

@@ -219,7 +219,7 @@ void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* n
     if (kept_) radius_ = kept_->radius;
     if (!now) {
         if (recolor) recolor(*scene_);
-        colorByMap(description_, *scene_);
+        colorByMap(*facts_, description_, *scene_);
     }
     sceneNumber_ = nextNumber();
     ++counts_.scenes;

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "app/drawing/cell_frame.h"
+#include "app/input/electrostatics.h"
 #include "app/input/map_input.h"
 #include "app/input/primitives_file.h"
 #include "app/input/read_input.h"
@@ -86,9 +87,10 @@ struct Values {
     std::shared_ptr<const DensityMap> map;
     ValueColoring coloring;
 
-    Values(const ValueMap& of, const MapLimits& limits) : map(mapOf(of.file, limits)) {
-        coloring = {map.get(), of.file.substr(of.file.find_last_of('/') + 1), of.palette, of.range};
-    }
+    Values(const ValueMap& of, std::shared_ptr<const DensityMap> from, const std::string& name)
+        : map(std::move(from)), coloring{map.get(), name, of.palette, of.range} {}
+    Values(const ValueMap& of, const MapLimits& limits)
+        : Values(of, mapOf(of.file, limits), of.file.substr(of.file.find_last_of('/') + 1)) {}
 };
 
 /// Positions about which a map is drawn, and how far from them; no positions: the whole map.
@@ -318,21 +320,28 @@ std::vector<SceneVolume> sceneVolumes(const PictureDescription& picture) {
     return volumes;
 }
 
-SurfaceColoring::SurfaceColoring(const PictureDescription& picture)
-    : from_(picture.maps.surface), limits_(mapLimits(picture.input)) {}
+SurfaceColoring::SurfaceColoring(const ResidueFacts& facts, const PictureDescription& picture)
+    : from_(picture.maps.surface), limits_(mapLimits(picture.input)) {
+    if (from_.file == kElectrostatics) potential_ = electrostaticPotential(facts, picture.input);
+}
 
 void SurfaceColoring::operator()(Representation& scene) {
     if (from_.file.empty()) return;
-    const Values values(from_, limits_);
+    constexpr double kSolvent = 1.4;  // Å: radius of a water molecule, whose centres come no nearer
+    Values values = potential_ ? Values(from_, potential_, potential_->name + ", kT/e") : Values(from_, limits_);
+    if (potential_) values.coloring.offset = kSolvent;
     const std::optional<ColorRange> range = colorSurfaces(values.coloring, scene);
+    const char* const option = potential_ ? "--electrostatics" : "--surface-color-from";
     if (!range)
-        scene.warnings.push_back("--surface-color-from changes nothing: no surface is drawn");
+        scene.warnings.push_back(std::string(option) + " changes nothing: no surface is drawn");
     else
         from_.range = range;
+    if (!potential_) return;
+    for (const std::string& warning : potential_->warnings) scene.warnings.push_back(potential_->name + ": " + warning);
 }
 
 void addMapSurfaces(const Molecule& molecule, PictureDescription picture, Representation& scene) {
-    colorByMap(picture, scene);
+    colorByMap(molecule, picture, scene);
     if (!picture.drawsBeside()) return;
     picture.maps.styles.assign(picture.maps.files.size(), MapStyle::surface);
     MapLayers maps = buildMapLayers(molecule, picture, scene.center, {picture.camera, scene.radius});

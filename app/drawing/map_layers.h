@@ -5,7 +5,7 @@
 
 #include "app/drawing/focus.h"
 #include "app/picture/description.h"
-#include "engine/molecule/molecule.h"
+#include "engine/molecule/residue_facts.h"
 #include "engine/scene/build/primitives.h"
 #include "engine/scene/build/representation.h"
 #include "engine/scene/build/scene_guide.h"
@@ -53,15 +53,19 @@ std::vector<SceneVolume> sceneVolumes(const PictureDescription& picture);
 /// later frames of moving atoms keep it.
 class SurfaceColoring {
 public:
-    explicit SurfaceColoring(const PictureDescription& picture);
+    /// @throws Error if the potential about the molecule is asked for and cannot be calculated
+    SurfaceColoring(const ResidueFacts& facts, const PictureDescription& picture);
     /// Adds a warning where there is no surface. @throws Error
     void operator()(Representation& scene);
 
 private:
     ValueMap from_;
     MapLimits limits_;
+    std::shared_ptr<const DensityMap> potential_;  ///< about the molecule; null: a file's map
 };
-inline void colorByMap(const PictureDescription& picture, Representation& scene) { SurfaceColoring{picture}(scene); }
+inline void colorByMap(const ResidueFacts& facts, const PictureDescription& picture, Representation& scene) {
+    SurfaceColoring{facts, picture}(scene);
+}
 
 /// For files of triangles: adds a picture's maps as surfaces, and colours by maps. @throws Error
 void addMapSurfaces(const Molecule& molecule, PictureDescription picture, Representation& scene);

@@ -8,7 +8,7 @@ MovingPicture::MovingPicture(const ResidueFacts& facts, const PictureDescription
     : scene_(buildMovingScene(facts, picture)),
       radius_(scene_.scene().radius),
       recolor_(std::move(recolor)),
-      surfaces_(picture) {
+      surfaces_(facts, picture) {
     if (picture.maps.surface.file.empty()) return;
     Representation first = scene_.scene();
     surfaces_(first);

@@ -46,23 +46,6 @@ extern "C" void removeUnfinished(int signal) {
     std::raise(signal);
 }
 
-void remember(const std::string& temporary) {
-    removeUnfinishedOnSignals();
-    failOverFileSize();
-    const std::lock_guard turn(unfinishedTurn);
-    for (auto& name : unfinished)
-        if (name[0] == '\0' && temporary.size() < name.size()) {
-            std::memcpy(name.data(), temporary.c_str(), temporary.size() + 1);
-            return;
-        }
-}
-
-void forget(const std::string& temporary) {
-    const std::lock_guard turn(unfinishedTurn);
-    for (auto& name : unfinished)
-        if (temporary == name.data()) name[0] = '\0';
-}
-
 /// ".nacre-0123456789abcdef", and an extension.
 bool isTemporaryName(std::string_view name) {
     if (!name.starts_with(kPrefix) || name.size() < kPrefix.size() + kDigits) return false;
@@ -138,9 +121,28 @@ bool sameFile(const NamedFile& a, const NamedFile& b) {
 
 }  // namespace
 
+void removeOnSignals(const std::string& temporary) {
+    removeUnfinishedOnSignals();
+    failOverFileSize();
+    const std::lock_guard turn(unfinishedTurn);
+    for (auto& name : unfinished)
+        if (name[0] == '\0' && temporary.size() < name.size()) {
+            std::memcpy(name.data(), temporary.c_str(), temporary.size() + 1);
+            return;
+        }
+}
+
+void keepOnSignals(const std::string& temporary) {
+    const std::lock_guard turn(unfinishedTurn);
+    for (auto& name : unfinished)
+        if (temporary == name.data()) name[0] = '\0';
+}
+
 void removeUnfinishedFiles() {
     for (const auto& name : unfinished)
         if (name[0] != '\0') unlink(name.data());
+    for (const auto& name : unfinished)
+        if (name[0] != '\0') rmdir(name.data());
 }
 
 void removeUnfinishedOnSignals() {
@@ -191,21 +193,21 @@ void OutputFile::makeTemporary(const std::string& folder, const std::string& ext
         }
     }
     if (replaces) fchmod(lock_, before.st_mode & 0777);
-    remember(temporary_);
+    removeOnSignals(temporary_);
 }
 
 OutputFile::~OutputFile() {
     if (!temporary_.empty() && !committed_) unlink(temporary_.c_str());
-    forget(temporary_);
+    keepOnSignals(temporary_);
     if (lock_ >= 0) close(lock_);
     if (also_.empty()) return;
     unlink(also_.c_str());
-    forget(also_);
+    keepOnSignals(also_);
 }
 
 void OutputFile::alsoRemove(const std::string& name) {
     also_ = name;
-    remember(also_);
+    removeOnSignals(also_);
 }
 
 void OutputFile::commit() {

@@ -47,6 +47,10 @@ private:
 /// first OutputFile also sets this up.
 void removeUnfinishedOnSignals();
 
+/// Registers a temporary file, or a folder of such files, for these signals; keepOnSignals() ends that.
+void removeOnSignals(const std::string& temporary);
+void keepOnSignals(const std::string& temporary);
+
 /// Removes the temporary files that are being written. Their writers fail.
 void removeUnfinishedFiles();
 

@@ -15,6 +15,7 @@ namespace {
 constexpr std::array<const char*, 4> kMapStyles{"auto", "mesh", "surface", "dots"};
 constexpr std::array<const char*, 3> kAxes{"a", "b", "c"};
 constexpr const char* kFocus = "focus";
+constexpr double kUsualPotential = 5;  // kT/e
 constexpr double kHighestLevel = 1e30, kMostSigma = 1000, kFarthestReach = 1000;
 
 }  // namespace
@@ -100,10 +101,25 @@ ValueMap parseValueMap(std::string_view text) {
 
 std::string valueMapText(const ValueMap& map) {
     std::string text = map.file;
-    if (text.empty()) return "none";
+    if (text.empty() || text == kElectrostatics) return "none";
     if (map.range) text += ":" + exactText(map.range->first) + ".." + exactText(map.range->last);
     if (map.palette != Palette::automatic) text += ":" + paletteName(map.palette);
     return text;
+}
+
+ValueMap parseElectrostatics(std::string_view text) {
+    if (text == "off") return {};
+    ValueMap map{kElectrostatics, ColorRange{-kUsualPotential, kUsualPotential}, Palette::redWhiteBlue};
+    if (text == "on") return map;
+    map.range = parseColorRange(text);
+    if (!map.range) refuse(text, "on, off or a range in kT/e as -5..5");
+    return map;
+}
+
+std::string electrostaticsText(const ValueMap& map) {
+    if (map.file != kElectrostatics) return "off";
+    if (map == parseElectrostatics("on")) return "on";
+    return exactText(map.range->first) + ".." + exactText(map.range->last);
 }
 
 MapSliceOption parseMapSlice(std::string_view text) {

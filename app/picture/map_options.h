@@ -32,9 +32,12 @@ struct MapColors {
     friend bool operator==(const MapColors&, const MapColors&) = default;
 };
 
+/// In place of a file: the potential about the atoms of the picture.
+constexpr const char* kElectrostatics = "electrostatics:";
+
 /// A map by whose values something is coloured.
 struct ValueMap {
-    std::string file;  ///< empty: none
+    std::string file;  ///< empty: none; or kElectrostatics
     std::optional<ColorRange> range = {};
     AnyPalette palette = {};
     friend bool operator==(const ValueMap&, const ValueMap&) = default;
@@ -83,6 +86,9 @@ std::string mapColorsText(const MapColors& colors);
 /// "none", or "FILE" with ":LOW..HIGH" and ":PALETTE" behind it, in any order. @throws std::invalid_argument
 ValueMap parseValueMap(std::string_view text);
 std::string valueMapText(const ValueMap& map);
+/// "on", "off" or "LOW..HIGH", in kT/e. @throws std::invalid_argument
+ValueMap parseElectrostatics(std::string_view text);
+std::string electrostaticsText(const ValueMap& map);
 /// "none", or "a", "b" or "c" with ",PLACE" behind it. @throws std::invalid_argument
 MapSliceOption parseMapSlice(std::string_view text);
 std::string mapSliceText(const MapSliceOption& slice);
@@ -94,7 +100,8 @@ void changeMapFiles(MapOptions& maps, const Change& change) {
     for (std::string& file : maps.files) file = change(file);
     for (ValueMap& map : maps.values)
         if (!map.file.empty()) map.file = change(map.file);
-    if (!maps.surface.file.empty()) maps.surface.file = change(maps.surface.file);
+    if (!maps.surface.file.empty() && maps.surface.file != kElectrostatics)
+        maps.surface.file = change(maps.surface.file);
 }
 /// "SEL" or "focus", with ",RADIUS" behind it, into `around`, `aroundFocus` and `reach`.
 void parseMapAround(std::string_view text, MapOptions& maps);

@@ -90,6 +90,14 @@ std::vector<Option> mapRows() {
         [](T text, P& d) { d.maps.surface = parseValueMap(text); },
         [](const P& d) { return d.maps.surface.file.empty() ? "" : valueMapText(d.maps.surface); }));
     rows.back().facet = Facet::scene;
+    rows.push_back(row(
+        "electrostatics", "on|LOW..HIGH|off", "=",
+        "Colour molecular surfaces by their electrostatic potential: on (-5..5 kT/e), or a range in kT/e. The "
+        "programs\n"
+        "pdb2pqr and apbs calculate it",
+        [](T text, P& d) { d.maps.surface = parseElectrostatics(text); },
+        [](const P& d) { return electrostaticsText(d.maps.surface); }));
+    rows.back().facet = Facet::scene;
     return rows;
 }
 

@@ -25,8 +25,9 @@ namespace {
 constexpr Topics kServers = Topic::device | Topic::path | Topic::validation | Topic::files | Topic::view |
                             Topic::trajectory | Topic::debug | Topic::frame;
 const std::string kBody = "the input";  // the name of a body
-/// Reading options reserved to the server.
-constexpr std::string_view kServerKeys[] = {"cache", "offline", "memory", "occlusion-memory", "mvs-map"};
+/// Options reserved to the server: of reading, and one that starts programs.
+constexpr std::string_view kServerKeys[] = {"cache",   "offline",       "memory", "occlusion-memory",
+                                            "mvs-map", "electrostatics"};
 
 using Opened = std::shared_ptr<const OpenedFile>;
 
@@ -98,7 +99,8 @@ OptionValue valueOf(const std::string& key, const std::string& text) {
 void takeView(const std::string& text, const std::string& name, PictureDescription& d) {
     PictureDescription view = parseSavedView(text, name);
     if (!view.input.trajectory.path.empty()) throw Problem(422, "a view's trajectory is not drawn here");
-    if (!view.maps.files.empty()) throw Problem(422, "a view's maps are not drawn here");
+    if (!view.maps.files.empty() || !view.maps.surface.file.empty())
+        throw Problem(422, "a view's maps are not drawn here");
     for (const PrimitiveSource& source : view.primitives)
         if (!isJsonText(source.text)) throw Problem(422, "a view's files of primitives are not drawn here");
     for (const Coloring& table : view.look.colorFrom)

@@ -70,5 +70,21 @@ TEST(MapOptions, EveryFileIsNamedOnce) {
     EXPECT_EQ(d.maps.values[0].file, "");
 }
 
+TEST(MapOptions, ElectrostaticsIsNoFile) {
+    PictureDescription d;
+    setOption(option("electrostatics"), "on", d);
+    EXPECT_TRUE(mapFiles(d.maps).empty());
+    EXPECT_EQ(option("electrostatics").print(d), "on");
+    EXPECT_EQ(option("surface-color-from").print(d), "none");
+    changeMapFiles(d.maps, [](const std::string& file) { return "x/" + file; });
+    EXPECT_EQ(option("electrostatics").print(d), "on");
+    setOption(option("electrostatics"), "-10..10", d);
+    EXPECT_EQ(option("electrostatics").print(d), "-10..10");
+    EXPECT_EQ(d.maps.surface.range->last, 10);
+    setOption(option("surface-color-from"), "a.dx", d);
+    EXPECT_EQ(option("electrostatics").print(d), "off");
+    EXPECT_THROW(setOption(option("electrostatics"), "strong", d), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace nacre::app

@@ -134,6 +134,8 @@ class ServeTest(ServedTest):
         self.refused("picture?input=gly.pdb&format=bmp", 400, "format: expected one of png, ")
         self.refused("picture", 413, "64 MiB", bytes((64 << 20) + 1))
         self.refused("picture", 422, "maps", json.dumps({"input": "gly.pdb", "map": ["/etc/passwd"]}).encode())
+        for key, text in (("surface-color-from", "/etc/passwd"), ("electrostatics", "on")):
+            self.refused("picture", 422, "maps", json.dumps({"input": "gly.pdb", "style": "surface", key: text}).encode())
         for key in ("primitives", "color-from"):
             self.refused("picture", 422, "not drawn here", json.dumps({"input": "gly.pdb", key: ["/etc/passwd"]}).encode())
         outside = json.dumps({"input": "../secret.pdb", "style": "licorice"}).encode()
@@ -192,6 +194,7 @@ class ServeTest(ServedTest):
         self.refused("nowhere", 404, "/nowhere")
         for key in ("output", "layers", "stats", "capture", "view", "trajectory", "device", "cache", "memory", "map"):
             self.refused(f"picture?input=gly.pdb&{key}=/etc/passwd", 400, "set by the server")
+        self.refused("picture?input=gly.pdb&electrostatics=on", 400, "set by the server")
         for key in ("primitives", "color-from"):
             self.refused(f"picture?input=gly.pdb&{key}=/etc/passwd", 400, "takes text here")
         self.refused("picture?input=gly.pdb&look=/etc/passwd", 400, "look")

@@ -81,6 +81,7 @@ class Options(TypedDict, total=False):
     map_width: str | float
     map_around: str | Mask | tuple[str | Mask, float]
     surface_color_from: str | PathLike[str]
+    electrostatics: str | bool
     primitives: str | PathLike[str] | Sequence[str | PathLike[str]]
     cell: str | bool
     projection: str

@@ -82,8 +82,9 @@ std::optional<ColorRange> colorSurfaces(const ValueColoring& coloring, Represent
         const float step = scene.triangles[run.first].step();
         for (std::uint32_t v = run.firstVertex; v < run.endVertex; ++v) {
             vertices.push_back(v);
-            values.push_back(
-                valueAt(*coloring.map, glm::dvec3(positionOf(scene.meshVertices[v], step)) + scene.center));
+            const MeshVertex& vertex = scene.meshVertices[v];
+            const glm::dvec3 at = glm::dvec3(positionOf(vertex, step)) + coloring.offset * glm::dvec3(normalOf(vertex));
+            values.push_back(valueAt(*coloring.map, at + scene.center));
         }
     }
     if (vertices.empty()) return std::nullopt;

@@ -22,6 +22,7 @@ struct ValueColoring {
     /// have both signs.
     std::optional<ColorRange> range = {};
     std::uint32_t tint = 0;  ///< instead of a palette: from black to this colour, packed as in colors.h; 0: none
+    double offset = 0;       ///< Å, outwards from a surface: where its values are taken
 };
 
 /// The same with all that it leaves open.
