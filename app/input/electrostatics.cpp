@@ -35,7 +35,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kName = "electrostatic potential";
 
-[[noreturn]] void fail(const std::string& why) { throw Error("cannot calculate", kName, why); }
+[[noreturn]] void fail(const std::string& why) { throw Error("cannot calculate the electrostatic potential", "", why); }
 
 /// A folder for the programs' files, removed with them, also by signals that end this program.
 class WorkFolder {

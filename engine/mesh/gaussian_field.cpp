@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -11,6 +12,8 @@ namespace {
 
 constexpr double kSmoothness = 1.5;
 constexpr double kGaussianReach = 2.5;  // radii; exp(-1.5 * 6.25) is 1e-4 of the value at an atom's centre
+
+constexpr std::size_t kMostNodes = 64;  ///< of a block along an axis
 
 class GaussianField : public SurfaceField {
 public:
@@ -33,38 +36,55 @@ public:
         std::fill(origins.begin(), origins.end(), kNoSource);
         for (const std::uint32_t source : sources) {
             const SurfaceBall& ball = balls_[source];
-            const double reach = kGaussianReach * ball.radius, squaredRadius = ball.radius * ball.radius;
+            const double reach = kGaussianReach * ball.radius;
             const NodeRange range(block, ball.center - reach, ball.center + reach);
-            for (int z = range.first.z; z <= range.last.z; ++z)
-                for (int y = range.first.y; y <= range.last.y; ++y) {
-                    std::size_t i = block.index({range.first.x, y, z});
-                    for (int x = range.first.x; x <= range.last.x; ++x, ++i) {
-                        const glm::dvec3 way = block.place({x, y, z}) - ball.center;
-                        const double share = glm::dot(way, way) / squaredRadius;
-                        if (share < kGaussianReach * kGaussianReach)
-                            values[i] += static_cast<float>(std::exp(kSmoothness * (1 - share)));
-                    }
+            const Profile x(block, range, ball, 0), y(block, range, ball, 1), z(block, range, ball, 2);
+            for (int k = range.first.z; k <= range.last.z; ++k)
+                for (int j = range.first.y; j <= range.last.y; ++j) {
+                    float* const row = &values[block.index({range.first.x, j, k})];
+                    const float left = kShareOfReach - y.share(j) - z.share(k);
+                    const float factor = kPeak * y.part(j) * z.part(k);
+                    for (int i = 0; i <= range.last.x - range.first.x; ++i)
+                        row[i] += x.shares[i] < left ? factor * x.parts[i] : 0.0f;
                 }
         }
     }
 
+    /// The logarithm of a sum of Gaussians is nearly a parabola: a first place by its values at the nodes, and a step
+    /// of Newton's from there.
     SurfacePoint cross(const Node& inside, const Node& outside) const override {
-        double a = 0, b = 1, atA = inside.value, atB = outside.value;
-        Sum sum;
-        glm::dvec3 place{};
-        for (int round = 0; round < 2; ++round) {
-            const double share = std::clamp(a + (b - a) * (atA > atB ? atA / (atA - atB) : 0.5), 0.02, 0.98);
-            place = inside.place + (outside.place - inside.place) * share;
-            sum = sumAt(place);
-            if (sum.value > 0)
-                a = share, atA = sum.value;
-            else
-                b = share, atB = sum.value;
-        }
-        return {place, unitOr(sum.downwards, unitOr(outside.place - inside.place, glm::dvec3(0, 0, 1))), sum.atom};
+        constexpr double kLeastSum = 1e-4;
+        const glm::dvec3 edge = outside.place - inside.place;
+        const double above = std::log(1 + inside.value), below = -std::log(std::max(1 + outside.value, kLeastSum));
+        const auto within = [](double share) { return std::clamp(share, 0.02, 0.98); };
+        const double guess = within(above + below > 0 ? above / (above + below) : 0.5);
+        const Sum sum = sumAt(inside.place + edge * guess);
+        const double slope = 2 * kSmoothness * glm::dot(sum.downwards, edge);  // downwards, per edge
+        const double share = slope > 0 ? within(guess + sum.value / slope) : guess;
+        return {inside.place + edge * share, unitOr(sum.downwards, unitOr(edge, glm::dvec3(0, 0, 1))), sum.atom};
     }
 
 private:
+    static constexpr float kShareOfReach = static_cast<float>(kGaussianReach * kGaussianReach);
+    static inline const float kPeak = static_cast<float>(std::exp(kSmoothness));
+
+    /// A ball's Gaussian along one axis: its parts multiply, and its shares of the squared radius add up.
+    struct Profile {
+        int first;
+        std::array<float, kMostNodes> shares, parts;
+
+        Profile(const GridBlock& block, const NodeRange& range, const SurfaceBall& ball, int axis)
+            : first(range.first[axis]) {
+            for (int i = first; i <= range.last[axis]; ++i) {
+                const double way = (i * block.step - ball.center[axis]) / ball.radius;
+                shares[static_cast<std::size_t>(i - first)] = static_cast<float>(way * way);
+                parts[static_cast<std::size_t>(i - first)] = static_cast<float>(std::exp(-kSmoothness * way * way));
+            }
+        }
+        float share(int i) const { return shares[static_cast<std::size_t>(i - first)]; }
+        float part(int i) const { return parts[static_cast<std::size_t>(i - first)]; }
+    };
+
     struct Sum {
         double value = -1;
         glm::dvec3 downwards{};

@@ -105,12 +105,12 @@ TEST(Electrostatics, SaysWhatFailed) {
     const Molecule dna = sampleMolecule("dna");
     OwnPrograms programs;
     programs.add("pdb2pqr", "echo 'a line'\necho 'CRITICAL: no such residue' >&2\nexit 3");
-    EXPECT_EQ(failureOf(dna), "cannot calculate electrostatic potential: pdb2pqr: CRITICAL: no such residue");
+    EXPECT_EQ(failureOf(dna), "cannot calculate the electrostatic potential: pdb2pqr: CRITICAL: no such residue");
     programs.add("pdb2pqr", "kill -9 $$");
-    EXPECT_EQ(failureOf(dna), "cannot calculate electrostatic potential: pdb2pqr was ended by signal 9");
+    EXPECT_EQ(failureOf(dna), "cannot calculate the electrostatic potential: pdb2pqr was ended by signal 9");
     programs.add("apbs", "echo 'grid too large'");
     const Molecule ion = pqrOf("ATOM 1 NA NA 1 0 0 0 1.0 2.5\nEND\n");
-    EXPECT_EQ(failureOf(ion), "cannot calculate electrostatic potential: apbs: grid too large");
+    EXPECT_EQ(failureOf(ion), "cannot calculate the electrostatic potential: apbs: grid too large");
     InputOptions small;
     small.memoryMegabytes = 30;
     EXPECT_NE(failureOf(ion, small).find("apbs needs 17 MB for the coarsest grid"), std::string::npos)
