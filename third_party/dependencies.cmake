@@ -75,11 +75,11 @@ if(NACRE_APPS OR NACRE_TESTS)
     find_path(NLOHMANN_JSON_INCLUDE_DIR nlohmann/json.hpp REQUIRED)
     add_library(nlohmann::headers INTERFACE IMPORTED)
     target_include_directories(nlohmann::headers SYSTEM INTERFACE ${NLOHMANN_JSON_INCLUDE_DIR})
+    find_program(Python_EXECUTABLE python3 HINTS /usr/bin NO_DEFAULT_PATH)  # whose packages are Debian's
 endif()
 if(NACRE_APPS AND NACRE_PYTHON AND (NOT CMAKE_CROSSCOMPILING OR Python_INCLUDE_DIR) AND (NOT NACRE_SANITIZE OR NACRE_SANITIZE STREQUAL thread))
-    # The system's interpreter, whose packages are Debian's; without pybind11 there is no module. A cross build names the
-    # headers. The interpreter is no program of AddressSanitizer's; its threads are judged by ThreadSanitizer.
-    find_program(Python_EXECUTABLE python3 HINTS /usr/bin NO_DEFAULT_PATH)
+    # Without pybind11 there is no module. A cross build names the headers. The interpreter is no program of
+    # AddressSanitizer's; its threads are judged by ThreadSanitizer.
     find_package(Python COMPONENTS Interpreter Development.Module)
     if(Python_Development.Module_FOUND)
         find_package(pybind11 2.10 CONFIG)
