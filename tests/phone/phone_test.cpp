@@ -381,6 +381,34 @@ TEST(Phone, DrawsNoMoreInstancesAtOnceThanPhonesTake) {
     }
 }
 
+TEST(Phone, DrawsBothEyesAtOnce) {
+    setenv("NACRE_MULTIVIEW", "1", 1);  // the layer's driver is lavapipe
+    {
+        DeviceOptions options;
+        options.validate = true;
+        EXPECT_EQ(gpu::Device(options).caps().plan.maxViews, 6u);
+    }
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    for (const Visibility path : kPaths) {
+        ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
+        renderer->setScene(r);
+        RenderSettings s = settings(r, 64, Projection::perspective);
+        s.occlusion.directions = 2;
+        s.supersample = 1;
+        const View left = fromAside(s.view, -1, s.view.eyeDistance), right = fromAside(s.view, 1, s.view.eyeDistance);
+        s.view = paired(left, right);
+        const std::array<Picture, 2> both = renderer->renderEyes(s);
+        const std::vector<Decision> decisions = renderer->decisions();
+        EXPECT_TRUE(std::ranges::any_of(decisions, [](const Decision& d) { return d.how == "both eyes in one frame"; }))
+            << visibilityName(path);
+        for (std::size_t i = 0; i < 2; ++i) {
+            s.view = i == 0 ? left : right;
+            EXPECT_EQ(both[i].rgba, renderer->render(s).rgba) << visibilityName(path) << ", eye " << i;
+        }
+    }
+    unsetenv("NACRE_MULTIVIEW");
+}
+
 TEST(Phone, ShowsEveryDebugViewAndRungOfEncodedDepth) {
     const Representation r = scene("sample:glucose", Style::spacefill);
     for (const EncodedDepth rung :

@@ -100,6 +100,12 @@ inline void applyFloor(VkPhysicalDeviceLimits& limits) {
             limits.*l.limit = std::min(has.*l.limit, std::max(limits.*l.limit, l.least));
 }
 
+/// What Vulkan 1.1 asks of every device with multiview.
+inline void floorViews(VkPhysicalDeviceMultiviewProperties& views) {
+    views.maxMultiviewViewCount = std::min(views.maxMultiviewViewCount, 6u);
+    views.maxMultiviewInstanceIndex = std::min(views.maxMultiviewInstanceIndex, (1u << 27) - 1);
+}
+
 /// The profile's features; whatever else a driver has is hidden.
 inline VkPhysicalDeviceFeatures floorFeatures(const VkPhysicalDeviceFeatures& has) {
     VkPhysicalDeviceFeatures f{};

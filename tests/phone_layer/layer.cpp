@@ -109,6 +109,8 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties2(VkPhysicalDevice of, VkP
         if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PORTABILITY_SUBSET_PROPERTIES_KHR)
             reinterpret_cast<VkPhysicalDevicePortabilitySubsetPropertiesKHR*>(s)->minVertexInputBindingStrideAlignment =
                 4;
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_PROPERTIES)
+            floorViews(*reinterpret_cast<VkPhysicalDeviceMultiviewProperties*>(s));
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES)
             tellDriver(*reinterpret_cast<VkPhysicalDeviceIDProperties*>(s));
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES && (molten() || adreno() || powervr()))
