@@ -9,7 +9,12 @@
 
 // Handles as vulkan_core.h declares them, for programs that do not include it.
 using VkInstance = struct VkInstance_T*;
+using VkPhysicalDevice = struct VkPhysicalDevice_T*;
+using VkDevice = struct VkDevice_T*;
 using VkSurfaceKHR = std::conditional_t<sizeof(void*) == 8, struct VkSurfaceKHR_T*, std::uint64_t>;
+using VkImage = std::conditional_t<sizeof(void*) == 8, struct VkImage_T*, std::uint64_t>;
+struct VkInstanceCreateInfo;
+struct VkDeviceCreateInfo;
 
 namespace nacre {
 
@@ -57,6 +62,15 @@ struct SurfaceSource {
     std::function<VkSurfaceKHR(VkInstance)> create;  ///< called again after the surface was lost. @throws Error
 };
 
+/// Makes the Vulkan objects in place of the renderer, as a headset's runtime wants them made. The renderer owns and
+/// destroys them. All three or none. @throws Error
+struct HeadsetSource {
+    using EntryPoint = void (*(*)(VkInstance, const char*))();  ///< vkGetInstanceProcAddr
+    std::function<VkInstance(const VkInstanceCreateInfo&, EntryPoint)> instance = {};
+    std::function<VkPhysicalDevice(VkInstance)> physical = {};
+    std::function<VkDevice(VkPhysicalDevice, const VkDeviceCreateInfo&, EntryPoint)> device = {};
+};
+
 /// How the depth maps of the occlusion bake are drawn; all give the same occlusion.
 enum class OcclusionMaps {
     automatic,  ///< chosen by the device's capabilities
@@ -72,6 +86,7 @@ struct DeviceOptions {
     EncodedDepth encoded = EncodedDepth::automatic;
     Multisampling multisampling = Multisampling::automatic;  ///< `four`: @throws Error where the path cannot
     SurfaceSource surface = {};                              ///< no `create`: no window
+    HeadsetSource headset = {};                              ///< no functions: no headset
     std::vector<std::byte> pipelineCache = {};  ///< from Renderer::pipelineCache(); ignored if from another device
     /// Folder for results of self-tests (self_test.h), which decide if `visibility` is automatic. Empty: no self-test.
     /// Without a window, a missing test runs first. Software devices need none: the program's tests cover their paths.

@@ -12,6 +12,7 @@
 
 #include "engine/error.h"
 #include "engine/frame/devices.h"
+#include "engine/frame/headset_frames.h"
 #include "engine/frame/picture_frames.h"
 #include "engine/frame/window_frames.h"
 #include "engine/gpu/device_info.h"
@@ -84,6 +85,7 @@ struct Renderer::Impl {
     SceneFrames frames = guarded([&] { return SceneFrames(device, executor, scene); });
     PictureFrames pictures{device, executor, frames};
     std::unique_ptr<WindowFrames> window;
+    std::unique_ptr<HeadsetFrames> headset;
     /// Decides the bake that pictures that are started read.
     std::tuple<const Scene*, int, std::uint64_t, OcclusionMaps, std::uint32_t> startedWith{};
 
@@ -96,6 +98,7 @@ struct Renderer::Impl {
         stats.device.selfTest = selfTest;
         occlusion.setAutomaticMaps(chooseOcclusionMaps(device.caps()));
         if (options.surface.create) window = std::make_unique<WindowFrames>(device, executor, frames, options.surface);
+        if (options.headset.device) headset = std::make_unique<HeadsetFrames>(device, executor, frames);
     }
     ~Impl() { device.settle(); }
 
@@ -330,6 +333,23 @@ FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame
         impl_->noteFrame(impl_->shownIn().counts());
         impl_->stats.windowMilliseconds = impl_->shownIn().milliseconds();
         return outcome;
+    });
+}
+
+FrameOutcome Renderer::presentEyes(const RenderSettings& settings, const std::array<View, 2>& eyes,
+                                   const HeadsetImage& into) {
+    if (!impl_->headset) throw Error("cannot present", "", "the renderer has no headset (DeviceOptions::headset)");
+    for (const View& eye : eyes) {
+        checkView(eye);
+        if (eye.width != into.width || eye.height != into.height)
+            throw Error("cannot present", "", "an eye's view has another size than the headset's image");
+    }
+    return impl_->unlessLost(FrameOutcome::lost, [&] {
+        impl_->headset->present(settings, impl_->occlusion.atlas(), eyes, into);
+        ++impl_->stats.windowFrames;
+        impl_->noteFrame(impl_->headset->counts());
+        impl_->stats.windowMilliseconds = impl_->headset->milliseconds();
+        return FrameOutcome::shown;
     });
 }
 

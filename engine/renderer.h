@@ -1,6 +1,7 @@
 #pragma once
 // Draws pictures of a molecule. Read this and renderer.cpp first.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -89,6 +90,10 @@ public:
     /// @param settings its view has the window's size; `supersample` and `countFragments` are ignored
     /// @throws Error if there is no such window
     FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame);
+    /// Draws both eyes, left and right, into the layers of a headset's image, with the occlusion baked so far, and
+    /// submits that to the queue: in one frame where the eyes look in parallel. Waits for the device only if two frames
+    /// are in flight. @param settings  their view is not used @param eyes  of the image's size
+    FrameOutcome presentEyes(const RenderSettings& settings, const std::array<View, 2>& eyes, const HeadsetImage& into);
     /// Announces a scene, for example while its file is read: a worker thread compiles the pipelines of a window's
     /// frame. Nothing is drawn, and errors are reported when the scene is drawn.
     /// @param like  has primitives of the same kinds; their number and size do not matter

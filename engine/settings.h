@@ -102,6 +102,14 @@ struct WindowEye {
     std::array<std::array<float, 3>, 3> channels{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 };
 
+/// An image with a layer for each eye, left and right, that a headset's runtime lends for a frame. It is in the layout
+/// of a colour attachment before and after. Its format codes sRGB.
+struct HeadsetImage {
+    VkImage image{};
+    int format = 0;  ///< VkFormat
+    std::uint32_t width = 0, height = 0;
+};
+
 /// Settings of a window's frame.
 struct WindowFrame {
     enum class Quality {

@@ -27,8 +27,8 @@ constexpr ScreenTarget kLayers[] = {{"colour", VK_FORMAT_R32G32B32A32_SFLOAT, Ou
 
 // Structured bindings name every member: a new one does not compile until it is compared.
 auto membersOf(const ScreenTarget& t) {
-    const auto& [image, format, output, pass, clear, window] = t;
-    return std::tuple(std::string_view(image), format, output, std::string_view(pass), clear, window);
+    const auto& [image, format, output, pass, clear, lent] = t;
+    return std::tuple(std::string_view(image), format, output, std::string_view(pass), clear, lent);
 }
 auto membersOf(const FrameShape& s) {
     const auto& [choice, extent, atlas, targets, name, picture, window, overlay, eye, merge, transient] = s;
@@ -37,6 +37,12 @@ auto membersOf(const FrameShape& s) {
 }
 
 }  // namespace
+
+graph::Clear opaqueClear(const std::array<float, 4>& background) {
+    const float a = background[3];
+    const auto channel = [&](std::size_t i) { return linearFromSrgb(background[i]) * a + 1.0f - a; };
+    return {channel(0), channel(1), channel(2), 1.0f};
+}
 
 std::span<const ScreenTarget> targetsOf(const FrameChoice& choice) {
     const std::span<const ScreenTarget> layers(kLayers);
@@ -75,8 +81,9 @@ bool operator==(const FrameShape& a, const FrameShape& b) {
 }
 
 graph::Image& Frame::add(const ScreenTarget& target, const FrameShape& shape) {
-    const graph::ImageDesc desc{target.format, shape.extent};
-    targets.push_back(target.window              ? graph.importImage(target.image, desc, kWindowState, true)
+    graph::ImageDesc desc{target.format, shape.extent};
+    if (target.lent) desc.layers = shape.choice.views;
+    targets.push_back(target.lent                ? graph.importImage(target.image, desc, *target.lent, true)
                       : shape.drawsIntoPicture() ? graph.importImage("picture", desc, passes::kTextureState, true)
                                                  : graph.image(target.image, desc));
     return targets.back();

@@ -18,6 +18,10 @@ struct SceneView;
 
 namespace nacre {
 
+/// State of a window's image before and after a frame.
+inline constexpr graph::State kWindowState{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, 0,
+                                           VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
+
 /// A picture that the frame makes.
 struct ScreenTarget {
     const char* image;
@@ -25,7 +29,7 @@ struct ScreenTarget {
     passes::Output output;
     const char* pass;  ///< name of the pass that makes it
     graph::Clear clear{0.0f};
-    bool window = false;  ///< it is the window's image, to be presented
+    const graph::State* lent = nullptr;  ///< of an image from outside, before and after the frame; null: its own image
 };
 
 /// The targets of a choice, but those of windows.
@@ -34,8 +38,8 @@ std::span<const ScreenTarget> targetsOf(const FrameChoice& choice);
 /// Whether `raster-order` settles depth and shades in one pass: its colour and the depth beside it fit every tile.
 bool settlesWhileShading(std::span<const ScreenTarget> targets);
 
-/// State of a window's image before and after a frame.
-constexpr graph::State kWindowState{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
+/// Of windows and headsets, which are opaque: composites the background over white.
+graph::Clear opaqueClear(const std::array<float, 4>& background);
 
 /// How a frame ends in the image of its picture.
 struct PictureEnd {

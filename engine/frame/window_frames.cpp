@@ -52,13 +52,6 @@ vk::Rect2D turned(const vk::Rect2D& r, graph::Extent upright, int quarterTurns) 
     }
 }
 
-/// A window is opaque: composites the background over white.
-graph::Clear clearOf(const std::array<float, 4>& background) {
-    const float a = background[3];
-    const auto channel = [&](std::size_t i) { return linearFromSrgb(background[i]) * a + 1.0f - a; };
-    return {channel(0), channel(1), channel(2), 1.0f};
-}
-
 }  // namespace
 
 WindowFrames::WindowFrames(const gpu::Device& device, gpu::Executor& executor, SceneFrames& frames,
@@ -213,7 +206,7 @@ PreparedFrame WindowFrames::prepare(const RenderSettings& settings, const passes
     Ending ending = endingOf(frame);
     if (eye && (*eye > 0 || frame.quality == Quality::live))
         ending = *eye > 0 ? Ending::nextSample : Ending::firstSample;
-    const graph::Clear clear = clearOf(settings.background);
+    const graph::Clear clear = opaqueClear(settings.background);
     target_ = {"colour", pictureFormat(), passes::Output::color, "impostor colour", clear};
     RenderSettings drawn = settings.ofFrame();
     if (eye) drawn.view = (*frame.eyes)[*eye].view;
@@ -233,7 +226,7 @@ PreparedFrame WindowFrames::prepare(const RenderSettings& settings, const passes
         drawn.supersample = 1;
         drawn.meshError = frame.meshError * settings.meshError;
         const bool direct = ending == Ending::window;
-        if (direct) target_ = {"window", swapchain_.format(), target_.output, target_.pass, clear, true};
+        if (direct) target_ = {"window", swapchain_.format(), target_.output, target_.pass, clear, &kWindowState};
         view = scaled(view, frame.scale);
         prepareAs(Part::motion, direct ? "screen" : eye ? "eye" : "scaled screen");
     }

@@ -54,7 +54,8 @@ void tuneHeap() {
 
 Device::Device(const DeviceOptions& options, Caching caching) {
     createInstance(options);
-    physical_ = pickDevice(instance_, options.device);
+    physical_ = options.headset.physical ? vk::raii::PhysicalDevice(instance_, options.headset.physical(*instance_))
+                                         : pickDevice(instance_, options.device);
     createDevice(options);
     if (caching == Caching::usual && !graph::has(graph::Quirk::noPipelineCache, identityOf(physical_)))
         pipelineCache_ = makePipelineCache(device_, physical_, options.pipelineCache);
@@ -77,7 +78,8 @@ void Device::createInstance(const DeviceOptions& options) {
     InstanceExtensions found;
     capture_.load(options.capture);
     if (options.capture) CaptureHook::checkLayer(context_);
-    instance_ = makeInstance(context_, options.validate, found, options.surface.instanceExtensions);
+    instance_ = makeInstance(context_, options.validate, found, options.surface.instanceExtensions,
+                             options.headset.instance ? &options.headset : nullptr);
     debugUtils_ = found.debugUtils;
     surfaceMaintenance_ = found.surfaceMaintenance;
     if (options.validate) messenger_ = makeMessenger(instance_, *messages_);
@@ -128,7 +130,9 @@ void Device::createDevice(const DeviceOptions& options) {
     maintainsSwapchains_ = surfaceMaintenance_ && options.surface.create && gpu::maintainsSwapchains(physical_);
     if (maintainsSwapchains_) add(swapchains, VK_EXT_SWAPCHAIN_MAINTENANCE_1_EXTENSION_NAME);
     info.setPEnabledExtensionNames(extensions);
-    device_ = vk::raii::Device(physical_, info);
+    device_ = options.headset.device
+                  ? vk::raii::Device(physical_, options.headset.device(*physical_, info, entryPoint(context_)))
+                  : vk::raii::Device(physical_, info);
     if (readsHere) localReadCalls_ = localReadCallsOf(device_);
     queue_ = device_.getQueue(queueFamily_, 0);
 }

@@ -130,10 +130,10 @@ void DynamicRendering::transition(bool entering) const {
         if (entering && planned == vk::ImageLayout::eUndefined) from = vk::AccessFlags(before(plan_).access);
         const auto aspect =
             static_cast<std::int32_t>(a) == depth_ ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
-        barriers.emplace_back(from, vk::AccessFlags(work.access), entering ? planned : inside,
-                              entering ? inside : planned, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                              images_[attachment.image].handle,
-                              vk::ImageSubresourceRange(aspect, 0, 1, 0, plan_.layers));
+        barriers.emplace_back(
+            from, vk::AccessFlags(work.access), entering ? planned : inside, entering ? inside : planned,
+            VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, images_[attachment.image].handle,
+            vk::ImageSubresourceRange(aspect, 0, 1, images_[attachment.image].firstLayer, plan_.layers));
     }
     if (!barriers.empty()) commands_.pipelineBarrier(own | earlier, own, {}, {}, {}, barriers);
 }

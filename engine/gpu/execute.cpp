@@ -99,10 +99,11 @@ void Executor::barriers(const vk::raii::CommandBuffer& commands, const std::vect
         const graph::ImageDesc& desc = recording.graph_.images()[b.resource].desc;
         const auto aspect =
             graph::isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
-        images.emplace_back(fromAccess, toAccess, static_cast<vk::ImageLayout>(b.from.layout),
-                            static_cast<vk::ImageLayout>(b.to.layout), VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                            recording.images_[b.resource].handle,
-                            vk::ImageSubresourceRange(aspect, 0, 1, 0, desc.layers));
+        images.emplace_back(
+            fromAccess, toAccess, static_cast<vk::ImageLayout>(b.from.layout),
+            static_cast<vk::ImageLayout>(b.to.layout), VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
+            recording.images_[b.resource].handle,
+            vk::ImageSubresourceRange(aspect, 0, 1, recording.images_[b.resource].firstLayer, desc.layers));
     }
     commands.pipelineBarrier(from, to, {}, {}, buffers, images);
 }

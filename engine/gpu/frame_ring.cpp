@@ -31,14 +31,15 @@ FrameSlot& FrameRing::next() {
 }
 
 void FrameRing::submit(FrameSlot& slot, std::span<const vk::CommandBuffer> commands,
-                       std::span<const vk::Semaphore> signals) {
+                       std::span<const vk::Semaphore> waits, std::span<const vk::Semaphore> signals) {
     // A fence that was reset and not submitted is never signalled: nobody may wait for it.
     slot.submitted = false;
     device_->resetFences(*slot.done);
-    const vk::Semaphore acquired = *slot.acquired;
     const vk::PipelineStageFlags stage = vk::PipelineStageFlagBits::eColorAttachmentOutput;
     device_.log().submitted();
-    device_.queue().submit(vk::SubmitInfo(acquired, stage, commands, signals), *slot.done);
+    vk::SubmitInfo info({}, {}, commands, signals);
+    info.setWaitSemaphores(waits).setPWaitDstStageMask(&stage);
+    device_.queue().submit(info, *slot.done);
     slot.submitted = true;
     slot.image.reset();
     at_ = (at_ + 1) % kInFlight;
@@ -46,15 +47,19 @@ void FrameRing::submit(FrameSlot& slot, std::span<const vk::CommandBuffer> comma
 
 void FrameRing::submit(FrameSlot& slot, vk::Semaphore drawn) {
     slot.drawn = slot.image;
-    submit(slot, slot.commands.handles(), {&drawn, 1});
+    const vk::Semaphore acquired = *slot.acquired;
+    submit(slot, slot.commands.handles(), {&acquired, 1}, {&drawn, 1});
 }
+
+void FrameRing::submit(FrameSlot& slot) { submit(slot, slot.commands.handles(), {}, {}); }
 
 std::optional<std::uint32_t> FrameRing::skipImage() {
     FrameSlot& slot = slots_[at_];
     const std::optional<std::uint32_t> image = slot.image;
     if (!image) return image;
     slot.drawn.reset();
-    submit(slot, {}, {});  // a signalled semaphore must be waited for before it is signalled again
+    const vk::Semaphore acquired = *slot.acquired;
+    submit(slot, {}, {&acquired, 1}, {});  // a signalled semaphore must be waited for before it is signalled again
     for (const FrameSlot& other : slots_)
         if (other.submitted && other.drawn == image &&
             device_->waitForFences(*other.done, true, UINT64_MAX) != vk::Result::eSuccess)

@@ -42,6 +42,8 @@ public:
     /// Submits the slot's commands: they wait for `acquired` where colour is written, and signal `drawn`. After a
     /// failure next() returns the same slot with its image, for another try.
     void submit(FrameSlot& slot, vk::Semaphore drawn);
+    /// As above without a window's image: waits for nothing and signals nothing but its end.
+    void submit(FrameSlot& slot);
     /// Gives up an acquired window image that was not drawn into. Waits only for an earlier frame that drew into it.
     /// @returns its index, to be given back to the swapchain
     std::optional<std::uint32_t> skipImage();
@@ -50,7 +52,8 @@ public:
     void dropImage() noexcept;
 
 private:
-    void submit(FrameSlot& slot, std::span<const vk::CommandBuffer> commands, std::span<const vk::Semaphore> signals);
+    void submit(FrameSlot& slot, std::span<const vk::CommandBuffer> commands, std::span<const vk::Semaphore> waits,
+                std::span<const vk::Semaphore> signals);
 
     const Device& device_;
     std::array<FrameSlot, kInFlight> slots_;

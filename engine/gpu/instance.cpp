@@ -56,7 +56,8 @@ std::string lower(std::string text) {
 namespace {
 
 vk::raii::Instance instanceWith(const vk::raii::Context& context, const InstanceExtensions& found,
-                                const std::vector<const char*>& extensions, const std::vector<const char*>& layers) {
+                                const std::vector<const char*>& extensions, const std::vector<const char*>& layers,
+                                const HeadsetSource* headset = nullptr) {
     constexpr vk::ValidationFeatureEnableEXT kEnable[] = {vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
     const vk::ValidationFeaturesEXT features(kEnable, {});
     const vk::ApplicationInfo application("nacre", 1, "nacre", 1, VK_API_VERSION_1_1);
@@ -65,6 +66,7 @@ vk::raii::Instance instanceWith(const vk::raii::Context& context, const Instance
     if (!layers.empty()) info.pNext = &features;
     try {
         ++instances;
+        if (headset) return {context, headset->instance(info, entryPoint(context))};
         return vk::raii::Instance(context, info);
     } catch (const vk::ExtensionNotPresentError&) {
         throw;
@@ -89,8 +91,8 @@ std::optional<vk::raii::Instance> usualInstance(const vk::raii::Context& context
 }
 
 vk::raii::Instance instanceOf(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
-                              const std::vector<std::string>& wanted) {
-    if (!validate && wanted.empty())
+                              const std::vector<std::string>& wanted, const HeadsetSource* headset = nullptr) {
+    if (!validate && wanted.empty() && !headset)
         if (std::optional<vk::raii::Instance> instance = usualInstance(context, found)) return std::move(*instance);
     const auto available = context.enumerateInstanceExtensionProperties();
     std::vector<const char*> extensions, layers;
@@ -119,7 +121,7 @@ vk::raii::Instance instanceOf(const vk::raii::Context& context, bool validate, I
         layers.push_back(kValidationLayer);
         extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     }
-    return instanceWith(context, found, extensions, layers);
+    return instanceWith(context, found, extensions, layers, headset);
 }
 
 /// Whether the system's drivers have a device. @param instance  receives theirs
@@ -137,8 +139,13 @@ bool findsDevice(const vk::raii::Context& context, bool validate, InstanceExtens
 
 }  // namespace
 
+HeadsetSource::EntryPoint entryPoint(const vk::raii::Context& context) {
+    return context.getDispatcher()->vkGetInstanceProcAddr;
+}
+
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
-                                const std::vector<std::string>& wanted) {
+                                const std::vector<std::string>& wanted, const HeadsetSource* headset) {
+    if (headset) return instanceOf(context, validate, found, wanted, headset);
     if (hasBundledDriver()) {
         static std::mutex deciding;  // the loader reads the environment, which BundledDriver changes
         const std::lock_guard lock(deciding);

@@ -4,6 +4,7 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
+#include "engine/device_options.h"
 #include "engine/gpu/validation_log.h"
 
 namespace nacre::gpu {
@@ -13,12 +14,16 @@ struct InstanceExtensions {
     bool surfaceMaintenance = false;  ///< whether the window extensions asked for include it
 };
 
+/// How a headset's runtime makes objects gets at Vulkan.
+HeadsetSource::EntryPoint entryPoint(const vk::raii::Context& context);
+
 /// An instance of the system's drivers, or of the bundled one where those have no device.
 /// @param wanted extensions besides the engine's own
 /// @throws Error without a loader or driver, if an extension is missing, or if validation is asked for and not
 /// installed
+/// @param headset  not null: makes it of the system's drivers
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
-                                const std::vector<std::string>& wanted = {});
+                                const std::vector<std::string>& wanted = {}, const HeadsetSource* headset = nullptr);
 
 /// A device's extensions, valid until the thread's next call.
 const std::vector<vk::ExtensionProperties>& extensionsOf(const vk::raii::PhysicalDevice& device);

@@ -99,9 +99,11 @@ struct Retired {
 /// An image owned elsewhere.
 struct ImageRef {
     vk::Image handle;
-    vk::ImageView view;  ///< null if the image is only copied
+    vk::ImageView view;            ///< null if the image is only copied
+    std::uint32_t firstLayer = 0;  ///< of the view
     ImageRef() = default;
-    ImageRef(vk::Image image, vk::ImageView imageView) : handle(image), view(imageView) {}
+    ImageRef(vk::Image image, vk::ImageView imageView, std::uint32_t first = 0)
+        : handle(image), view(imageView), firstLayer(first) {}
     ImageRef(const Image& image) : handle(*image.handle), view(*image.view) {}
 };
 

@@ -1,0 +1,45 @@
+#pragma once
+// Frames for a headset: both eyes into the layers of an image that its runtime lends.
+
+#include <array>
+#include <list>
+
+#include "engine/frame/declared_frames.h"
+#include "engine/frame/scene_frames.h"
+#include "engine/gpu/frame_ring.h"
+
+namespace nacre {
+
+class HeadsetFrames {
+public:
+    /// All arguments outlive this.
+    HeadsetFrames(const gpu::Device& device, gpu::Executor& executor, SceneFrames& frames);
+    ~HeadsetFrames() { device_.settle(); }
+
+    /// As Renderer::presentEyes.
+    void present(const RenderSettings& settings, const passes::Atlas& atlas, const std::array<View, 2>& eyes,
+                 const HeadsetImage& into);
+    /// GPU time of a recent frame, milliseconds; 0: unknown.
+    double milliseconds() const { return ring_.milliseconds(); }
+    /// Counts of the last frame.
+    const SceneCounts& counts() const { return counts_; }
+
+private:
+    struct Layers {
+        VkImage image{};
+        vk::raii::ImageView both{nullptr};
+        std::array<vk::raii::ImageView, 2> each{vk::raii::ImageView{nullptr}, vk::raii::ImageView{nullptr}};
+    };
+    const Layers& layersOf(const HeadsetImage& image);
+
+    const gpu::Device& device_;
+    gpu::Executor& executor_;
+    SceneFrames& frames_;
+    gpu::FrameRing ring_;
+    gpu::Retired retired_;
+    DeclaredFrames declared_;
+    SceneCounts counts_;
+    std::list<Layers> images_;  ///< of the runtime's swapchain
+};
+
+}  // namespace nacre
