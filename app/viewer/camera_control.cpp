@@ -54,6 +54,11 @@ bool CameraControl::apply(const Gesture& g, double now) {
     }
 }
 
+void CameraControl::hold(const glm::dquat& orientation, double zoom, double now) {
+    stage_.motion.hold(orientation, zoom);
+    stage_.handMoved(now);
+}
+
 bool CameraControl::runByHand(ViewerCommand command, double now) {
     CameraMotion& motion = stage_.motion;
     const Viewport v = frames_.viewport();

@@ -16,6 +16,8 @@ public:
 
     /// @returns whether the gesture moves or stops the camera
     bool apply(const Gesture& gesture, double now);
+    /// See CameraMotion::hold. Follows a gesture `touched`.
+    void hold(const glm::dquat& orientation, double zoom, double now);
     /// @returns whether it is a camera command
     bool run(ViewerCommand command, double now);
     /// Flies to the view of an aim; while a molecule is being read, waits for it.

@@ -51,6 +51,12 @@ void CameraMotion::rotate(glm::dvec2 points, double now) {
     lastDrag_ = now;
 }
 
+void CameraMotion::hold(const glm::dquat& orientation, double zoom) {
+    touch();
+    camera_.orientation = glm::normalize(orientation);
+    camera_.zoom = zoom;
+}
+
 void CameraMotion::roll(double radians) {
     camera_.orientation = glm::normalize(glm::angleAxis(-radians, glm::dvec3(0, 0, 1)) * camera_.orientation);
     // The picture rotates about its centre, including its pan.

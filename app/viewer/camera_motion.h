@@ -29,6 +29,8 @@ public:
 
     /// Drags the front of the molecule: 1 degree per point. Sets the speed for inertia.
     void rotate(glm::dvec2 points, double now);
+    /// Turns and zooms about the centre, as a tracked hand does.
+    void hold(const glm::dquat& orientation, double zoom);
     /// Turns the picture clockwise.
     void roll(double radians);
     void pan(glm::dvec2 points, double radius, const Viewport& viewport);

@@ -77,6 +77,7 @@ private:
 FrameOutcome Session::OwnScreen::present(const RenderSettings& settings, const WindowFrame& frame) {
     Renderer* renderer = session_.renderer();
     if (!renderer) return FrameOutcome::hidden;
+    if (session_.host_.present) return session_.host_.present(*renderer, settings);
     try {
         // Time spent waiting is not the host's; and the window may have another size by now.
         const PixelSize window = renderer->windowSize();

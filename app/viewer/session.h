@@ -23,6 +23,8 @@ struct SessionHost {
     std::function<void(const std::vector<std::byte>&)> keepPipelines = {};  ///< called once, after warm-up
     std::function<void(Renderer&)> prepare = {};                            ///< each renderer, before it draws
     std::function<void(const std::string&)> lost = {};                      ///< receives what is known of a loss
+    /// Draws a frame, in place of the renderer's window.
+    std::function<FrameOutcome(Renderer&, const RenderSettings&)> present = {};
     /// The window may vanish before anyone is told: a failing frame releases it, and waits for another window.
     bool windowMayGo = false;
 };
