@@ -12,10 +12,15 @@ struct OverlayVertex {
     std::uint32_t color;  ///< sRGB-coded, straight alpha, red in the lowest byte
 };
 
+/// Whom an overlay's triangles are for. Behind red and cyan glasses the left eye sees red, the right one green and
+/// blue.
+enum class OverlayEye : std::uint8_t { both, left, right };
+
 /// Triangles clipped to a rectangle of the window, in pixels.
 struct OverlayBatch {
     float left = 0, top = 0, right = 0, bottom = 0;
     std::uint32_t firstIndex = 0, indexCount = 0;
+    OverlayEye eye = OverlayEye::both;
 };
 
 struct Overlay {

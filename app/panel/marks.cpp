@@ -1,15 +1,29 @@
 // Marks on picked atoms, and the lines of text below.
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 
 #include "app/annotation/layout.h"
+#include "app/drawing/stereo.h"
 #include "app/panel/panel_state.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 
 namespace {
+
+constexpr std::array kEyesOfOverlays{OverlayEye::both, OverlayEye::left, OverlayEye::right};
+
+/// Marks commands that follow another eye's; Dear ImGui calls nobody, since we draw its lists.
+void changesEye(const ImDrawList*, const ImDrawCmd*) {}
+
+/// What is drawn beneath the panel from now on is for this eye.
+void drawFor(OverlayEye eye) {
+    ImGui::GetBackgroundDrawList()->AddCallback(
+        changesEye, const_cast<OverlayEye*>(&kEyesOfOverlays[static_cast<std::size_t>(eye)]));
+}
 
 ImVec2 place(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
@@ -110,6 +124,28 @@ float drawStatus(PanelFrame& f, const std::string& text, float bottom, bool stro
     return low.y;
 }
 
+/// The colour that stands for it behind red and cyan glasses, where both eyes see it.
+std::uint32_t behindGlasses(std::uint32_t color) {
+    std::uint32_t seen = color & 0xff000000;
+    const auto channel = [&](std::size_t i) { return srgbToLinear(static_cast<float>(color >> 8 * i & 255) / 255.0f); };
+    for (std::size_t c = 0; c < 3; ++c) {
+        float sum = 0;
+        for (std::size_t i = 0; i < 3; ++i) sum += (kAnaglyphLeft[c][i] + kAnaglyphRight[c][i]) * channel(i);
+        seen |= static_cast<std::uint32_t>(toByte(linearToSrgb(sum))) << 8 * c;
+    }
+    return seen;
+}
+
+Marks behindGlasses(Marks marks) {
+    const auto change = [](std::uint32_t& color) { color = behindGlasses(color); };
+    change(marks.color), change(marks.halo);
+    for (ShapeMark& shape : marks.shapes) change(shape.color);
+    for (DiscMark& disc : marks.discs) change(disc.color), change(disc.ring);
+    for (RampMark& ramp : marks.ramps) std::ranges::for_each(ramp.colors, change);
+    for (TextMark& text : marks.texts) change(text.color);
+    return marks;
+}
+
 /// Draws marks of a part of the window.
 void drawMarks(const Marks& marks, const glm::dvec2& corner) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -156,6 +192,8 @@ void drawMarks(const Marks& marks, const glm::dvec2& corner) {
 
 }  // namespace
 
+OverlayEye eyeOf(const ImDrawCmd& command) { return *static_cast<const OverlayEye*>(command.UserCallbackData); }
+
 /// Labels, measurements, legend and the like, as in saved pictures.
 void drawWords(PanelFrame& f) {
     const PlacedWords& words = f.viewer.words().placed();
@@ -174,10 +212,15 @@ void drawWords(PanelFrame& f) {
                                  ? 0
                                  : legendRoom(words, view, f.viewer.words().size()) / static_cast<float>(share);
         if (!words.any()) continue;
-        drawMarks(layOut(words, view, f.viewer.words().size(), f.viewer.view().words.color, f.viewer.view().background,
-                         textWidth, clip, &f.s.wordMemory),
-                  part.corner);
+        Marks marks = layOut(words, view, f.viewer.words().size(), f.viewer.view().words.color,
+                             f.viewer.view().background, textWidth, clip, &f.s.wordMemory);
+        if (part.eye != OverlayEye::both) {
+            marks = behindGlasses(std::move(marks));
+            drawFor(part.eye);
+        }
+        drawMarks(marks, part.corner);
     }
+    if (parts.front().eye != OverlayEye::both) drawFor(OverlayEye::both);
     if (f.s.legendRoom != taken) f.s.restless = std::max(f.s.restless, 2);
 }
 
@@ -197,7 +240,9 @@ void drawAnnotations(PanelFrame& f) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();  // beneath panel and help
     const auto placeOf = [&](const glm::dvec2& points) { return place(points * f.s.pixelsPerPoint); };
     constexpr std::pair<ImU32, float> kPens[] = {{kMarkEdge, 5.0f}, {kMark, 2.0f}};
+    const bool glasses = f.viewer.view().stereo.mode == Stereo::Mode::anaglyph;
     for (const std::vector<glm::dvec2>* atoms : {&a.atoms, &a.otherAtoms}) {
+        if (glasses) drawFor(atoms == &a.atoms ? OverlayEye::left : OverlayEye::right);
         for (std::size_t i = 1; i < atoms->size(); ++i)
             for (const auto& [color, points] : kPens)
                 list.AddLine(placeOf((*atoms)[i - 1]), placeOf((*atoms)[i]), color, f.ui.px(points));
@@ -205,6 +250,7 @@ void drawAnnotations(PanelFrame& f) {
             for (const auto& [color, points] : kPens)
                 list.AddCircle(placeOf(atom), f.ui.px(8), color, 24, f.ui.px(points));
     }
+    if (glasses) drawFor(OverlayEye::both);
     drawHint(f, a.coarse);
     if (!a.error.empty()) return;  // that comes first
     float bottom = f.s.freeRoom().bottom - f.ui.px(14);

@@ -66,11 +66,13 @@ void collect(Overlay& overlay) {
         const auto firstVertex = static_cast<std::uint32_t>(overlay.vertices.size());
         for (const ImDrawVert& v : list.VtxBuffer)
             overlay.vertices.push_back({v.pos.x, v.pos.y, v.uv.x, v.uv.y, v.col});
+        OverlayEye eye = OverlayEye::both;
         for (const ImDrawCmd& command : list.CmdBuffer) {
-            if (command.ElemCount == 0) continue;
+            if (command.UserCallback) eye = eyeOf(command);
+            if (command.ElemCount == 0 || command.UserCallback) continue;
             const ImVec4& clip = command.ClipRect;
             overlay.batches.push_back({clip.x, clip.y, clip.z, clip.w,
-                                       static_cast<std::uint32_t>(overlay.indices.size()), command.ElemCount});
+                                       static_cast<std::uint32_t>(overlay.indices.size()), command.ElemCount, eye});
             for (unsigned i = 0; i < command.ElemCount; ++i)
                 overlay.indices.push_back(firstVertex + command.VtxOffset +
                                           list.IdxBuffer[static_cast<int>(command.IdxOffset + i)]);

@@ -243,6 +243,8 @@ void drawMorePage(PanelFrame& f);
 // Below and over the picture
 void drawPlayBar(PanelFrame& f);
 void drawWords(PanelFrame& f);
+/// Of a command with a callback: whom the commands behind it are for.
+OverlayEye eyeOf(const ImDrawCmd& command);
 /// The outline of the selection, and of what a click would take.
 void drawOutline(PanelFrame& f);
 void drawAnnotations(PanelFrame& f);

@@ -94,14 +94,17 @@ std::vector<FreePart> Frames::freeParts() const {
     const Stereo& stereo = stage_.view().stereo;
     const PixelSize free = freeSize();
     const glm::ivec2 window(size_.width, size_.height);
-    if (!stereo.both() || stereo.mode == Stereo::Mode::anaglyph || !stage_.shown()) {
+    if (!stereo.both() || !stage_.shown()) {
         View view = pictureSettings(free).view;
         if (stage_.shown()) view = oneEyeView(view, stereo);
         return {{view, freeCorner(), {0, 0}, window}};
     }
-    // The eyes share what is free. Each part reaches as far beyond it as the larger of both has to.
     const Size size = eyeSize(stereo, {free.width, free.height});
     const View middle = pictureSettings({size.width, size.height}).view;
+    if (stereo.mode == Stereo::Mode::anaglyph)
+        return {{eyeView(middle, stereo, Eye::left), freeCorner(), {0, 0}, window, OverlayEye::left},
+                {eyeView(middle, stereo, Eye::right), freeCorner(), {0, 0}, window, OverlayEye::right}};
+    // The eyes share what is free. Each part reaches as far beyond it as the larger of both has to.
     const int axis = stereo.beside() ? 0 : 1;
     const int border = static_cast<int>(freeCorner()[axis]) +
                        (axis == 0 ? static_cast<int>(size.width) : static_cast<int>(size.height));
@@ -118,22 +121,18 @@ std::vector<FreePart> Frames::freeParts() const {
     return parts;
 }
 
-std::optional<std::array<WindowEye, 2>> Frames::eyes(const RenderSettings& settings) const {
+std::optional<std::array<WindowEye, 2>> Frames::eyes() const {
     const Stereo& stereo = stage_.view().stereo;
     if (!stereo.both() || !stage_.shown()) return std::nullopt;
     std::array<WindowEye, 2> eyes;
-    if (stereo.mode == Stereo::Mode::anaglyph) {
-        for (std::size_t i = 0; i < 2; ++i) eyes[i].view = eyeView(settings.view, stereo, kEyes[i]);
-        eyes[0].channels = kAnaglyphLeft, eyes[1].channels = kAnaglyphRight;
-    } else {
-        const std::vector<FreePart> parts = freeParts();
-        for (std::size_t i = 0; i < 2; ++i) {
-            const auto& [view, corner, from, size] = parts[i];
-            eyes[i] = {wholePart(view, corner - glm::dvec2(from), static_cast<std::uint32_t>(size.x),
-                                 static_cast<std::uint32_t>(size.y)),
-                       from.x, from.y};
-        }
+    const std::vector<FreePart> parts = freeParts();
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto& [view, corner, from, size, overlay] = parts[i];
+        eyes[i] = {wholePart(view, corner - glm::dvec2(from), static_cast<std::uint32_t>(size.x),
+                             static_cast<std::uint32_t>(size.y)),
+                   from.x, from.y};
     }
+    if (stereo.mode == Stereo::Mode::anaglyph) eyes[0].channels = kAnaglyphLeft, eyes[1].channels = kAnaglyphRight;
     eyes[0].view = paired(eyes[0].view, eyes[1].view);
     return eyes;
 }
@@ -193,7 +192,7 @@ std::optional<std::uint32_t> Frames::atomAt(glm::dvec2 at, double reach, double 
     try {
         RenderSettings s = settings();
         glm::dvec2 pixel = at * scale_;
-        if (const auto both = eyes(s); both && stage_.view().stereo.mode != Stereo::Mode::anaglyph) {
+        if (const auto both = eyes(); both && stage_.view().stereo.mode != Stereo::Mode::anaglyph) {
             const auto isAt = [&](const WindowEye& eye) { return pixel.x >= eye.x && pixel.y >= eye.y; };
             const std::size_t second = (*both)[0].x + (*both)[0].y > (*both)[1].x + (*both)[1].y ? 0 : 1;
             const WindowEye& eye = (*both)[isAt((*both)[second]) ? second : 1 - second];
@@ -380,7 +379,7 @@ void Frames::draw(const FrameSchedule::Next& next, double now, bool moving,
     FrameOutcome outcome = FrameOutcome::lost;
     try {
         const RenderSettings s = settings();
-        frame_.eyes = eyes(s);
+        frame_.eyes = eyes();
         outcome = screen_.present(s, frame_);
         frameRetry_.succeeded();
     } catch (const Error& error) {

@@ -55,6 +55,7 @@ struct FreePart {
     View view;
     glm::dvec2 corner;      ///< in the window, pixels
     glm::ivec2 from, size;  ///< with what is covered, and as large as the other eye's: may reach beyond the window
+    OverlayEye eye = OverlayEye::both;  ///< who sees what is drawn over it
 };
 
 class Frames {
@@ -80,11 +81,10 @@ public:
     RenderSettings settings() const;
     /// As above, centred in a picture of another size.
     RenderSettings pictureSettings(PixelSize size) const;
-    /// The rest, or its half for each eye of a view that has them side by side: left, right.
+    /// The rest, or what each eye sees of it: left, right.
     std::vector<FreePart> freeParts() const;
     /// The views of both eyes, if the picture has two.
-    /// @param settings  those of settings(), of a point midway between the eyes
-    std::optional<std::array<WindowEye, 2>> eyes(const RenderSettings& settings) const;
+    std::optional<std::array<WindowEye, 2>> eyes() const;
     /// A picture of the document for a file, with its words.
     /// @param picture  its camera, size, shading and words
     /// @param marked  with the outline of the selected atoms, unless it has two eyes @throws Error

@@ -27,11 +27,16 @@ vk::SpecializationInfo Specialization::info() const {
 
 namespace {
 
+vk::ColorComponentFlags channelsOf(Blend blend) {
+    using Channel = vk::ColorComponentFlagBits;
+    if (blend == Blend::overRed) return Channel::eR;
+    if (blend == Blend::overCyan) return Channel::eG | Channel::eB;
+    return Channel::eR | Channel::eG | Channel::eB | Channel::eA;
+}
+
 vk::PipelineColorBlendAttachmentState blendState(Blend blend, bool written) {
     vk::PipelineColorBlendAttachmentState state;
-    if (written)
-        state.colorWriteMask = vk::ColorComponentFlagBits::eR | vk::ColorComponentFlagBits::eG |
-                               vk::ColorComponentFlagBits::eB | vk::ColorComponentFlagBits::eA;
+    if (written) state.colorWriteMask = channelsOf(blend);
     if (blend == Blend::minimum || blend == Blend::maximum || blend == Blend::add) {
         state.blendEnable = true;
         state.srcColorBlendFactor = state.dstColorBlendFactor = vk::BlendFactor::eOne;
@@ -40,7 +45,7 @@ vk::PipelineColorBlendAttachmentState blendState(Blend blend, bool written) {
                                                   : blend == Blend::maximum ? vk::BlendOp::eMax
                                                                             : vk::BlendOp::eMin;
     }
-    if (blend == Blend::over) {
+    if (blend == Blend::over || blend == Blend::overRed || blend == Blend::overCyan) {
         state.blendEnable = true;
         state.srcColorBlendFactor = vk::BlendFactor::eSrcAlpha;
         state.srcAlphaBlendFactor = vk::BlendFactor::eOne;

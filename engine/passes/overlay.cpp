@@ -1,7 +1,9 @@
 #include "engine/passes/overlay.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "engine/error.h"
 #include "engine/passes/bindings.h"
@@ -58,7 +60,8 @@ const gpu::Layout& overlayLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"overlay layout", kGlyphs, kDraw, sizeof(Scale)});
 }
 
-gpu::GraphicsPipeline overlayPipeline(gpu::PipelineContext& context, int quarterTurns, bool coded) {
+gpu::GraphicsPipeline overlayPipeline(gpu::PipelineContext& context, int quarterTurns, bool coded, OverlayEye eye) {
+    constexpr std::array kBlends{gpu::Blend::over, gpu::Blend::overRed, gpu::Blend::overCyan};  // by OverlayEye
     gpu::GraphicsPipeline d = context.pipeline();
     d.vertex = shaders::overlayVertex;
     d.fragment = shaders::overlayFragment;
@@ -67,7 +70,7 @@ gpu::GraphicsPipeline overlayPipeline(gpu::PipelineContext& context, int quarter
     d.streams = {kStreams, kAttributes};
     d.layout = *overlayLayout(context).pipeline;
     d.colorsWritten = 1;
-    d.blend = gpu::Blend::over;
+    d.blend = kBlends[static_cast<std::size_t>(eye)];
     d.strip = false;
     return d;
 }
@@ -90,7 +93,7 @@ void OverlayPass::upload(gpu::FrameSlot& slot, const Overlay& overlay) const {
 }
 
 void OverlayPass::want(gpu::PipelineContext& context, int quarterTurns, bool coded) {
-    context.pipelines.want(overlayPipeline(context, quarterTurns, coded));
+    context.pipelines.want(overlayPipeline(context, quarterTurns, coded, OverlayEye::both));
 }
 
 void OverlayPass::draw(gpu::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay,
@@ -98,8 +101,7 @@ void OverlayPass::draw(gpu::PassContext& context, const gpu::FrameSlot& slot, co
     const vk::raii::CommandBuffer& commands = context.commands;
     const Scale scale{2.0f / static_cast<float>(upright.width), 2.0f / static_cast<float>(upright.height), 0, 0};
     const gpu::Layout& layout = overlayLayout(context);
-    const gpu::GraphicsPipeline pipeline = overlayPipeline(context, quarterTurns, coded);
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(pipeline));
+    std::optional<OverlayEye> bound;
     const vk::ImageView glyphs = *glyphs_.view;
     bindTextures(context, layout, vk::Filter::eLinear, {&glyphs, 1});
     commands.pushConstants<float>(*layout.pipeline, kDraw, 0, scale);
@@ -108,6 +110,11 @@ void OverlayPass::draw(gpu::PassContext& context, const gpu::FrameSlot& slot, co
     for (const OverlayBatch& batch : overlay.batches) {
         const vk::Rect2D scissor = scissorOf(batch, upright, quarterTurns);
         if (scissor.extent.width == 0) continue;
+        if (bound != batch.eye) {
+            const gpu::GraphicsPipeline pipeline = overlayPipeline(context, quarterTurns, coded, batch.eye);
+            commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(pipeline));
+            bound = batch.eye;
+        }
         commands.setScissor(0, scissor);
         commands.drawIndexed(batch.indexCount, 1, batch.firstIndex, 0, 0);
     }

@@ -4,6 +4,7 @@
 
 #include "app/panel/theme.h"
 #include "app/picture/appearance_values.h"
+#include "app/picture/options.h"
 #include "tests/panel/panel_bench.h"
 
 namespace nacre::app::test {
@@ -303,6 +304,33 @@ TEST(Panel, ADoubleClickOnASliderTypesItsNumber) {
     b.settle();
     EXPECT_EQ(b.viewer.view().look.cartoonOpacity, 0.25);
     EXPECT_FALSE(b.panel.input().ownsKeys());
+}
+
+TEST(Panel, LabelsOfAnaglyphsHaveTheDepthOfTheirAtoms) {
+    Bench b("sample:glucose", {800, 600});
+    PictureDescription look = b.viewer.view();
+    setOption(option("stereo"), "anaglyph", look);
+    setOption(option("label"), "id 1=I", look);
+    setOption(option("eye-distance"), "12", look);
+    setOption(option("legend"), "off", look);
+    b.viewer.setLook(look, b.now);
+    b.settle();
+    const Overlay& overlay = *b.panel.draw(b.viewer, b.size, b.now);
+    std::array<double, 3> sum{}, count{};  // by eye
+    for (const OverlayBatch& batch : overlay.batches)
+        for (std::uint32_t i = 0; i < batch.indexCount; ++i) {
+            sum[static_cast<std::size_t>(batch.eye)] += overlay.vertices[overlay.indices[batch.firstIndex + i]].x;
+            count[static_cast<std::size_t>(batch.eye)] += 1;
+        }
+    ASSERT_GT(count[1], 0);
+    EXPECT_EQ(count[1], count[2]);
+    const Document& document = *b.viewer.document();
+    const glm::dvec3 atom = glm::dvec3(document.placed->atoms[0].position) - document.drawing.scene().center;
+    const std::vector<FreePart> parts = b.viewer.frames().freeParts();
+    const auto columnOf = [&](const FreePart& part) { return b.viewer.frames().pointOf(atom, part.view).x; };
+    const double apart = columnOf(parts[1]) - columnOf(parts[0]);
+    EXPECT_GT(std::abs(apart), 1.5);
+    EXPECT_NEAR(sum[2] / count[2] - sum[1] / count[1], apart, 1.1);  // text stands on whole pixels
 }
 
 }  // namespace

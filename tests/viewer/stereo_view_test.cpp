@@ -95,5 +95,19 @@ TEST(StereoView, TheEyesShareWhatThePanelLeavesFree) {
     }
 }
 
+TEST(StereoView, AnaglyphsHaveAPartOfTheWindowForEachEye) {
+    Bench b;
+    const auto eyes = shownBy(b, "anaglyph").eyes;
+    const std::vector<FreePart> parts = b.viewer.frames().freeParts();
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_EQ(parts[0].eye, OverlayEye::left);
+    EXPECT_EQ(parts[1].eye, OverlayEye::right);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(parts[i].corner, glm::dvec2(0));
+        EXPECT_EQ(parts[i].view.shift, (*eyes)[i].view.shift);
+        EXPECT_EQ(parts[i].view.pan, (*eyes)[i].view.pan);
+    }
+}
+
 }  // namespace
 }  // namespace nacre::app::test
