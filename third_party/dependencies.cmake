@@ -58,6 +58,11 @@ if(NOT CMAKE_CROSSCOMPILING)
     find_path(RENDERDOC_INCLUDE_DIR renderdoc_app.h)
 endif()
 
+# Headsets: OpenXR's loader is loaded when one is asked for; without its header there are none.
+if(NACRE_APPS AND NOT ANDROID AND NOT IOS AND NOT APPLE)
+    find_path(OPENXR_INCLUDE_DIR openxr/openxr.h)
+endif()
+
 find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang NAMES_PER_DIR REQUIRED)  # glslang: from release 14 on
 find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)

@@ -85,4 +85,12 @@ inline constexpr const char* kViewExamples =
     "  nacre view 1bna.pdb --capture\n"
     "Without INPUT the window offers files, samples and the last session. `?` in the window lists keys and gestures.";
 
+inline constexpr const char* kXrExamples =
+    "Examples:\n"
+    "  nacre xr 1bna.pdb\n"
+    "  nacre xr 4hhb.cif.gz --style spacefill --color chain\n"
+    "Needs the software of an OpenXR headset, which is running. Trigger: hold and turn the molecule; draw it nearer "
+    "to\n"
+    "enlarge it. Menu button: reset the view.";
+
 }  // namespace nacre::app

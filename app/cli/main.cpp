@@ -19,6 +19,9 @@
 #include "app/desktop/view_command.h"
 #endif
 #include "app/serve/server.h"
+#ifdef NACRE_XR
+#include "app/xr/xr_command.h"
+#endif
 #include "engine/devices.h"
 #include "engine/error.h"
 
@@ -68,6 +71,11 @@ void run(const CommandLine& line, std::ostream& out) {
         case Command::view:
 #ifdef NACRE_DESKTOP
             viewCommand(line.view);
+#endif
+            break;
+        case Command::xr:
+#ifdef NACRE_XR
+            xrCommand(line.view.first);
 #endif
             break;
         case Command::bench:

@@ -216,6 +216,11 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
 #else
     static_cast<void>(window);
 #endif
+#ifdef NACRE_XR
+    CommandSpec xr{"xr", "Show a molecule in a headset", kXrExamples};
+    addHeadset(xr, window);
+    commands.insert(commands.begin() + 4, xr);
+#endif
     for (CommandSpec& command : commands)
         command.flag(
             "-q,--quiet", line.quiet,
@@ -229,12 +234,21 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
 }
 
 Command commandOf(const std::string& name) {
-    constexpr std::pair<const char*, Command> kCommands[] = {
-        {"render", Command::render},    {"movie", Command::movie}, {"batch", Command::batch},
-        {"figure", Command::figure},    {"serve", Command::serve}, {"looks", Command::looks},
-        {"export", Command::exporting}, {"view", Command::view},   {"info", Command::info},
-        {"bench", Command::bench},      {"plan", Command::plan},   {"devices", Command::devices},
-        {"completion", Command::help},  {"man", Command::help}};
+    constexpr std::pair<const char*, Command> kCommands[] = {{"render", Command::render},
+                                                             {"movie", Command::movie},
+                                                             {"batch", Command::batch},
+                                                             {"figure", Command::figure},
+                                                             {"serve", Command::serve},
+                                                             {"looks", Command::looks},
+                                                             {"export", Command::exporting},
+                                                             {"view", Command::view},
+                                                             {"info", Command::info},
+                                                             {"bench", Command::bench},
+                                                             {"plan", Command::plan},
+                                                             {"devices", Command::devices},
+                                                             {"xr", Command::xr},
+                                                             {"completion", Command::help},
+                                                             {"man", Command::help}};
     for (const auto& [word, command] : kCommands)
         if (name == word) return command;
     throw UsageError(
@@ -271,8 +285,10 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     if (line.command == Command::looks) checkLooks(line.looks);
     if (line.command == Command::exporting) checkExport(line.exported);
     if (line.command == Command::info) checkInfo(line.info);
-    if (line.command == Command::view) {
+    if (line.command == Command::view || line.command == Command::xr) {
         const bool named = checkWindow(window);
+        if (line.command == Command::xr && !named)
+            throw UsageError("INPUT is required, for example: nacre xr 1bna.pdb");
         line.view = {withWholePaths(window), !named};
     }
     return line;

@@ -119,7 +119,8 @@ enum class Command {
     info,
     devices,
     bench,
-    plan
+    plan,
+    xr
 };
 
 struct CommandLine {

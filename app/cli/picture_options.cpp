@@ -109,6 +109,10 @@ void addWindow(CommandSpec& command, PictureDescription& first) {
                  "Load RenderDoc, so that F12 captures a frame; it listens on this machine only");
 }
 
+void addHeadset(CommandSpec& command, PictureDescription& first) {
+    addPicture(command, first, kSeen | Topic::view | Topic::look | kDevice);
+}
+
 void addLooks(CommandSpec& command, LooksOptions& options) {
     PictureDescription& picture = options.picture;
     picture.size = {384, 384};

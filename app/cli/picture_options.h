@@ -22,6 +22,8 @@ void addRender(CommandSpec& command, PictureDescription& picture);
 void addMovie(CommandSpec& command, MovieOptions& options);
 /// Initial contents of a window, with the options of `render`; `size` is the window's.
 void addWindow(CommandSpec& command, PictureDescription& first);
+/// Contents of a headset's room.
+void addHeadset(CommandSpec& command, PictureDescription& first);
 void addLooks(CommandSpec& command, LooksOptions& options);
 
 /// @throws UsageError

@@ -1,0 +1,60 @@
+#pragma once
+// From a headset's poses to the views of its eyes. Metres in the room: +x right, +y up, +z towards the viewer.
+
+#include <array>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/scene/view/camera.h"
+
+namespace nacre::app {
+
+struct Pose {
+    glm::dvec3 position{0};
+    glm::dquat orientation{1, 0, 0, 0};
+};
+
+/// An eye looks along its -z. Its picture ends at these tangents of angles; left and down are negative as a rule.
+struct EyePose : Pose {
+    double left = -1, right = 1, down = -1, up = 1;
+};
+
+/// Where a molecule is in the room.
+struct Placement {
+    glm::dvec3 center{0};      ///< of the scene
+    glm::dmat3 rotation{1.0};  ///< of the scene, to the room
+    double metresPerAngstrom = 1;
+    double radius = 1;  ///< of the scene, Å
+};
+
+struct EyeViews {
+    std::array<View, 2> views;
+    /// What they show: the same eyes, with pictures that may be wider or taller, since pixels are squares.
+    std::array<EyePose, 2> eyes;
+};
+
+/// Moves a molecule that is in sight away from the eyes, along their axes, until all of it is in front of both.
+/// @returns it, or, while it is out of sight, one far beside both pictures
+Placement keepInFront(Placement& placement, const std::array<EyePose, 2>& eyes);
+
+/// @param placement  in front of both eyes @param width, height  of each eye's picture, pixels
+EyeViews viewsOf(const Placement& placement, std::array<EyePose, 2> eyes, std::uint32_t width, std::uint32_t height);
+
+/// Turns and scales the molecule as the hand that holds it moves.
+class Grip {
+public:
+    static constexpr double kMetresPerDouble = 0.2;  ///< towards the head: twice as large
+
+    /// @param head  where the hand is drawn to @param zoom  of the molecule now
+    Grip(const Pose& hand, const glm::dvec3& head, const glm::dquat& orientation, double zoom);
+
+    glm::dquat orientation(const Pose& hand) const { return hand.orientation * turned_; }
+    double zoom(const Pose& hand) const;
+
+private:
+    glm::dquat turned_;  // the molecule, as the hand sees it
+    glm::dvec3 head_;
+    double away_, zoom_;
+};
+
+}  // namespace nacre::app
