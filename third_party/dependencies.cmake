@@ -59,7 +59,7 @@ if(NOT CMAKE_CROSSCOMPILING)
 endif()
 
 # Headsets: OpenXR's loader is loaded when one is asked for; without its header there are none.
-if(NACRE_APPS AND NOT ANDROID AND NOT IOS AND NOT APPLE)
+if(NACRE_APPS AND NOT CMAKE_CROSSCOMPILING AND NOT APPLE)
     find_path(OPENXR_INCLUDE_DIR openxr/openxr.h)
 endif()
 
