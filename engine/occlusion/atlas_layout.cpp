@@ -10,9 +10,11 @@ namespace {
 struct PatchSize {
     std::uint32_t edge, around, along;
 };
-// Finest to coarsest. A bond is a fifth as wide as an atom, so it has half the texels around it and few along it.
-constexpr PatchSize kSizes[] = {{32, 24, 24}, {24, 20, 16}, {20, 16, 12}, {16, 12, 8},
-                                {12, 12, 6},  {8, 8, 4},    {4, 4, 2},    {1, 4, 2}};
+// Finest to coarsest, in steps of at most 1.5. A bond is a fifth as wide as an atom, so it has half the texels around
+// it and few along it. All four texels of an octahedral map of 2 x 2 are the same direction: one value follows 3 x 3.
+constexpr PatchSize kSizes[] = {{32, 24, 24}, {28, 24, 17}, {24, 20, 14}, {20, 16, 12}, {17, 12, 11}, {14, 12, 9},
+                                {12, 12, 7},  {10, 12, 6},  {9, 12, 5},   {8, 8, 6},    {7, 8, 5},    {6, 8, 4},
+                                {5, 8, 3},    {4, 8, 2},    {3, 4, 3},    {1, 4, 2}};
 
 std::uint32_t roundUp(std::uint64_t value, std::uint32_t step) {
     return static_cast<std::uint32_t>((value + step - 1) / step * step);
@@ -27,7 +29,7 @@ OcclusionLayout layoutFor(const PatchSize& size, std::size_t spheres, std::size_
     layout.sphereCount = static_cast<std::uint32_t>(spheres);
     layout.cylinderCount = static_cast<std::uint32_t>(cylinders);
     layout.vertexCount = static_cast<std::uint32_t>(vertices);
-    // Nearly square, and a multiple of both patch widths.
+    // Nearly square, and a multiple of both patch widths: rows begin with a whole word of four.
     const std::uint32_t step = std::lcm(size.edge, size.around);
     const double side = std::sqrt(static_cast<double>(std::max<std::uint64_t>(layout.texelCount(), 1)));
     layout.width = std::min(roundUp(static_cast<std::uint64_t>(side), step), maxSize / step * step);

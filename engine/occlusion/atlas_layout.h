@@ -8,9 +8,9 @@
 namespace nacre {
 
 struct OcclusionLayout {
-    std::uint32_t sphereEdge = 0;  ///< width of a sphere's octahedral patch, texels: a multiple of 4, or 1 (one value)
-    std::uint32_t around = 0;      ///< texels around a cylinder; a multiple of 4
-    std::uint32_t along = 0;       ///< texels along a cylinder
+    std::uint32_t sphereEdge = 0;         ///< width of a sphere's octahedral patch, texels: 3 or more, or 1 (one value)
+    std::uint32_t around = 0;             ///< texels around a cylinder; a multiple of 4
+    std::uint32_t along = 0;              ///< texels along a cylinder
     std::uint32_t width = 0, height = 0;  ///< of the atlas, texels
     std::uint32_t sphereRows = 0;         ///< atlas rows of sphere patches
     std::uint32_t cylinderRows = 0;       ///< atlas rows of cylinder patches; vertices follow

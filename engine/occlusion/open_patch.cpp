@@ -1,5 +1,6 @@
 #include "engine/occlusion/open_patch.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -112,20 +113,35 @@ std::uint64_t OpenPatch::findSources(std::size_t y) {
     return (all & ~open) | fallback;
 }
 
+/// The word at an address: a new one, or the last one of this row.
+AtlasWord& OpenPatch::wordAt(std::uint32_t address, std::uint32_t base, std::size_t y, std::vector<AtlasWord>& words) {
+    const std::size_t last = lastOfRow_[y];
+    if (last < words.size() && words[last].address == address) return words[last];
+    lastOfRow_[y] = words.size();
+    words.push_back({address, base, {}});
+    return words.back();
+}
+
 void OpenPatch::addWords(std::uint32_t address, std::uint32_t width, std::uint32_t base,
                          std::vector<AtlasWord>& words) {
     if (!any_) return;
     surround();
+    const auto across = static_cast<std::uint32_t>(size_.x);
     for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(size_.y); ++y) {
         const std::uint64_t found = findSources(y);
-        for (std::uint32_t x = 0; x < static_cast<std::uint32_t>(size_.x); x += 4) {
-            if ((found >> x & 15) == 0) continue;
-            AtlasWord word;
-            word.address = (address + y * width + x) / 4;
-            word.base = base;
-            for (std::uint32_t k = 0; k < 4; ++k)
-                if (found >> (x + k) & 1) word.sources[k] = sources_[x + k];
-            words.push_back(word);
+        const std::uint32_t row = address + y * width;
+        for (std::uint32_t x = 0, count = 0; x < across; x += count) {
+            const std::uint32_t first = (row + x) % 4;
+            count = std::min(4 - first, across - x);
+            if ((found >> x & ((1u << count) - 1)) == 0) continue;
+            AtlasWord& word = wordAt((row + x) / 4, base, y, words);
+            const auto shift = static_cast<std::uint16_t>(base - word.base);
+            for (std::uint32_t k = 0; k < count; ++k) {
+                if ((found >> (x + k) & 1) == 0) continue;
+                const AtlasWord::Source& source = sources_[x + k];
+                word.sources[first + k] = {static_cast<std::uint16_t>(source.entry + shift),
+                                           static_cast<std::uint16_t>(source.beyond + shift)};
+            }
         }
     }
 }

@@ -84,7 +84,8 @@ public:
         collect(i);
         begin({edge, edge}, true);
         for (std::uint32_t k = 0; k < edge * edge; k += kLanes) {
-            std::uint32_t bits = openLanes(r_.spheres[i], k);
+            const std::uint32_t lanes = std::min(edge * edge - k, kLanes);
+            std::uint32_t bits = openLanes(r_.spheres[i], k) & ((1u << lanes) - 1);
             for (; bits != 0; bits &= bits - 1) {
                 const std::uint32_t texel = k + static_cast<std::uint32_t>(std::countr_zero(bits));
                 open(texel, i * edge * edge + texel);
@@ -248,7 +249,9 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
     std::vector<Finder> finders(parts, Finder(layout, r, tree));
     inParallel(parts, [&](std::size_t part) {
         const auto bound = [&](std::size_t n) {
-            return first + static_cast<std::uint32_t>(std::uint64_t{count - first} * n / parts);
+            std::uint32_t i = first + static_cast<std::uint32_t>(std::uint64_t{count - first} * n / parts);
+            while (i < spheres && i % layout.spherePatches() * layout.sphereEdge % 4 != 0) ++i;  // parts share no word
+            return i;
         };
         for (std::uint32_t i = bound(part); i < bound(part + 1) && !stop.stop_requested(); ++i)
             if (i < spheres)

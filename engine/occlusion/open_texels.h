@@ -22,7 +22,7 @@ struct AtlasWord {
         std::uint16_t beyond = kNone;
     };
     std::uint32_t address = 0;  ///< atlas texel, row-major, / 4
-    std::uint32_t base = 0;     ///< first entry of the patch
+    std::uint32_t base = 0;     ///< first entry of the patch, or of the left one of two that share the word
     Source sources[4];
 };
 

@@ -65,7 +65,7 @@ std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representa
     return seen;
 }
 
-/// One bit per four texels: row by row of a patch, whose edge is a multiple of 4, or over all vertices.
+/// Four bits per word.
 std::vector<std::uint8_t> wordsOf(const std::vector<bool>& texels) {
     std::vector<std::uint8_t> words((texels.size() + 3) / 4, 0);
     for (std::size_t i = 0; i < texels.size(); ++i)
@@ -87,13 +87,18 @@ std::optional<ViewDirection> onlyViewDirection(const RenderSettings& settings) {
 void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& r,
               const ViewDirection& viewDirection, const occlusion::HiddenTriangles& hidden) {
     if (layout.sphereEdge == 1) return;
-    const std::vector<std::uint8_t> ofSphere = wordsOf(seenOfSphere(layout.sphereEdge, viewDirection.towards));
+    const std::uint32_t edge = layout.sphereEdge, perRow = layout.width / 4;
+    const std::vector<bool> ofSphere = seenOfSphere(edge, viewDirection.towards);
     const std::vector<std::uint8_t> ofVertices = wordsOf(seenOfVertices(layout, r, viewDirection, hidden));
-    const std::uint32_t perRow = layout.width / 4, perPatch = layout.sphereEdge / 4;
     const std::uint64_t vertexRow = std::uint64_t{layout.sphereRows} + layout.cylinderRows;
     const auto seenOf = [&](std::uint32_t word) -> std::uint32_t {
         const std::uint32_t row = word / perRow, column = word % perRow;
-        if (row < layout.sphereRows) return ofSphere[row % layout.sphereEdge * perPatch + column % perPatch];
+        if (row < layout.sphereRows) {
+            std::uint32_t seen = 0;
+            for (std::uint32_t k = 0; k < 4; ++k)
+                seen |= std::uint32_t{ofSphere[std::size_t{row % edge} * edge + (4 * column + k) % edge]} << k;
+            return seen;
+        }
         if (row < vertexRow) return 15;
         const std::uint64_t place = word - vertexRow * perRow;
         return place < ofVertices.size() ? ofVertices[place] : 0u;

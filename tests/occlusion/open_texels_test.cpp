@@ -136,7 +136,7 @@ TEST_P(OpenTexelsTest, GiveTheirValuesToTheNearestBuriedOnes) {
     EXPECT_GT(without, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Edges, OpenTexelsTest, testing::Values(4u, 12u, 32u));
+INSTANTIATE_TEST_SUITE_P(Edges, OpenTexelsTest, testing::Values(3u, 4u, 5u, 7u, 12u, 14u, 17u, 32u));
 
 }  // namespace
 }  // namespace nacre::test

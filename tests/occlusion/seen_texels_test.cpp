@@ -46,13 +46,12 @@ TEST_P(Once, DrawsTheSamePictureForFewerQuestions) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Styles, Once,
-                         testing::Values(Case{"spacefill", Style::spacefill, 12, 0.92},
-                                         Case{"fine", Style::spacefill, 32, 0.75},
-                                         Case{"sticks", Style::ballAndStick, 16, 0.95},
-                                         Case{"cartoon", Style::cartoon, 16, 0.75},
-                                         Case{"surface", Style::surface, 16, 0.55}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Styles, Once,
+    testing::Values(Case{"spacefill", Style::spacefill, 12, 0.92}, Case{"odd", Style::spacefill, 14, 0.92},
+                    Case{"fine", Style::spacefill, 32, 0.75}, Case{"sticks", Style::ballAndStick, 16, 0.95},
+                    Case{"cartoon", Style::cartoon, 16, 0.75}, Case{"surface", Style::surface, 16, 0.55}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 // Where a picture may show any side, or the bake is kept for others.
 TEST(OnlyViewDirection, IsNoneWhereOtherSidesMayShow) {
