@@ -17,6 +17,9 @@ constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
 /// Per vertex: its texel, and two list entries, whose words are a quarter as many.
 constexpr std::uint64_t kBytesPerVertex = kBytesPerTexel + 2 * kBytesPerOpen + sizeof(AtlasWord) / 2 + 1;
 
+/// Width of an atlas for the usual memory: on every device.
+constexpr std::uint32_t kUsualSide = 4096;
+
 /// Maximum of texels regardless of memory: time is proportional to them. With few directions noise outweighs the
 /// benefit of finer patches.
 std::uint64_t mostTexels(std::uint64_t primitives, int directions) {
@@ -39,42 +42,56 @@ double finestEdge(const Representation& r, double pixel) {
     return r.spheres.empty() ? kFullEdge : std::max(kFullEdge * share * share, kLeastEdge);
 }
 
-/// The finest patches for which everything fits the budget.
-BakePreparation prepared(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
-                         std::uint64_t mapBytes, double pixel, const std::stop_token& stop) {
-    const std::uint64_t budgetBytes = options.budgetBytes - std::min(mapBytes, options.budgetBytes);
+Error tooLittleMemory(const Representation& r, std::uint64_t patches, std::uint32_t pixels, std::uint64_t budget) {
+    const auto megabytes = [](std::uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MB"; };
+    return Error("not enough memory for ambient occlusion", "",
+                 std::to_string(r.spheres.size() + r.cylinders.size() + r.meshVertices.size()) +
+                     " primitives and vertices need " + megabytes(patches) + " beside a depth map of " +
+                     megabytes(DepthMapSizes::mostBytes(pixels)) + ", and the limit is " +
+                     std::to_string(budget >> 20) + " MB (raise --occlusion-memory, or render with --occlusion off)");
+}
+
+/// The finest patches that fit into this device memory.
+struct Patches {
+    OcclusionLayout layout;
+    OpenTexels open;
+    std::uint64_t bytes = 0;  ///< of the layout; if none fits, of the coarsest
+    bool fit = false;
+};
+
+/// @param pixel  of the depth maps, Å
+Patches finestPatches(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
+                      const PrimitiveTree& tree, std::uint64_t room, double pixel, const std::stop_token& stop) {
     const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
-    const PrimitiveTree tree(representation);
-    BakePreparation result;
-    std::uint64_t least = 0;
+    Patches result;
     const double finest = finestEdge(representation, pixel);
     const std::size_t vertices = representation.meshVertices.size();
-    for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, vertices, caps.maxImageSize)) {
+    const std::uint32_t side = options.budgetBytes <= OcclusionSettings::kUsualBytes
+                                   ? std::min(kUsualSide, caps.maxImageSize)
+                                   : caps.maxImageSize;
+    for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, vertices, side)) {
         if (stop.stop_requested()) return result;
         if (layout.sphereEdge > options.detail || layout.sphereEdge > finest) continue;
         // Estimated from a sample first: visiting every texel takes longer.
-        least = bakeBytes(layout, 0, 0);
-        if (least > budgetBytes) continue;
+        result.bytes = bakeBytes(layout, 0, 0);
+        if (result.bytes > room) continue;
         const bool few = samplesAll(representation);
         if (few) result.open = openTexels(layout, representation, tree, stop);
         const auto guess = few ? result.open.texels.size() - 2 * vertices
                                : static_cast<std::uint64_t>(openShare(layout, representation, tree) *
                                                             static_cast<double>(layout.patchTexels()));
-        least = bakeBytes(layout, guess + 2 * vertices, (guess + 2 * vertices) / 4);
-        if (least > budgetBytes ||
+        result.bytes = bakeBytes(layout, guess + 2 * vertices, (guess + 2 * vertices) / 4);
+        if (result.bytes > room ||
             (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders, options.directions)))
             continue;
         if (!few) result.open = openTexels(layout, representation, tree, stop);
-        least = bakeBytes(layout, result.open.texels.size(), result.open.words.size());
-        if (least > budgetBytes) continue;
+        result.bytes = bakeBytes(layout, result.open.texels.size(), result.open.words.size());
+        if (result.bytes > room) continue;
         result.layout = layout;
+        result.fit = true;
         return result;
     }
-    throw Error("not enough memory for ambient occlusion", "",
-                std::to_string(spheres + cylinders + vertices) + " primitives and vertices need " +
-                    std::to_string((least >> 20) + 1) + " MB beside " + std::to_string(mapBytes >> 20) +
-                    " MB of depth maps, and " + std::to_string(budgetBytes >> 20) +
-                    " MB are left of the budget (raise --occlusion-memory, or " + "render with --occlusion off)");
+    return result;
 }
 
 }  // namespace
@@ -84,29 +101,45 @@ std::uint64_t bakeBytes(const OcclusionLayout& layout, std::uint64_t openTexels,
            words * sizeof(AtlasWord);
 }
 
-std::uint64_t mapBudget(std::uint64_t bytes, const Representation& representation) {
-    const std::uint64_t vertices = std::min(representation.meshVertices.size() * kBytesPerVertex, bytes);
-    return std::min(bytes / 2, bytes - vertices);
-}
-
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
                             const std::stop_token& stop) {
     if (!hasNumbers(representation))
         throw Error("cannot bake ambient occlusion", "",
                     "the assembly has " + std::to_string(spheresInCopies(representation)) +
                         " spheres in its copies, more than a bake can tell apart (render with --occlusion off)");
-    const std::uint64_t room = mapBudget(options.budgetBytes, representation);
-    const DepthMapSizes maps(caps, representation, options.path, room, options.detail);
-    const double pixel = maps.pixel(representation);
-    BakePreparation result = prepared(caps, representation, options, maps.bytes, pixel, stop);
+    const std::uint64_t budget = options.budgetBytes;
+    const std::uint64_t ofVertices = representation.meshVertices.size() * kBytesPerVertex;
+    // One map may take half of what vertices leave. Beside it stand the finest patches that fit, and maps of the same
+    // batch take the rest. A map shrinks where not even the coarsest patches fit.
+    const std::uint64_t half = (budget - std::min(ofVertices, budget)) / 2;
+    const PrimitiveTree tree(representation);
+    BakePreparation result;
+    Patches patches;
+    std::uint32_t pixels = 0;
+    double pixel = 0;
+    const auto choose = [&](std::uint64_t room) {
+        pixels = DepthMapSizes::pixelsFor(representation, room, options.detail);
+        pixel = 2 * representation.radius / pixels;
+        const std::uint64_t ofMap = DepthMapSizes::mostBytes(pixels);
+        patches = finestPatches(caps, representation, options, tree, budget - std::min(ofMap, budget), pixel, stop);
+    };
+    choose(half);
+    for (std::uint32_t before = 0; !patches.fit && pixels != before && !stop.stop_requested();) {
+        before = pixels;
+        choose(budget - std::min(patches.bytes, budget));
+    }
     if (stop.stop_requested()) return result;
+    if (!patches.fit) throw tooLittleMemory(representation, patches.bytes, pixels, budget);
+    result.layout = patches.layout;
+    result.open = std::move(patches.open);
+    result.maps = {caps, representation, options.path, pixels, std::min(half, budget - patches.bytes)};
     if (options.path == OcclusionMaps::tiles)
         result.occluders = OccluderMeshes(representation, DepthMapSizes::kMeshError * pixel, static_cast<float>(pixel));
     if (options.viewDirection && representation.copies.transforms.empty()) {
         HiddenTriangles hidden;
         if (options.path == OcclusionMaps::tiles && !representation.triangles.empty() &&
             translucentParts(representation).empty())
-            hidden = {result.occluders, options.viewDirection->towards, representation.radius, maps.pixels};
+            hidden = {result.occluders, options.viewDirection->towards, representation.radius, pixels};
         keepSeen(result.open, result.layout, representation, *options.viewDirection, hidden);
     }
     result.copies = occlusionCopies(representation, result.layout, result.open.texels);

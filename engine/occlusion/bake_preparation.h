@@ -6,6 +6,7 @@
 
 #include "engine/gpu/caps.h"
 #include "engine/occlusion/copies.h"
+#include "engine/occlusion/depth_maps.h"
 #include "engine/occlusion/occluder_mesh.h"
 #include "engine/occlusion/open_texels.h"
 #include "engine/occlusion/seen_texels.h"
@@ -22,8 +23,10 @@ struct BakeOptions {
     std::optional<ViewDirection> viewDirection = {};  ///< of the only view that shows the bake
 };
 
-/// The prepared data.
+/// The prepared data. Layout, texels and width of the maps depend on the scene and the options, not on the path; on the
+/// device only where its images are too small for the atlas of more than the usual memory.
 struct BakePreparation {
+    DepthMapSizes maps;
     OcclusionLayout layout;
     OpenTexels open;
     OcclusionCopies copies;
@@ -34,9 +37,6 @@ struct BakePreparation {
 /// @throws Error if even one value per sphere exceeds the budget
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
                             const std::stop_token& stop = {});
-
-/// Share of a bake's memory for its depth maps: half, or less where mesh vertices need more than the other half.
-std::uint64_t mapBudget(std::uint64_t bytes, const Representation& representation);
 
 /// Device memory of a bake, without depth maps. @param words  atlas words that hold listed texels
 std::uint64_t bakeBytes(const OcclusionLayout& layout, std::uint64_t openTexels, std::uint64_t words);

@@ -12,7 +12,7 @@
 namespace nacre {
 
 /// Increase it with every change of a bake's result: patch sizes, directions, open texels, shaders.
-constexpr std::uint32_t kOcclusionVersion = 8;
+constexpr std::uint32_t kOcclusionVersion = 9;
 /// Maximum size of the cache.
 constexpr std::uint64_t kOcclusionCacheBytes = 512ull << 20;
 

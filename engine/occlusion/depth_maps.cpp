@@ -25,6 +25,7 @@ constexpr double kShareOfMesh = 16;
 // 1TQN in 27 cells has 19 million triangles: a pixel is 0.6 instead of 0.4 Å, with an error of 0.19 instead of 0.095 Å.
 constexpr double kManyTriangles = 8e6, kLeastShare = 0.4;
 constexpr double kSmallest = 128, kLargest = 2048;
+constexpr std::uint64_t kMostBytesPerPixel = 4 + 8;  // of encoded depth in RGBA16F, and the hardware's
 // Primitives per draw of the tile path: their lists take about 30 bytes each on the host.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
 /// Render target states between the graphs of a direction drawn in parts.
@@ -88,25 +89,32 @@ double wantedResolution(const Representation& r) {
 
 }  // namespace
 
+std::uint64_t DepthMapSizes::mostBytes(std::uint32_t pixels) {
+    return std::max(kMostBytesPerPixel * pixels * pixels, 2 * TileMaps::bytesFor(pixels, 1));
+}
+
+std::uint32_t DepthMapSizes::pixelsFor(const Representation& representation, std::uint64_t room, std::uint32_t detail) {
+    const double wanted = std::ceil(2.0 * representation.radius * wantedResolution(representation) / 8.0) * 8.0;
+    auto pixels = static_cast<std::uint32_t>(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest));
+    while (pixels > 8 && mostBytes(pixels) > room) pixels -= 8;
+    return pixels;
+}
+
 DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path,
-                             std::uint64_t budgetBytes, std::uint32_t detail) {
+                             std::uint32_t width, std::uint64_t room)
+    : pixels(width) {
     const bool tiles = path == OcclusionMaps::tiles;
     const std::uint32_t each = bytesPerPixel(path, caps.encodedMaps);
     const auto bytesOf = [&](std::uint32_t batch) {
         return tiles ? 2 * TileMaps::bytesFor(pixels, mapsAcross(batch))
                      : std::uint64_t{each} * pixels * pixels * batch;
     };
-    const double wanted = std::ceil(2.0 * representation.radius * wantedResolution(representation) / 8.0) * 8.0;
-    const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / each) / 8.0) * 8.0;
-    pixels = static_cast<std::uint32_t>(
-        std::max(std::min(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest), fits), 8.0));
-    while (pixels > 8 && bytesOf(1) > budgetBytes) pixels -= 8;
     // The tile path numbers the primitives of a batch with 32 bits.
     const std::uint64_t copies = std::max<std::size_t>(representation.copies.transforms.size(), 1);
     const std::uint64_t listed = (representation.spheres.size() + representation.cylinders.size()) * copies;
     const std::uint64_t drawn = listed + representation.triangles.size() * copies;
     for (const std::uint32_t batch : {4u, DepthMaps::kMostPerBatch})
-        if (bytesOf(batch) <= budgetBytes && pixels * mapsAcross(batch) <= caps.maxImageSize &&
+        if (bytesOf(batch) <= room && pixels * mapsAcross(batch) <= caps.maxImageSize &&
             (!tiles || drawn * batch < 1ull << 31))
             perBatch = batch;
     bytes = bytesOf(perBatch);
@@ -116,12 +124,12 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
 }
 
 DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-                     OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail, OccluderMeshes occluders)
+                     OcclusionMaps path, const DepthMapSizes& sizes, OccluderMeshes occluders)
     : device_(device),
       scene_(scene),
       representation_(representation),
       path_(path),
-      sizes_(device.caps(), representation, path, budgetBytes, detail),
+      sizes_(sizes),
       radius_(representation.radius),
       translucent_(translucentParts(representation)) {
     const auto dealOut = [&](const std::vector<ModelRun>& runs, std::vector<ModelRun> Runs::*kind) {
@@ -138,7 +146,7 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
     mostInstances_ = path == OcclusionMaps::tiles ? sizes_.mostPrimitives : instancesThatFit();
-    if (path == OcclusionMaps::tiles && budgetBytes > 0)
+    if (path == OcclusionMaps::tiles && sizes_.bytes > 0)
         tiles_ = makeTileMaps(device, scene, representation, pixels(), radius_, mapsAcross(perBatch()),
                               std::move(occluders));
 }

@@ -20,14 +20,19 @@ namespace nacre::occlusion {
 
 /// Size of the maps, and their number per batch. Thread-safe.
 struct DepthMapSizes {
-    std::uint32_t pixels = 0, perBatch = 1;
-    std::uint64_t bytes = 0, mostPrimitives = 0;  ///< per batch; per draw of the tile path
+    std::uint32_t pixels = 8, perBatch = 1;
+    std::uint64_t bytes = 0, mostPrimitives = 1;  ///< per batch; per draw of the tile path
     /// Allowed error of the mesh levels drawn on maps, pixels: the depth test has a slack of one.
     static constexpr double kMeshError = 0.5;
-    DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path,
-                  std::uint64_t budgetBytes, std::uint32_t detail);
-    /// Width of a pixel, Å.
-    double pixel(const Representation& representation) const { return 2 * representation.radius / pixels; }
+    DepthMapSizes() = default;
+    /// As many maps per batch as the device memory allows.
+    DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path, std::uint32_t pixels,
+                  std::uint64_t room);
+    /// Width of a map, for the scene and the memory of one map. The same on every path and device, since it decides
+    /// what texels read. @param detail  maximum width of a sphere's patch, texels
+    static std::uint32_t pixelsFor(const Representation& representation, std::uint64_t room, std::uint32_t detail);
+    /// Device memory of one map, on the path that needs most.
+    static std::uint64_t mostBytes(std::uint32_t pixels);
 };
 
 /// Part of a model that is drawn on a map: all instances, or a range.
@@ -47,12 +52,12 @@ public:
 
     /// @param path  not `automatic`
     /// @param representation  outlives this
-    /// @param budgetBytes  device memory for the maps of one batch; maps shrink until at least one fits
+    /// @param sizes  of no bytes: nothing is drawn
     /// @param occluders  prepared meshes
     DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-              OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail = 32, OccluderMeshes occluders = {});
+              OcclusionMaps path, const DepthMapSizes& sizes, OccluderMeshes occluders = {});
 
-    /// Number of maps per batch that fits the budget: 1, 4 or 16.
+    /// Number of maps per batch that fits the memory: 1, 4 or 16.
     std::uint32_t perBatch() const { return sizes_.perBatch; }
     std::uint32_t pixels() const { return sizes_.pixels; }
     std::uint64_t bytes() const { return sizes_.bytes; }

@@ -148,21 +148,19 @@ TEST(AssemblyOcclusion, MeshesInManyCopiesHaveCoarserMaps) {
     r.radius = 313;
     r.triangles.resize(86'000);
     r.meshLooks.resize(4000);
-    gpu::Caps caps;
-    caps.maxImageSize = 16384;
     const auto sizesOf = [&](std::size_t copies) {
         std::vector<std::uint32_t> all(copies);
         for (std::uint32_t i = 0; i < copies; ++i) all[i] = i;
         r.copies.transforms.assign(copies, glm::dmat4x3(1.0));
         r.copies.lists = {all};
         r.copies.triangles = {{0, 86'000, 0, {}, 0}};
-        return occlusion::DepthMapSizes(caps, r, OcclusionMaps::tiles, 64u << 20, 32);
+        return occlusion::DepthMapSizes::pixelsFor(r, 64u << 20, 32);
     };
-    const occlusion::DepthMapSizes few = sizesOf(40), many = sizesOf(216), most = sizesOf(20'000);
-    EXPECT_EQ(few.pixels, 1568u);
+    const std::uint32_t few = sizesOf(40), many = sizesOf(216), most = sizesOf(20'000);
+    EXPECT_EQ(few, 1568u);
     const double share = std::sqrt(8e6 / (216 * 86e3));
-    EXPECT_NEAR(many.pixels, 1568 * share, 8);
-    EXPECT_NEAR(most.pixels, 1568 * 0.4, 8);
+    EXPECT_NEAR(many, 1568 * share, 8);
+    EXPECT_NEAR(most, 1568 * 0.4, 8);
 }
 
 }  // namespace

@@ -36,15 +36,18 @@ protected:
 };
 
 TEST_P(OcclusionOfScene, IsTheSameByEveryPathOfTheDepthMaps) {
-    const std::vector<float> tiles = baked(OcclusionMaps::tiles), fragdepth = baked(OcclusionMaps::fragdepth),
-                             encoded = baked(OcclusionMaps::encoded);
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        ASSERT_NEAR(tiles[i], fragdepth[i], 1.01 / 255) << i;
-        ASSERT_NEAR(tiles[i], encoded[i], 1.01 / 255) << i;
+    for (const std::uint64_t bytes : {OcclusionSettings::kUsualBytes, std::uint64_t{300} << 10}) {
+        settings_.occlusion.bytes = bytes;
+        const std::vector<float> tiles = baked(OcclusionMaps::tiles), fragdepth = baked(OcclusionMaps::fragdepth),
+                                 encoded = baked(OcclusionMaps::encoded);
+        for (std::size_t i = 0; i < tiles.size(); ++i) {
+            ASSERT_NEAR(tiles[i], fragdepth[i], 1.01 / 255) << i;
+            ASSERT_NEAR(tiles[i], encoded[i], 1.01 / 255) << i;
+        }
+        // With directions of fewer words, a row is found out by the shader.
+        const std::vector<float> pairs = byPairs();
+        for (std::size_t i = 0; i < pairs.size(); ++i) ASSERT_NEAR(pairs[i], fragdepth[i], 1.01 / 255) << i;
     }
-    // With directions of fewer words, a row is found out by the shader.
-    const std::vector<float> pairs = byPairs();
-    for (std::size_t i = 0; i < pairs.size(); ++i) ASSERT_NEAR(pairs[i], fragdepth[i], 1.01 / 255) << i;
 }
 
 TEST_P(OcclusionOfScene, OfMirroredCopiesIsTheSameByPairs) {
