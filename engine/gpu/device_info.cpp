@@ -60,14 +60,36 @@ std::vector<std::pair<std::string, std::uint64_t>> limitsOf(const vk::PhysicalDe
             {"timestamp_period_picoseconds", static_cast<std::uint64_t>(l.timestampPeriod * 1000.0f)}};
 }
 
+/// ", compressed to 2, 3, 4 bits per channel on demand": rates that the driver offers for such a texture and render
+/// target (VK_EXT_image_compression_control). Nacre asks for none: without that, images lose nothing.
+std::string fixedRatesOf(const vk::raii::PhysicalDevice& device, vk::Format format) {
+    vk::ImageCompressionControlEXT control(vk::ImageCompressionFlagBitsEXT::eFixedRateDefault);
+    const vk::PhysicalDeviceImageFormatInfo2 image(
+        format, vk::ImageType::e2D, vk::ImageTiling::eOptimal,
+        vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eColorAttachment, {}, &control);
+    std::string text;
+    try {
+        const auto answer =
+            device.getImageFormatProperties2<vk::ImageFormatProperties2, vk::ImageCompressionPropertiesEXT>(image);
+        const auto rates =
+            static_cast<std::uint32_t>(answer.get<vk::ImageCompressionPropertiesEXT>().imageCompressionFixedRateFlags);
+        for (std::uint32_t bits = 1; bits <= 24; ++bits)
+            if (rates >> (bits - 1) & 1) text += (text.empty() ? "" : ", ") + std::to_string(bits);
+    } catch (const vk::FormatNotSupportedError&) {
+        return {};
+    }
+    return text.empty() ? "" : ", compressed to " + text + " bits per channel on demand";
+}
+
 /// Formats that the renderer may use as render targets.
 std::vector<std::string> formatsOf(const vk::raii::PhysicalDevice& device) {
     using F = vk::FormatFeatureFlagBits;
     std::vector<std::string> all;
+    const bool controls = gpu::hasExtension(device, VK_EXT_IMAGE_COMPRESSION_CONTROL_EXTENSION_NAME);
     for (const vk::Format format :
-         {vk::Format::eR32Sfloat, vk::Format::eR32Uint, vk::Format::eR16G16B16A16Sfloat, vk::Format::eR16G16Sfloat,
-          vk::Format::eA2B10G10R10UnormPack32, vk::Format::eR8G8B8A8Unorm, vk::Format::eD32Sfloat,
-          vk::Format::eX8D24UnormPack32, vk::Format::eD16Unorm}) {
+         {vk::Format::eR8Unorm, vk::Format::eR8G8B8A8Srgb, vk::Format::eR32Sfloat, vk::Format::eR32Uint,
+          vk::Format::eR16G16B16A16Sfloat, vk::Format::eR16G16Sfloat, vk::Format::eA2B10G10R10UnormPack32,
+          vk::Format::eR8G8B8A8Unorm, vk::Format::eD32Sfloat, vk::Format::eX8D24UnormPack32, vk::Format::eD16Unorm}) {
         const vk::FormatFeatureFlags features = device.getFormatProperties(format).optimalTilingFeatures;
         std::string text;
         const auto add = [&](F feature, const char* name) {
@@ -78,6 +100,7 @@ std::vector<std::string> formatsOf(const vk::raii::PhysicalDevice& device) {
         add(F::eColorAttachment, "colour");
         add(F::eColorAttachmentBlend, "blended");
         add(F::eDepthStencilAttachment, "depth");
+        if (controls && (features & F::eColorAttachment)) text += fixedRatesOf(device, format);
         all.push_back(vk::to_string(format) + ": " + (text.empty() ? "none" : text));
     }
     return all;

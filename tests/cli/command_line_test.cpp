@@ -238,7 +238,7 @@ TEST(CommandLine, DevicesAsJson) {
     const nlohmann::json& device = json[0];
     EXPECT_GT(device["memory_bytes"], 0);
     EXPECT_GE(device["limits"]["max_image_dimension_2d"], 4096);
-    EXPECT_EQ(device["formats"].size(), 9u);
+    EXPECT_EQ(device["formats"].size(), 11u);
     const auto& extensions = device["extensions"];
     EXPECT_TRUE(std::is_sorted(extensions.begin(), extensions.end()));
     const bool budget = std::count(extensions.begin(), extensions.end(), "VK_EXT_memory_budget") > 0;
