@@ -15,7 +15,8 @@ constexpr const char* kAngle = "ANGLE, vk_renderer.cpp: supportsDynamicRendering
 constexpr Fact kPixelLocal{"from the C-series on: subpasses map to pixel local storage",
                            "Imagination, 'PowerVR Performance Recommendations', Vulkan"};
 
-constexpr VkDriverId kKosmicKrisp = static_cast<VkDriverId>(28);  // headers of 1.3.239 have no name for it
+// Headers of 1.3.239 have no names for them.
+constexpr VkDriverId kHoneykrisp = static_cast<VkDriverId>(26), kKosmicKrisp = static_cast<VkDriverId>(28);
 /// Imagination numbers its drivers by build: 25.1 is "25.1@6794074".
 constexpr std::uint32_t kImagination251 = 6794074;
 constexpr const char* kPixel10 = "github.com/flutter/flutter issue 179812, and driver_info_vk.cc";
@@ -41,6 +42,10 @@ constexpr KnownDriver kRows[] = {
     {by(VK_DRIVER_ID_MESA_PANVK),
      "panvk",
      {"Mesa's PanVK makes a framebuffer of each subpass, and stores what need not be", kStreams}},
+    {by(kHoneykrisp),
+     "apple-moltenvk",
+     {"Mesa's Honeykrisp, on Apple's GPUs without Metal: Mesa's common code begins a rendering for each subpass",
+      "Mesa, src/vulkan/runtime/vk_render_pass.c; src/asahi/vulkan has no render passes of its own"}},
     {by(kKosmicKrisp),
      "apple-moltenvk",
      {"Mesa's KosmicKrisp, on Metal without the portability subset: Mesa's common code begins a render encoder for "

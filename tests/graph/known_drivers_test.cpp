@@ -83,10 +83,12 @@ TEST(KnownDrivers, TellTilersByVendorDriverAndDevice) {
         EXPECT_EQ(pathOf(found), told.visibility);
         met.insert(found.row);
     }
-    DriverIdentity metal = identity(0x106B, static_cast<VkDriverId>(28), "Apple M2");  // KosmicKrisp
-    EXPECT_EQ(classOf(metal).kind, DeviceKind::layered);
-    EXPECT_EQ(pathOf(classOf(metal)), Visibility::fragdepth);
-    met.insert(classOf(metal).row);
+    for (const int driver : {26, 28}) {  // Honeykrisp, KosmicKrisp
+        const DeviceClass apple = classOf(identity(0x106B, static_cast<VkDriverId>(driver), "Apple M2"));
+        EXPECT_EQ(apple.kind, DeviceKind::layered);
+        EXPECT_EQ(pathOf(apple), Visibility::fragdepth);
+        met.insert(apple.row);
+    }
     // Each row has a device here, and a source.
     EXPECT_EQ(met.size(), knownDrivers().size());
     for (const KnownDriver& row : knownDrivers()) {
