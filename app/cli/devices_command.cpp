@@ -30,6 +30,7 @@ std::string describe(const DeviceInfo& device) {
 
 void devicesCommand(const DevicesOptions& options, std::ostream& out) {
     std::vector<DeviceInfo> devices = listDevices();
+    std::vector<CountedTraffic> traffic(devices.size());
     const std::string folder = cacheFolder(options.cache, "devices");
     Progress progress;
     for (std::size_t i = 0; i < devices.size(); ++i) {
@@ -40,6 +41,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
             forgetSelfTest(folder, devices[i].driverKey);
             progress.begin("testing device " + std::to_string(i));
             devices[i].selfTest = describe(testPaths(device, devices[i], TestedPaths::every));
+            traffic[i] = countedOf(devices[i], device);
         }
         // A software device uses the path of its caps.
         if (devices[i].type != "software") addSelfTest(devices[i], folder);
@@ -55,6 +57,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
                 << (devices[i].localRead ? "dynamic rendering with local reads" : "VkRenderPass") << '\n';
             if (devices[i].bundled) out << "   driver of nacre's package: no other Vulkan driver has a device\n";
             if (!devices[i].selfTest.empty()) out << "   self-test: " << devices[i].selfTest << '\n';
+            if (options.selfTest) out << "   memory traffic: " << describe(traffic[i]) << '\n';
             if (!devices[i].knownAs.empty())
                 out << "   known as " << devices[i].capabilitySet << ": " << devices[i].knownAs << " ("
                     << devices[i].knownBy << ")\n";
@@ -66,6 +69,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
     for (std::size_t i = 0; i < devices.size(); ++i) {
         nlohmann::ordered_json device{{"number", i}};
         device.update(deviceJson(devices[i]));
+        if (options.selfTest) device["counted_traffic"] = trafficJson(traffic[i]);
         list.push_back(device);
     }
     out << jsonText(list);

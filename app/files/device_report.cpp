@@ -1,6 +1,9 @@
 #include "app/files/device_report.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+
+#include "engine/error.h"
 
 namespace nacre::app {
 
@@ -36,6 +39,36 @@ nlohmann::ordered_json deviceJson(const DeviceInfo& device) {
             {"limits", limits},
             {"formats", device.formats},
             {"extensions", device.extensions}};
+}
+
+nlohmann::ordered_json trafficJson(const CountedTraffic& traffic) {
+    if (!traffic.lacks.empty()) return {{"lacks", traffic.lacks}};
+    const auto orNull = [](const std::optional<std::uint64_t>& bytes) {
+        return bytes ? nlohmann::ordered_json(*bytes) : nlohmann::ordered_json();
+    };
+    nlohmann::ordered_json counters = nlohmann::ordered_json::array();
+    for (const CountedBytes& c : traffic.counters)
+        counters.push_back({{"name", c.name}, {"category", c.category}, {"bytes", c.bytes}});
+    return {{"visibility", traffic.visibility},
+            {"pixels", traffic.pixels},
+            {"read", orNull(traffic.read)},
+            {"planned_read", traffic.plannedRead},
+            {"written", orNull(traffic.written)},
+            {"planned_written", traffic.plannedWritten},
+            {"counters", counters}};
+}
+
+CountedTraffic countedOf(const DeviceInfo& device, const DeviceOptions& options) {
+    constexpr const char* kCounters = "VK_KHR_performance_query";
+    CountedTraffic traffic;
+    traffic.lacks = std::string("the driver has no ") + kCounters;
+    if (!std::ranges::binary_search(device.extensions, kCounters)) return traffic;
+    try {
+        return countTraffic(options);
+    } catch (const Error& error) {
+        traffic.lacks = error.what();
+        return traffic;
+    }
 }
 
 }  // namespace nacre::app

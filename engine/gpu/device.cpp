@@ -14,6 +14,7 @@
 #include "engine/gpu/dynamic_rendering.h"
 #include "engine/gpu/frame_boundary.h"
 #include "engine/gpu/instance.h"
+#include "engine/gpu/performance_counters.h"
 #include "engine/gpu/pipeline_cache.h"
 #include "engine/gpu/requirements.h"
 
@@ -129,6 +130,9 @@ void Device::createDevice(const DeviceOptions& options) {
     vk::PhysicalDeviceSwapchainMaintenance1FeaturesEXT swapchains(true);
     maintainsSwapchains_ = surfaceMaintenance_ && options.surface.create && gpu::maintainsSwapchains(physical_);
     if (maintainsSwapchains_) add(swapchains, VK_EXT_SWAPCHAIN_MAINTENANCE_1_EXTENSION_NAME);
+    vk::PhysicalDevicePerformanceQueryFeaturesKHR counters(true);
+    if (!options.surface.create && hasPerformanceCounters(physical_))
+        add(counters, VK_KHR_PERFORMANCE_QUERY_EXTENSION_NAME);
     info.setPEnabledExtensionNames(extensions);
     device_ = options.headset.device
                   ? vk::raii::Device(physical_, options.headset.device(*physical_, info, entryPoint(context_)))

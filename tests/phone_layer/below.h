@@ -61,6 +61,9 @@ inline bool isWrong(std::string_view how) {
     X(CreateGraphicsPipelines)      \
     X(CreateComputePipelines)       \
     X(CreatePipelineCache)          \
+    X(CreateQueryPool)              \
+    X(CmdBeginQuery)                \
+    X(CmdEndQuery)                  \
     X(QueuePresentKHR)              \
     X(GetImageMemoryRequirements)   \
     X(GetImageMemoryRequirements2)  \

@@ -9,9 +9,10 @@
 // as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h), NACRE_PHONE_PIPELINES one that
 // gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one that gets the corners of each
 // draw, and each timestamp; NACRE_PHONE_NO_CLOCK takes the queue's clock away; NACRE_PHONE_WORK one that gets what each
-// submission takes of its device (clock.h). NACRE_PHONE_VERTEX_BYTES is how many bytes of vertex outputs a render pass
-// may have (vertices.h). NACRE_PHONE_PROFILE is a profile that it meets (profiles.h). Where NACRE_PHONE_FIRST is set, a
-// second device before the first present ends the program: a start that keeps its user waiting.
+// submission takes of its device (clock.h). NACRE_PHONE_COUNTERS gives it performance counters (counters.h).
+// NACRE_PHONE_VERTEX_BYTES is how many bytes of vertex outputs a render pass may have (vertices.h). NACRE_PHONE_PROFILE
+// is a profile that it meets (profiles.h). Where NACRE_PHONE_FIRST is set, a second device before the first present
+// ends the program: a start that keeps its user waiting.
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -31,6 +32,7 @@
 
 #include "tests/phone_layer/below.h"
 #include "tests/phone_layer/clock.h"
+#include "tests/phone_layer/counters.h"
 #include "tests/phone_layer/feedback.h"
 #include "tests/phone_layer/floor.h"
 #include "tests/phone_layer/frames.h"
@@ -46,6 +48,7 @@ constexpr const char* kPortability = VK_KHR_PORTABILITY_SUBSET_EXTENSION_NAME;
 constexpr const char* kMergeFeedback = VK_EXT_SUBPASS_MERGE_FEEDBACK_EXTENSION_NAME;
 constexpr const char* kFrameBoundary = VK_EXT_FRAME_BOUNDARY_EXTENSION_NAME;
 constexpr const char* kLocalRead = VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME;
+constexpr const char* kCounterQueries = VK_KHR_PERFORMANCE_QUERY_EXTENSION_NAME;
 constexpr const char* kStoreNone = VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME;
 
 VkInstance instance = VK_NULL_HANDLE;
@@ -144,6 +147,9 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures2(VkPhysicalDevice of, VkPhy
             reinterpret_cast<VkPhysicalDeviceSubpassMergeFeedbackFeaturesEXT*>(s)->subpassMergeFeedback = !molten();
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT)
             reinterpret_cast<VkPhysicalDeviceFrameBoundaryFeaturesEXT*>(s)->frameBoundary = marksFrames();
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PERFORMANCE_QUERY_FEATURES_KHR)
+            reinterpret_cast<VkPhysicalDevicePerformanceQueryFeaturesKHR*>(s)->performanceCounterQueryPools =
+                countsBytes();
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR)
             reinterpret_cast<VkPhysicalDeviceDynamicRenderingLocalReadFeaturesKHR*>(s)->dynamicRenderingLocalRead =
                 molten();
@@ -200,6 +206,7 @@ VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevi
     std::vector<const char*> added{kMergeFeedback};  // what no software driver has
     if (molten()) added = {kPortability, kLocalRead, kStoreNone};
     if (marksFrames()) added.push_back(kFrameBoundary);
+    if (countsBytes()) added.push_back(kCounterQueries);
     for (const char* name : added) {
         VkExtensionProperties own{};
         std::strcpy(own.extensionName, name);
@@ -366,13 +373,14 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
                                         info->ppEnabledExtensionNames + info->enabledExtensionCount);
     std::erase_if(extensions, [](std::string_view name) {
         return name == kPortability || name == kMergeFeedback || name == kFrameBoundary || name == kLocalRead ||
-               name == kStoreNone;
+               name == kStoreNone || name == kCounterQueries;
     });
     VkDeviceCreateInfo real = *info;
     for (auto* s = reinterpret_cast<VkBaseOutStructure*>(&real); s->pNext;) {
         const VkStructureType type = s->pNext->sType;
         if (type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBPASS_MERGE_FEEDBACK_FEATURES_EXT ||
             type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT ||
+            type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PERFORMANCE_QUERY_FEATURES_KHR ||
             type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR)
             s->pNext = s->pNext->pNext;
         else
@@ -398,6 +406,8 @@ PFN_vkVoidFunction deviceCall(std::string_view name) {
     NACRE_DEVICE_BELOW(NACRE_GIVE)
     NACRE_GIVE(CmdSetRenderingAttachmentLocationsKHR)
     NACRE_GIVE(CmdSetRenderingInputAttachmentIndicesKHR)
+    NACRE_GIVE(AcquireProfilingLockKHR)
+    NACRE_GIVE(ReleaseProfilingLockKHR)
     return nullptr;
 }
 
@@ -416,6 +426,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance of, cons
 #define NACRE_GIVE_TWICE(call) \
     if (n == "vk" #call || n == "vk" #call "KHR") return reinterpret_cast<PFN_vkVoidFunction>(call);
     NACRE_BELOW(NACRE_GIVE_TWICE)
+    NACRE_GIVE_TWICE(EnumeratePhysicalDeviceQueueFamilyPerformanceQueryCountersKHR)
+    NACRE_GIVE_TWICE(GetPhysicalDeviceQueueFamilyPerformanceQueryPassesKHR)
     if (const auto own = deviceCall(n)) return own;
     return of ? nextInstanceCall(of, name) : nullptr;
 }

@@ -129,6 +129,7 @@ inline VKAPI_ATTR void VKAPI_CALL CmdBeginRenderPass2KHR(VkCommandBuffer command
     e.begun.resize(e.pass->attachments.size());
     e.area = info->renderArea;
     beginVertices(commands, e.pass->subpasses.empty() ? 0 : e.pass->subpasses[0].views);
+    countAttachments(commands, e.pass->attachments, info->renderArea.extent);
     for (const VkImageView view : framebufferViews[info->framebuffer])
         e.attachments.push_back({false, lostWithEncoder(view)});
     beginEncoder(commands, e, false);

@@ -16,6 +16,7 @@
 
 #include "engine/passes/corners.h"
 #include "tests/phone_layer/below.h"
+#include "tests/phone_layer/counters.h"
 #include "tests/support/vertex_outputs.h"
 
 namespace nacre::phone {
@@ -51,7 +52,9 @@ inline void beginVertices(VkCommandBuffer commands, std::uint32_t viewMask) {
 inline void handOn(VkCommandBuffer commands, std::uint64_t vertices) {
     const std::lock_guard lock(verticesMutex);
     VertexOutputs& outputs = vertexOutputs[commands];
-    outputs.sum += vertices * outputs.views * outputs.each;
+    const std::uint64_t bytes = vertices * outputs.views * outputs.each;
+    throughMemory(commands, bytes, bytes);
+    outputs.sum += bytes;
     const char* asked = std::getenv("NACRE_PHONE_VERTEX_BYTES");
     const std::uint64_t most = asked ? std::strtoull(asked, nullptr, 10) : 150'000'000;
     if (outputs.sum <= most || !arm()) return;

@@ -1,0 +1,39 @@
+#pragma once
+// Bytes that a frame reads from memory and writes to it, as the device counts them (VK_KHR_performance_query), beside
+// those of its plan.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/device_options.h"
+
+namespace nacre {
+
+struct CountedBytes {
+    std::string name, category;  ///< as the driver has them
+    std::uint64_t bytes = 0;
+};
+
+struct CountedTraffic {
+    std::string lacks;         ///< why nothing was counted; empty: it was
+    std::string visibility;    ///< path of the frame
+    std::uint32_t pixels = 0;  ///< per side
+    /// Of counters of memory outside the chip; none: the driver has none.
+    std::optional<std::uint64_t> read, written;
+    std::uint64_t plannedRead = 0, plannedWritten = 0;  ///< attachments, and vertex outputs that go through memory
+    std::vector<CountedBytes> counters;                 ///< all that count bytes
+};
+
+/// Draws a frame of the self-test's largest scene and counts. @throws Error if the device cannot draw it
+CountedTraffic countTraffic(const DeviceOptions& options);
+
+/// Which way a counter of memory outside the chip counts.
+enum class TrafficWay : std::uint8_t { neither, read, written };
+TrafficWay wayOf(const std::string& name, const std::string& category, const std::string& description);
+
+/// "raster-order at 720x720: 3.1 MB read, planned 3.0; 5.1 MB written, planned 5.0"
+std::string describe(const CountedTraffic& traffic);
+
+}  // namespace nacre

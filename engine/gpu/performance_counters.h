@@ -1,0 +1,57 @@
+#pragma once
+// Counters of the device (VK_KHR_performance_query) that count bytes.
+
+#include <optional>
+#include <string>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "engine/gpu/device.h"
+
+namespace nacre::gpu {
+
+/// Whether the device has counters. Devices without a window enable them.
+bool hasPerformanceCounters(const vk::raii::PhysicalDevice& device);
+
+struct ByteCounter {
+    std::uint32_t index = 0;
+    VkPerformanceCounterStorageKHR storage{};
+    std::string name, category, description;
+};
+
+/// Counts the bytes of submissions. Nobody else counts meanwhile.
+class ByteCounters {
+public:
+    /// @throws Error if another program holds the counters
+    explicit ByteCounters(const Device& device);
+    ~ByteCounters();
+    ByteCounters(const ByteCounters&) = delete;
+
+    const std::vector<ByteCounter>& counters() const { return counters_; }
+
+    /// Bytes of the commands that are recorded; none for a counter that takes several runs.
+    template <typename Record>
+    std::optional<std::uint64_t> count(const ByteCounter& counter, const Record& record) const {
+        const vk::raii::QueryPool pool = poolOf(counter);
+        if (!*pool) return {};
+        // A query is reset by other commands than those it counts, of which its begin is the first and its end the
+        // last.
+        device_.submitAndWait([&](CommandBuffer& c) { c->resetQueryPool(*pool, 0, 1); });
+        device_.submitAndWait([&](CommandBuffer& c) {
+            c->beginQuery(*pool, 0, {});
+            record(c);
+            c->endQuery(*pool, 0);
+        });
+        return resultOf(pool, counter);
+    }
+
+private:
+    /// Null for a counter that takes several runs.
+    vk::raii::QueryPool poolOf(const ByteCounter& counter) const;
+    std::optional<std::uint64_t> resultOf(const vk::raii::QueryPool& pool, const ByteCounter& counter) const;
+
+    const Device& device_;
+    std::vector<ByteCounter> counters_;
+};
+
+}  // namespace nacre::gpu
