@@ -85,28 +85,41 @@ AnnotationTable readTable(const std::string& name, const std::string& bytes, con
 }
 
 std::vector<AnnotationRow> readAnnotations(const std::string& name, const std::string& bytes, const TablePlace& place,
-                                           std::string_view schema, const std::string& field) {
-    const std::vector<std::string_view>* fields = fieldsOfSchema(schema);
-    if (!fields) refuseTable(name, "there is no schema '" + nacre::printable(schema) + "'");
-    std::vector<std::string_view> wanted = *fields;
-    wanted.push_back("group_id");
-    if (std::find(wanted.begin(), wanted.end(), field) == wanted.end()) wanted.push_back(field);
+                                           std::string_view schema, const AnnotationFields& fields) {
+    const std::vector<std::string_view>* known = fieldsOfSchema(schema);
+    if (!known) refuseTable(name, "there is no schema '" + nacre::printable(schema) + "'");
+    std::vector<std::string_view> wanted;
+    const auto want = [&](std::string_view column) {
+        if (std::find(wanted.begin(), wanted.end(), column) == wanted.end()) wanted.push_back(column);
+    };
+    std::vector<std::pair<std::string_view, std::string_view>> used;  // fields of the schema and their columns
+    for (const std::string_view field : *known) {
+        const auto other = fields.columns.find(field);
+        const std::string_view column = other == fields.columns.end() ? field : std::string_view(other->second);
+        if (column.empty()) continue;
+        used.emplace_back(field, column);
+        want(column);
+    }
+    for (const std::string& column : fields.values) want(column);
     const AnnotationTable table = readTable(name, bytes, place, wanted);
     std::vector<AnnotationRow> rows;
     rows.reserve(table.rows.size());
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         AnnotationRow& row = rows.emplace_back();
+        row.values.resize(fields.values.size());
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
             const auto& cell = table.rows[i][c];
             const std::string& column = table.columns[c];
             if (!cell) continue;
-            if (column == field) row.value = *cell, row.hasValue = true;
-            if (column == "group_id") row.group = *cell;
-            if (std::find(fields->begin(), fields->end(), column) == fields->end()) continue;
-            try {
-                setField(row.expression, column, Json(*cell));
-            } catch (const std::invalid_argument& why) {
-                refuseTable(name, "row " + std::to_string(i + 1) + ", " + column + ": " + why.what());
+            for (std::size_t v = 0; v < fields.values.size(); ++v)
+                if (fields.values[v] == column) row.values[v] = *cell;
+            for (const auto& [field, from] : used) {
+                if (from != column) continue;
+                try {
+                    setField(row.expression, field, Json(*cell));
+                } catch (const std::invalid_argument& why) {
+                    refuseTable(name, "row " + std::to_string(i + 1) + ", " + column + ": " + why.what());
+                }
             }
         }
     }

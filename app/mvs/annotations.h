@@ -2,6 +2,7 @@
 // Annotations of a MolViewSpec scene: tables in CIF, BinaryCIF or JSON that say of chains, residues or atoms which
 // colour, label, tooltip or component is theirs.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@ namespace nacre::app::mvs {
 
 constexpr std::size_t kMostAnnotationRows = 1'000'000;
 constexpr std::size_t kMostAnnotationCells = 4'000'000;
+constexpr std::size_t kMostAnnotationFields = 100;  ///< that a text names
 
 /// Columns of a table as text; missing values are empty optionals.
 struct AnnotationTable {
@@ -34,14 +36,21 @@ AnnotationTable readTable(const std::string& name, const std::string& bytes, con
 
 struct AnnotationRow {
     Expression expression;
-    std::string value;  ///< of the field that is asked for
-    std::string group;  ///< rows of one group belong together; empty: alone
-    bool hasValue = false;
+    std::vector<std::optional<std::string>> values;  ///< of the columns that are asked for, at least one
+
+    const std::optional<std::string>& value() const { return values.front(); }
 };
 
-/// @param schema  as fieldsOfSchema() @param field  the column of the values
+/// What is read of a table.
+struct AnnotationFields {
+    std::vector<std::string> values;  ///< columns, at least one
+    /// Columns that stand for fields of the schema; empty: the field is ignored. Others have their own names.
+    std::map<std::string, std::string, std::less<>> columns;
+};
+
+/// @param schema  as fieldsOfSchema()
 /// @throws Error
 std::vector<AnnotationRow> readAnnotations(const std::string& name, const std::string& bytes, const TablePlace& place,
-                                           std::string_view schema, const std::string& field);
+                                           std::string_view schema, const AnnotationFields& fields);
 
 }  // namespace nacre::app::mvs

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 
 #include "app/mvs/camera_nodes.h"
 #include "app/mvs/node_table.h"
 #include "app/mvs/scene_parts.h"
 #include "app/mvs/scene_primitives.h"
 #include "app/mvs/scene_volumes.h"
+#include "app/mvs/text_format.h"
 #include "engine/error.h"
 #include "engine/molecule/displacement.h"
 #include "engine/molecule/join_models.h"
@@ -136,21 +138,56 @@ private:
         if (!label.atoms.empty() && !text.empty()) labels.push_back(std::move(label));
     }
 
-    /// One text for each group of rows.
+    /// Columns that join rows to one text.
+    static std::vector<std::string> groupColumns(const Node& node) {
+        const Json* named = node.param("group_by_fields");
+        if (!named || !named->is_array()) return {columnOf(node, "group_id")};
+        std::vector<std::string> columns;
+        for (const Json& each : *named)
+            if (each.is_string()) columns.push_back(each.get<std::string>());
+        return columns;
+    }
+
+    /// The values of the group columns together; empty: the row has a text of its own.
+    static std::string groupOf(const AnnotationRow& row, std::size_t columns) {
+        std::string group;
+        for (std::size_t i = 1; i <= columns; ++i) {
+            if (!row.values[i]) return {};
+            group += *row.values[i] + '\0';
+        }
+        return columns == 0 ? "all" : group;
+    }
+
+    /// One text for each group of rows, by its first row.
     void addTexts(const Node& node, const char* field, Structure& s, std::vector<Structure::Text>& labels) {
+        const Json* format = node.param("text_format");
+        std::optional<TextFormat> words;
+        try {
+            words.emplace(format && format->is_string() ? format->get<std::string>() : "{}");
+        } catch (const std::invalid_argument& why) {
+            return warnings_.add(node, why.what() + std::string(": it is left out"));
+        }
+        std::vector<std::string> columns = groupColumns(node);
+        const std::size_t joining = columns.size();
+        columns.insert(columns.end(), words->fields().begin(), words->fields().end());
         std::vector<std::pair<std::string, std::vector<bool>>> texts;
         std::map<std::string, std::size_t> groups;
-        for (const AnnotationRow& row : rowsOf(node, field, s, files_)) {
-            if (!row.hasValue) continue;
-            std::size_t place = texts.size();
-            if (!row.group.empty()) place = groups.emplace(row.group, place).first->second;
-            if (place == texts.size()) {
+        for (const AnnotationRow& row : rowsOf(node, field, s, files_, columns)) {
+            const std::string group = groupOf(row, joining);
+            const auto known = groups.find(group);
+            const bool first = group.empty() || known == groups.end();
+            const auto text = first ? words->of(row.values, 1 + joining) : std::nullopt;
+            if (first && !group.empty()) groups.emplace(group, text ? texts.size() : SIZE_MAX);
+            if (first && !text) continue;
+            const std::size_t place = first ? texts.size() : known->second;
+            if (place == SIZE_MAX) continue;
+            if (first) {
                 if (texts.size() == kMostTexts) {
                     warnings_.add(node,
                                   "it has more than " + std::to_string(kMostTexts) + " texts; the others are left out");
                     break;
                 }
-                texts.emplace_back(row.value, std::vector<bool>(s.molecule->atoms.size()));
+                texts.emplace_back(*text, std::vector<bool>(s.molecule->atoms.size()));
             }
             s.atoms->add(row.expression, texts[place].second);
         }
@@ -165,8 +202,9 @@ private:
             const Json* wanted = node.param("field_values");
             atoms.assign(s.molecule->atoms.size(), false);
             for (const AnnotationRow& row : rowsOf(node, "component", s, files_)) {
-                const bool chosen = !wanted || (row.hasValue && wanted->is_array() &&
-                                                std::find(wanted->begin(), wanted->end(), row.value) != wanted->end());
+                const bool chosen =
+                    !wanted || (row.value() && wanted->is_array() &&
+                                std::find(wanted->begin(), wanted->end(), *row.value()) != wanted->end());
                 if (chosen) s.atoms->add(row.expression, atoms);
             }
         }

@@ -8,11 +8,11 @@
 namespace nacre::app::mvs {
 namespace {
 
-constexpr std::string_view kUri = "uri format schema category_name field_name block_header block_index";
-constexpr std::string_view kUriValues =
-    "uri format schema category_name field_name block_header block_index field_values";
-constexpr std::string_view kSource = "schema category_name field_name block_header block_index";
-constexpr std::string_view kSourceValues = "schema category_name field_name block_header block_index field_values";
+#define NACRE_SOURCE "schema category_name field_name field_remapping block_header block_index"
+#define NACRE_URI "uri format " NACRE_SOURCE
+
+constexpr std::string_view kPalettes = "palette: categorical, discrete and continuous; elements in Nacre's colours";
+constexpr std::string_view kFormats = "text_format: types s, d, f, e and %, with width, precision, sign and commas";
 
 constexpr std::string_view kLookParents = "component component_from_uri component_from_source";
 constexpr std::string_view kTextParents = "structure component component_from_uri component_from_source";
@@ -30,8 +30,8 @@ constexpr NodeRow kRows[] = {
     {"transform", "structure volume", "rotation translation rotation_center matrix", "", "rigid motions"},
     {"instance", "structure volume", "rotation translation rotation_center matrix", "", "rigid motions"},
     {"component", "structure", "selector", "", ""},
-    {"component_from_uri", "structure", kUriValues, "", ""},
-    {"component_from_source", "structure", kSourceValues, "", ""},
+    {"component_from_uri", "structure", NACRE_URI " field_values", "", ""},
+    {"component_from_source", "structure", NACRE_SOURCE " field_values", "", ""},
     {"representation", kLookParents, "type", "", "types: the rows below"},
     {"representation:cartoon", "", "type tubular_helices size_factor", "", ""},
     {"representation:ball_and_stick", "", "type ignore_hydrogens size_factor", "", ""},
@@ -44,16 +44,16 @@ constexpr NodeRow kRows[] = {
      "SNFG symbols, in their own colours without a color node"},
     {"representation:putty", "", "type size_factor size_theme", "", "size_theme: uniform or uncertainty"},
     {"color", "representation volume_representation", "color selector", "", ""},
-    {"color_from_uri", "representation", kUri, "", ""},
-    {"color_from_source", "representation", kSource, "", ""},
+    {"color_from_uri", "representation", NACRE_URI " palette selector", "", kPalettes},
+    {"color_from_source", "representation", NACRE_SOURCE " palette selector", "", kPalettes},
     {"opacity", "representation volume_representation", "opacity selector", "",
-     "not of lines; atoms and bonds become triangles, up to 20,000 atoms"},
+     "not of lines; of translucent atoms the nearest three layers are in order"},
     {"label", kTextParents, "text", "", ""},
-    {"label_from_uri", kTextParents, kUri, "", ""},
-    {"label_from_source", kTextParents, kSource, "", ""},
+    {"label_from_uri", kTextParents, NACRE_URI " text_format group_by_fields", "", kFormats},
+    {"label_from_source", kTextParents, NACRE_SOURCE " text_format group_by_fields", "", kFormats},
     {"tooltip", kTextParents, "text", "", "in a window, under the pointer"},
-    {"tooltip_from_uri", kTextParents, kUri, "", "in a window, under the pointer"},
-    {"tooltip_from_source", kTextParents, kSource, "", "in a window, under the pointer"},
+    {"tooltip_from_uri", kTextParents, NACRE_URI " text_format", "", "in a window, under the pointer"},
+    {"tooltip_from_source", kTextParents, NACRE_SOURCE " text_format", "", "in a window, under the pointer"},
     {"focus", kFocusParents, "direction up radius radius_factor radius_extent", "", ""},
     {"camera", "root", "target position up near", "", ""},
     {"canvas", "root", "background_color", "", ""},

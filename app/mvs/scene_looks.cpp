@@ -1,10 +1,12 @@
 // Representations of a component: their style, colours and opacity.
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "app/mvs/molstar_radii.h"
 #include "app/mvs/primitive_values.h"
 #include "app/mvs/scene_parts.h"
+#include "app/mvs/value_palette.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/text.h"
@@ -94,18 +96,35 @@ void paintElements(const std::vector<bool>& atoms, const Structure& structure, S
 
 void paintRows(const Node& node, const Structure& structure, SceneFiles& files, SceneLayer& layer,
                SceneWarnings& warnings) {
-    for (const AnnotationRow& row : rowsOf(node, "color", structure, files)) {
-        if (!row.hasValue) continue;
-        const Json value(row.value);
+    const std::vector<AnnotationRow> rows = rowsOf(node, "color", structure, files);
+    ColorOfValue colors = [&](const std::string& word) {
+        const Json value(word);
         const auto color = colorOf(&value);
-        if (!color) {
-            warnings.add(node, "there is no colour '" + nacre::printable(row.value) + "'");
-            continue;
-        }
-        std::vector<bool> atoms(structure.molecule->atoms.size());
-        structure.atoms->add(row.expression, atoms);
-        paint(atoms, *color, layer);
+        if (!color) warnings.add(node, "there is no colour '" + nacre::printable(word) + "'");
+        return color;
+    };
+    try {
+        if (const Json* palette = node.param("palette")) colors = colorsOfPalette(*palette, rows);
+    } catch (const std::invalid_argument& why) {
+        return warnings.add(node, why.what() + std::string(": it is left out"));
     }
+    const std::vector<bool> chosen = selected(node, node.param("selector"), structure, warnings);
+    std::vector<bool> atoms(structure.molecule->atoms.size());
+    std::optional<std::uint32_t> last;
+    const auto paintLast = [&] {
+        if (!last) return;
+        for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i] = atoms[i] && chosen[i];
+        paint(atoms, *last, layer);
+        atoms.assign(atoms.size(), false);
+    };
+    for (const AnnotationRow& row : rows) {
+        const auto color = row.value() ? colors(*row.value()) : std::nullopt;
+        if (!color) continue;
+        if (color != last) paintLast();  // rows of one colour together
+        last = color;
+        structure.atoms->add(row.expression, atoms);
+    }
+    paintLast();
 }
 
 void fade(const Node& node, const Structure& structure, SceneLayer& layer, SceneWarnings& warnings) {

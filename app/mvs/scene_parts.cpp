@@ -321,7 +321,15 @@ std::vector<bool> selected(const Node& node, const Json* selector, const Structu
     return atoms;
 }
 
-std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files) {
+std::string columnOf(const Node& node, const std::string& field) {
+    const Json* columns = node.param("field_remapping");
+    if (!columns || !columns->is_object() || !columns->contains(field)) return field;
+    const Json& column = (*columns)[field];
+    return column.is_string() ? column.get<std::string>() : "";
+}
+
+std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files,
+                                  std::vector<std::string> further) {
     const bool fromUri = node.kind.ends_with("_from_uri");
     const std::string uri = fromUri ? nodeText(node, "uri") : structure.uri;
     if (uri.empty()) refuseNode(node, "it has no uri");
@@ -330,8 +338,14 @@ std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Str
     place.blockIndex = static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "block_index").value_or(0), 0));
     place.category = nodeText(node, "category_name");
     const std::string named = nodeText(node, "field_name");
-    return readAnnotations(nacre::printable(uri, 200), files.bytes(uri), place, nodeText(node, "schema"),
-                           named.empty() ? field : named);
+    AnnotationFields fields{std::move(further), {}};
+    if (fields.values.size() > kMostAnnotationFields)
+        refuseNode(node, "it names more than " + std::to_string(kMostAnnotationFields) + " fields");
+    fields.values.insert(fields.values.begin(), named.empty() ? field : named);
+    if (const Json* columns = node.param("field_remapping"); columns && columns->is_object())
+        for (const auto& [standard, column] : columns->items())
+            fields.columns.emplace(standard, columnOf(node, standard));
+    return readAnnotations(nacre::printable(uri, 200), files.bytes(uri), place, nodeText(node, "schema"), fields);
 }
 
 void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings) {

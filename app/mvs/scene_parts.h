@@ -120,8 +120,12 @@ std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structu
 /// The atoms of a selector: a name, an expression, or a list of expressions. By atom.
 std::vector<bool> selected(const Node& node, const Json* selector, const Structure& structure, SceneWarnings& warnings);
 
-/// The rows of an annotation node: *_from_uri or *_from_source. @param field  unless the node names another
-std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files);
+/// The rows of an annotation node: *_from_uri or *_from_source. @param field  of the first value, unless the node names
+/// another @param further  fields of the other values
+std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files,
+                                  std::vector<std::string> further = {});
+/// The column that a node takes for a field of the schema; empty: it ignores the field.
+std::string columnOf(const Node& node, const std::string& field);
 
 /// Warns of a node that is not drawn where it is, and of parameters that nobody asks for.
 void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings);
