@@ -57,6 +57,7 @@ public:
 
     Molecule build(const Snapshot& snapshot) {
         guide_ = std::make_shared<SceneGuide>();
+        for (const Node& node : snapshot.root.children) findCoordinates(node);
         for (const Node& node : snapshot.root.children) root(node, snapshot.root);
         guide_->title = snapshot.title;
         return joined();
@@ -71,6 +72,14 @@ private:
         if (node.kind == "canvas") canvas(node);
         if (node.kind == "focus") camera_.focusAll(node);
         if (node.kind.starts_with("primitives")) group(node, kNoStructure);
+    }
+
+    /// Structures may name coordinates that stand behind them.
+    void findCoordinates(const Node& download) {
+        for (const Node& parse : download.children)
+            for (const Node& node : parse.children)
+                if (node.kind == "coordinates" && !node.ref.empty())
+                    files_.addCoordinates(node.ref, nodeText(download, "url"));
     }
 
     void group(const Node& node, std::size_t structure) {

@@ -160,6 +160,31 @@ std::shared_ptr<const DensityMap> SceneFiles::map(const std::string& uri, const 
     return known.map;
 }
 
+std::vector<glm::vec3> SceneFiles::positions(const std::string& ref, std::size_t frame, std::size_t atoms) {
+    const std::string& uri = coordinates_.at(ref);
+    const std::string name = nacre::printable(uri, 200);
+    const std::string& text = bytes(uri);
+    auto& trajectory = trajectories_[uri];
+    if (!trajectory) trajectory = openTrajectory(name, text);
+    std::vector<glm::vec3> positions;
+    std::size_t found = 0;
+    if (trajectory) {
+        found = trajectory->atoms();
+        if (found == atoms) positions = trajectory->read(frame).positions;
+    } else {
+        ReadOptions options = sources_.reading;
+        options.model = static_cast<int>(frame) + 1;
+        const Molecule models = molecule(uri, text, options);
+        found = models.atoms.size();
+        if (models.lacksPositions) throw Error("cannot draw scene", name, "it is a topology without positions");
+        for (const Atom& atom : models.atoms) positions.push_back(atom.position);
+    }
+    if (found != atoms)
+        throw Error("cannot draw scene", name,
+                    "it has " + std::to_string(found) + " atoms, the structure " + std::to_string(atoms));
+    return positions;
+}
+
 void SceneFiles::countShown(const Node& node, std::size_t atoms) {
     shown_ += atoms;
     if (shown_ / kMostTimes > sources_.reading.maxAtoms)
@@ -187,14 +212,36 @@ std::optional<std::uint32_t> colorOf(const Json* value) {
     }
 }
 
+namespace {
+
+/// Puts the atoms of a structure where its coordinates node has them.
+void placeAtoms(const Node& node, std::size_t frame, Molecule& molecule, SceneFiles& files, SceneWarnings& warnings) {
+    const std::string ref = nodeText(node, "coordinates_ref");
+    const bool known = !ref.empty() && files.hasCoordinates(ref);
+    const std::string none = "there are no coordinates '" + nacre::printable(ref, 40) + "'";
+    if (known) {
+        const std::vector<glm::vec3> positions = files.positions(ref, frame, molecule.atoms.size());
+        for (std::size_t i = 0; i < positions.size(); ++i) molecule.atoms[i].position = positions[i];
+        molecule.lacksPositions = false;
+    } else if (molecule.lacksPositions) {
+        refuseNode(node, ref.empty() ? "it is a topology without positions: it needs coordinates_ref" : none);
+    } else if (!ref.empty()) {
+        warnings.add(node, none);
+    }
+}
+
+}  // namespace
+
 Structure readStructure(const Node& parse, const Node& node, const std::string& uri, SceneFiles& files,
                         SceneWarnings& warnings) {
     Structure s;
     s.uri = uri;
     s.ref = node.ref;
     ReadOptions options = files.sources().reading;
-    options.model =
-        static_cast<int>(std::clamp<std::int64_t>(wholeOf(node, "model_index").value_or(0), 0, 1'000'000)) + 1;
+    const auto model =
+        static_cast<int>(std::clamp<std::int64_t>(wholeOf(node, "model_index").value_or(0), 0, 1'000'000));
+    const bool placed = files.hasCoordinates(nodeText(node, "coordinates_ref"));
+    options.model = placed ? 1 : model + 1;
     const std::string format = lowerCase(nodeText(parse, "format"));
     if (format == "map" || format == "dx" || format == "dxbin") refuseNode(parse, "a density map has no structure");
     const std::string header = nodeText(node, "block_header");
@@ -209,6 +256,7 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
     else if (!header.empty() || block > 0)
         warnings.add(node, "of BinaryCIF the first block with atoms is read");
     s.molecule = std::make_unique<Molecule>(files.molecule(uri, std::move(bytes), options));
+    placeAtoms(node, static_cast<std::size_t>(model), *s.molecule, files, warnings);
     s.atoms = std::make_unique<StructureAtoms>(*s.molecule);
     const std::string type = nodeText(node, "type");
     if (type == "assembly") {

@@ -15,6 +15,7 @@
 #include "app/mvs/build_scene.h"
 #include "app/mvs/expressions.h"
 #include "app/mvs/node_table.h"
+#include "engine/molecule/trajectory/trajectory.h"
 #include "engine/scene/build/primitives.h"
 #include "engine/scene/build/scene_guide.h"
 #include "engine/volume/density_map.h"
@@ -45,6 +46,11 @@ public:
     Molecule molecule(const std::string& uri, std::string text, ReadOptions options);
     /// A map of a file, read once. @throws Error
     std::shared_ptr<const DensityMap> map(const std::string& uri, const std::string& channel);
+    /// Remembers the file of a coordinates node. @param ref  of the node
+    void addCoordinates(const std::string& ref, const std::string& uri) { coordinates_.emplace(ref, uri); }
+    bool hasCoordinates(const std::string& ref) const { return coordinates_.contains(ref); }
+    /// Positions of atoms in a frame of a coordinates node. @param frame  from 0 @throws Error
+    std::vector<glm::vec3> positions(const std::string& ref, std::size_t frame, std::size_t atoms);
     /// Counts atoms of a representation. @throws Error if there are too many
     void countShown(const Node& node, std::size_t atoms);
     /// Call before each node.
@@ -61,8 +67,9 @@ private:
         std::string failure;  ///< why there is none
     };
     const SceneSources& sources_;
-    std::map<std::string, std::string> known_;
-    std::map<std::pair<std::string, std::string>, ReadMap> maps_;  ///< by name and channel
+    std::map<std::string, std::string> known_, coordinates_;
+    std::map<std::string, std::unique_ptr<Trajectory>> trajectories_;  ///< by name
+    std::map<std::pair<std::string, std::string>, ReadMap> maps_;      ///< by name and channel
     std::size_t held_ = 0, parsed_ = 0, atoms_ = 0, shown_ = 0, mapBytes_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/molecule/trajectory/trajectory.h"
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <numbers>
 
@@ -91,6 +92,18 @@ std::unique_ptr<Trajectory> openTrajectory(const std::string& path) {
     file->read(0, start);
     const Opener open = openerOf(start);
     return open ? open(std::move(file)) : openModels(path);
+}
+
+std::unique_ptr<Trajectory> openTrajectory(const std::string& name, const std::string& bytes) {
+    FileStart start{};
+    if (bytes.size() < start.size()) return nullptr;
+    std::memcpy(start.data(), bytes.data(), start.size());
+    const Opener open = openerOf(start);
+    if (!open || open == openH5md) return nullptr;
+    const std::shared_ptr<ByteFile> file = ByteFile::temporary();
+    if (!file || !file->append(bytes.data(), bytes.size()))
+        throw Error("cannot read trajectory", name, "there is no space for a temporary file");
+    return open(std::make_unique<TrajectoryFile>(name, file));
 }
 
 bool isTrajectoryFile(const std::string& path) {

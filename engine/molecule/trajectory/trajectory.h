@@ -48,6 +48,9 @@ protected:
 /// holds only those. Any other file is read as a structure whose models are the frames. @throws Error
 std::unique_ptr<Trajectory> openTrajectory(const std::string& path);
 
+/// A DCD, XTC, TRR or AMBER NetCDF file from its bytes; null: it is none. @param name  for messages @throws Error
+std::unique_ptr<Trajectory> openTrajectory(const std::string& name, const std::string& bytes);
+
 /// Whether a file begins as DCD, XTC, TRR or NetCDF, which hold positions alone; false if it cannot be read.
 bool isTrajectoryFile(const std::string& path);
 

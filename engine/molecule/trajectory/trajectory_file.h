@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "engine/error.h"
 #include "engine/molecule/byte_file.h"
@@ -19,6 +20,7 @@ class TrajectoryFile {
 public:
     /// @throws Error
     explicit TrajectoryFile(const std::string& path);
+    TrajectoryFile(std::string name, std::shared_ptr<ByteFile> file) : name_(std::move(name)), file_(std::move(file)) {}
 
     const std::string& name() const { return name_; }
     std::uint64_t size() const { return file_->size(); }
