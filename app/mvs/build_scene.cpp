@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/mvs/camera_nodes.h"
+#include "app/mvs/clip_nodes.h"
 #include "app/mvs/node_table.h"
 #include "app/mvs/scene_parts.h"
 #include "app/mvs/scene_primitives.h"
@@ -342,6 +343,7 @@ private:
                 node = &loaded;
             }
             Primitives primitives = readPrimitives(*node, own, structures_, warnings_);
+            if (node != group.node) clipPrimitives(ClipRegions(*group.node, warnings_), primitives);
             std::vector<glm::dvec4> balls = outlineOf(primitives);
             addLabelBalls(primitives.labels, balls);
             camera_.addDrawn(balls);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "app/mvs/clip_nodes.h"
 #include "app/mvs/molstar_radii.h"
 #include "app/mvs/primitive_values.h"
 #include "app/mvs/scene_parts.h"
@@ -178,6 +179,7 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
             layer.atoms.push_back(atom);
     layer.colors.assign(layer.atoms.size(), kDefaultColor);
     paintChildren(node, structure, files, layer, warnings);
+    clipLayer(node, structure, layer, warnings);
     // Atoms without opacity are not drawn.
     if (!layer.opacity.empty())
         keepAtoms(layer, [&](std::size_t i) { return static_cast<double>(layer.opacity[i]) >= kLeastOpacity; });

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "app/mvs/clip_nodes.h"
 #include "app/mvs/molstar_radii.h"
 #include "app/mvs/node_table.h"
 #include "app/mvs/primitive_values.h"
@@ -50,7 +51,9 @@ public:
             all_.labels = labels;
         }
         if (number(group_, "label_opacity", 1) < kLeastOpacity) all_.labels.clear();
-        return atInstances(group_, std::move(all_));
+        Primitives result = atInstances(group_, std::move(all_));
+        clipPrimitives(ClipRegions(group_, warnings_), result);
+        return result;
     }
 
 private:

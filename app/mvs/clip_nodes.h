@@ -1,0 +1,39 @@
+#pragma once
+// The clip nodes of a representation or a group of primitives: planes, spheres and boxes that cut things away.
+
+#include <glm/mat4x3.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "app/mvs/scene_parts.h"
+
+namespace nacre::app::mvs {
+
+class ClipRegions {
+public:
+    /// Reads the clip nodes among the children. A node with a fault is left out, with a warning.
+    ClipRegions(const Node& parent, SceneWarnings& warnings);
+
+    bool empty() const { return regions_.empty(); }
+    /// Whether a point, in the scene's frame, is cut away.
+    bool cuts(const glm::dvec3& point) const;
+
+private:
+    /// A point is cut if, in the region's own frame, y >= 0 (a plane), it lies in the unit ball, or in the unit cube.
+    struct Region {
+        enum class Shape { plane, ball, cube } shape;
+        glm::dmat4x3 toOwn{1.0};
+        bool inverted = false;
+    };
+    static Region regionOf(const Node& node, const std::string& type);
+
+    std::vector<Region> regions_;
+};
+
+/// Drops what is cut away of a layer: atoms, or residues of cartoons and backbones, by their centres.
+void clipLayer(const Node& representation, const Structure& structure, SceneLayer& layer, SceneWarnings& warnings);
+
+/// Drops primitives whose centres are cut away, and triangles of meshes.
+void clipPrimitives(const ClipRegions& regions, Primitives& primitives);
+
+}  // namespace nacre::app::mvs
