@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
 #include "app/files/messages.h"
 #include "app/input/input_files.h"
 #include "app/movie/movie_file.h"
+#include "app/mvs/animation.h"
 #include "app/mvs/scene_file.h"
 #include "engine/error.h"
 
@@ -18,19 +20,61 @@ SnapshotTimeline::SnapshotTimeline(std::vector<SnapshotTimes> times, bool loop) 
     if (silent)
         for (SnapshotTimes& each : times_) each.linger = kLinger;
     if (!loop) times_.back().transition = 0;
-    for (const SnapshotTimes& each : times_) seconds_ += each.linger + each.transition;
+    for (SnapshotTimes& each : times_) {
+        each.linger = silent && each.animation > 0 ? each.animation : std::max(each.linger, each.animation);
+        seconds_ += each.linger + each.transition;
+    }
 }
 
 SnapshotPlace SnapshotTimeline::at(double time) const {
     constexpr double kRounding = 1e-7;  // s: a frame at the end of a snapshot's time is the next one's
     for (std::size_t i = 0; i < times_.size(); ++i) {
         const SnapshotTimes& each = times_[i];
-        if (time < each.linger - kRounding) return {i, 0};
+        if (time < each.linger - kRounding) return {i, 0, std::max(time, 0.0)};
         time -= each.linger;
-        if (time < each.transition - kRounding) return {i, time > kRounding ? time / each.transition : 0};
+        if (time < each.transition - kRounding) return {i, time > kRounding ? time / each.transition : 0, each.linger};
         time -= each.transition;
     }
-    return {times_.size() - 1, 0};
+    return {times_.size() - 1, 0, times_.back().linger};
+}
+
+std::optional<double> SnapshotTimeline::animationAt(std::size_t snapshot, double seconds) const {
+    const SnapshotTimes& times = times_[snapshot];
+    if (!(times.animation > 0)) return std::nullopt;
+    return times.loops && seconds > times.animation ? std::fmod(seconds, times.animation)
+                                                    : std::min(seconds, times.animation);
+}
+
+namespace {
+
+/// The radius of what is seen while the camera leaps: in between it shows both ends; not so where they overlap.
+double leapRadius(double from, double to, double distance, double share) {
+    const double straight = std::lerp(from, to, share);
+    const double overlap = (from + to - distance) / std::max(std::min(from, to), 1e-9);
+    if (overlap >= 1 || !(distance > std::abs(to - from))) return straight;
+    const double top = (distance + from + to) / 2, summit = (distance - from + to) / (2 * distance);
+    const double climb = share <= summit ? share / summit : (1 - share) / (1 - summit);
+    const double leap = std::lerp(share <= summit ? from : to, top, climb * (3 - climb * climb) / 2);
+    return std::lerp(leap, straight, std::max(overlap, 0.0));
+}
+
+}  // namespace
+
+Lens lensBetween(const Lens& from, const Lens& to, const std::string& trajectory, double share, double height) {
+    Lens lens = CameraPath({from, to}, false).at(share);  // its rotation
+    const double a = height / 2 / from.scale, b = height / 2 / to.scale, apart = glm::distance(from.focus, to.focus);
+    double along = share, radius = std::lerp(a, b, share);
+    if (trajectory.starts_with("leap")) {
+        radius = leapRadius(a, b, apart, share);
+    } else if (trajectory == "linear-relative" && std::abs(b - a) > 0.001 * (a + b + 2)) {
+        // Steps grow with what is seen, and an Å more.
+        along = (a + 1) / (b - a) * (std::pow((b + 1) / (a + 1), share) - 1);
+        radius = std::lerp(a, b, along);
+    }
+    lens.focus = from.focus + (to.focus - from.focus) * along;
+    lens.scale = height / 2 / radius;
+    lens.distance = std::lerp(from.distance * from.scale, to.distance * to.scale, share) / lens.scale;
+    return lens;
 }
 
 bool showsSnapshots(const MovieOptions& options) {
@@ -47,7 +91,7 @@ MovieSnapshots::MovieSnapshots(const MovieOptions& options, Progress& progress)
       timeline_(scene_.times(), options.loop),
       shots_(timeline_.count()) {
     const std::string& path = options.picture.input.path;
-    if (timeline_.count() == 1)
+    if (timeline_.count() == 1 && !(timeline_.times(0).animation > 0))
         throw Error("no motion given", path, "the scene has one snapshot: add --spin or --rock");
     const double seconds = options.seconds.value_or(timeline_.seconds());
     const double frames = std::max(std::round(seconds * options.framesPerSecond), 1.0);
@@ -67,32 +111,53 @@ std::optional<int> MovieSnapshots::modelOf(std::uint64_t frame) const {
     return static_cast<int>(placeOf(frame).from) + 1;
 }
 
-MovieSnapshots::Shot& MovieSnapshots::ready(std::size_t number) {
-    std::unique_ptr<Shot>& shot = shots_[number];
-    if (shot) return *shot;
+void MovieSnapshots::load(std::size_t number, std::optional<double> seconds, Shot& shot) {
     PictureDescription picture = options_.picture;
     picture.input.snapshot = static_cast<int>(number) + 1;
-    auto made = std::make_unique<Shot>();
-    made->molecule = loadSnapshot(scene_, picture.input, downloadProgress(progress_));
-    made->drawing.prepare(made->molecule, picture);
-    for (const std::string& warning : made->drawing.warnings)
-        sayWarning("snapshot " + std::to_string(number + 1) + ": " + warning);
+    shot.drawing.forget();
+    shot.molecule = loadSnapshot(scene_, picture.input, downloadProgress(progress_), seconds);
+    shot.drawing.prepare(shot.molecule, picture);
+    shot.seconds = seconds;
+}
+
+MovieSnapshots::Shot& MovieSnapshots::ready(std::size_t number, double time) {
+    const std::optional<double> seconds = timeline_.animationAt(number, time);
+    std::unique_ptr<Shot>& shot = shots_[number];
+    if (shot && shot->seconds == seconds) return *shot;
+    auto made = shot ? std::move(shot) : std::make_unique<Shot>();
+    const bool isNew = !made->canvas;
+    if (isNew) {
+        // The camera of the first frame stays, unless the animation moves it.
+        load(number, seconds ? std::optional(0.0) : std::nullopt, *made);
+        for (const std::string& warning : made->drawing.warnings)
+            sayWarning("snapshot " + std::to_string(number + 1) + ": " + warning);
+        made->lens = lensOf(made->drawing.settings.view, made->drawing.run.center);
+        made->canvas = std::make_unique<Canvas>(options_.picture.device);
+    }
+    if (made->seconds != seconds) load(number, seconds, *made);
+    if (timeline_.times(number).camera) made->lens = lensOf(made->drawing.settings.view, made->drawing.run.center);
     made->drawing.settings.occlusion.onProgress = [this](double share) {
         if (onBake) onBake(share);
     };
-    made->lens = lensOf(made->drawing.settings.view, made->drawing.run.center);
-    made->canvas = std::make_unique<Canvas>(picture.device);
     made->drawing.handOver(*made->canvas);
     shot = std::move(made);
     return *shot;
 }
 
 /// A snapshot's picture. @param lens  null: its own
-Picture MovieSnapshots::drawFrom(std::size_t number, const Lens* lens) {
-    Shot& shot = ready(number);
+Picture MovieSnapshots::drawFrom(std::size_t number, double seconds, const Lens* lens) {
+    Shot& shot = ready(number, seconds);
     RenderSettings settings = shot.drawing.settings;
+    if (!lens && shot.seconds.value_or(0) > 0) lens = &shot.lens;
     if (lens) settings.view = viewThrough(*lens, settings.view, shot.drawing.run.center);
     return shot.drawing.drawAs(settings, shot.canvas->renderer);
+}
+
+double MovieSnapshots::shareOf(const SnapshotPlace& place) const {
+    const std::string& named = timeline_.times(place.from).easing;
+    if (!options_.easing && !named.empty())
+        if (const auto share = mvs::easedByName(named, place.share)) return *share;
+    return eased(options_.easing.value_or(Easing::smooth), place.share);
 }
 
 Picture MovieSnapshots::draw(std::uint64_t frame) {
@@ -100,13 +165,17 @@ Picture MovieSnapshots::draw(std::uint64_t frame) {
     const std::size_t to = (place.from + 1) % shots_.size();
     for (std::size_t i = 0; i < shots_.size(); ++i)
         if (i != place.from && i != to) shots_[i].reset();
-    if (place.share == 0) return drawFrom(place.from, nullptr);
-    const double share = eased(options_.easing.value_or(Easing::smooth), place.share);
-    const std::vector<Lens> lenses{ready(place.from).lens, ready(to).lens};
-    if (lenses[0].projection != lenses[1].projection) return drawFrom(share < 0.5 ? place.from : to, nullptr);
-    const Lens lens = CameraPath(lenses, false).at(share);
-    Picture picture = drawFrom(place.from, &lens);
-    return mixed(std::move(picture), drawFrom(to, &lens), static_cast<float>(share));
+    if (place.share == 0) return drawFrom(place.from, place.seconds, nullptr);
+    const double share = shareOf(place);
+    const std::vector<Lens> lenses{ready(place.from, place.seconds).lens, ready(to, 0).lens};
+    if (lenses[0].projection != lenses[1].projection)
+        return share < 0.5 ? drawFrom(place.from, place.seconds, nullptr) : drawFrom(to, 0, nullptr);
+    const std::string& trajectory = timeline_.times(place.from).trajectory;
+    const double height = shots_[to]->drawing.settings.view.height;
+    const Lens lens = trajectory.empty() ? CameraPath(lenses, false).at(share)
+                                         : lensBetween(lenses[0], lenses[1], trajectory, share, height);
+    Picture picture = drawFrom(place.from, place.seconds, &lens);
+    return mixed(std::move(picture), drawFrom(to, 0, &lens), static_cast<float>(share));
 }
 
 }  // namespace nacre::app

@@ -3,6 +3,8 @@
 // camera moves, and the pictures cross-fade.
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "app/cli/movie_options.h"
@@ -10,14 +12,20 @@
 #include "app/cli/progress.h"
 #include "app/download/load_scene.h"
 #include "app/drawing/drawing.h"
+#include "app/movie/camera_path.h"
 
 namespace nacre::app {
 
 /// Where a movie of snapshots is at a time.
 struct SnapshotPlace {
     std::size_t from = 0;
-    double share = 0;  ///< of the way to the next, 0 to 1
+    double share = 0;    ///< of the way to the next, 0 to 1
+    double seconds = 0;  ///< since the snapshot came to rest
 };
+
+/// The way of a camera between two snapshots. @param trajectory  as a scene names it @param share  0..1 of the way
+/// @param height  of the picture, pixels
+Lens lensBetween(const Lens& from, const Lens& to, const std::string& trajectory, double share, double height);
 
 class SnapshotTimeline {
 public:
@@ -29,6 +37,9 @@ public:
     /// @param time  0..seconds()
     SnapshotPlace at(double time) const;
     std::size_t count() const { return times_.size(); }
+    const SnapshotTimes& times(std::size_t snapshot) const { return times_[snapshot]; }
+    /// Seconds of the animation of a snapshot; empty: it has none. @param seconds  since the snapshot came to rest
+    std::optional<double> animationAt(std::size_t snapshot, double seconds) const;
 
 private:
     std::vector<SnapshotTimes> times_;
@@ -50,10 +61,14 @@ private:
         Drawing drawing;
         std::unique_ptr<Canvas> canvas;
         Lens lens;
+        std::optional<double> seconds;  ///< of its animation
     };
     SnapshotPlace placeOf(std::uint64_t frame) const;
-    Shot& ready(std::size_t number);
-    Picture drawFrom(std::size_t number, const Lens* lens);
+    /// @param seconds  since the snapshot came to rest
+    Shot& ready(std::size_t number, double seconds);
+    void load(std::size_t number, std::optional<double> seconds, Shot& shot);
+    Picture drawFrom(std::size_t number, double seconds, const Lens* lens);
+    double shareOf(const SnapshotPlace& place) const;
 
     const MovieOptions& options_;
     Progress& progress_;

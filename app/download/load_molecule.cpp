@@ -139,9 +139,10 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
     return molecule;
 }
 
-Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload) {
+Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload,
+                      std::optional<double> seconds) {
     checkScene(input);
-    return scene.snapshot(input, readWithin(memoryLimit(input)), onDownload);
+    return scene.snapshot(input, readWithin(memoryLimit(input)), onDownload, seconds);
 }
 
 std::unique_ptr<ModelFile> openModels(const InputOptions& input, const std::function<void(double)>& onDownload) {

@@ -40,7 +40,8 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
                       const std::function<void(double)>& onModel = {}, const std::function<void()>& onStep = {});
 
 /// A snapshot of a scene that is open. @throws Error, DownloadForbidden
-Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload = {});
+Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload = {},
+                      std::optional<double> seconds = {});
 
 /// The models of INPUT, each read on demand. @throws Error as above, or if there is only one
 std::unique_ptr<ModelFile> openModels(const InputOptions& input, const std::function<void(double)>& onDownload = {});

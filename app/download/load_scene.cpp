@@ -15,6 +15,7 @@
 #include "app/files/cache_folder.h"
 #include "app/files/opened_file.h"
 #include "app/input/input_files.h"
+#include "app/mvs/animation.h"
 #include "app/mvs/build_scene.h"
 #include "app/mvs/scene_file.h"
 #include "engine/error.h"
@@ -171,11 +172,12 @@ void collectNames(const mvs::Node& node, std::set<std::string>& names) {
     for (const mvs::Node& child : node.children) collectNames(child, names);
 }
 
-Molecule moleculeOf(const mvs::SceneFile& scene, const InputOptions& input, const mvs::SceneSources& sources) {
+Molecule moleculeOf(const mvs::SceneFile& scene, const InputOptions& input, const mvs::SceneSources& sources,
+                    std::optional<double> seconds = {}) {
     if (input.snapshot == kAllSnapshots)
         throw Error("cannot read scene", input.path, "--snapshot all is for render and movie: name one snapshot");
     const std::size_t snapshot = static_cast<std::size_t>(input.snapshot) - 1;
-    return mvs::buildScene(scene.tree, snapshot, scene.name, sources);
+    return mvs::buildScene(scene.tree, snapshot, scene.name, sources, seconds);
 }
 
 }  // namespace
@@ -218,7 +220,7 @@ OpenScene::OpenScene(const InputOptions& input) {
 OpenScene::~OpenScene() = default;
 
 Molecule OpenScene::snapshot(const InputOptions& input, const ReadOptions& reading,
-                             const std::function<void(double)>& onDownload) {
+                             const std::function<void(double)>& onDownload, std::optional<double> seconds) {
     const SceneFetch fetch(input, *file_, reading.maxBytes, onDownload);
     const auto once = [&](const std::string& uri) {
         if (const auto known = fetched_.find(uri); known != fetched_.end()) return known->second;
@@ -229,13 +231,25 @@ Molecule OpenScene::snapshot(const InputOptions& input, const ReadOptions& readi
         }
         return bytes;
     };
-    return moleculeOf(*file_, input, {once, reading, {}});
+    return moleculeOf(*file_, input, {once, reading, {}}, seconds);
 }
 
 std::vector<SnapshotTimes> OpenScene::times() const {
+    const std::vector<mvs::Snapshot>& snapshots = file_->tree.snapshots;
     std::vector<SnapshotTimes> times;
-    for (const mvs::Snapshot& snapshot : file_->tree.snapshots)
-        times.push_back({snapshot.lingerSeconds, snapshot.transitionSeconds});
+    for (std::size_t i = 0; i < snapshots.size(); ++i) {
+        SnapshotTimes& own = times.emplace_back();
+        own.linger = snapshots[i].lingerSeconds;
+        own.transition = snapshots[i].transitionSeconds;
+        own.animation = mvs::animationSeconds(snapshots[i]);
+        own.loops = mvs::animationFlag(snapshots[i], "loop");
+        own.camera = mvs::animationFlag(snapshots[i], "include_camera");
+        if (const auto next = mvs::transitionTo(snapshots[(i + 1) % snapshots.size()])) {
+            own.transition = next->seconds;
+            own.easing = next->easing;
+            own.trajectory = next->trajectory;
+        }
+    }
     return times;
 }
 

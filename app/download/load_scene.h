@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ std::string contentOfNamed(const InputOptions& input);
 /// Duration of a snapshot in a movie, seconds: at rest, and in transition to the next.
 struct SnapshotTimes {
     double linger = 0, transition = 0;
+    std::string easing = {}, trajectory = {};  ///< of the transition, as the scene names them; empty: it does not
+    double animation = 0;                      ///< of its animation, while it is at rest; 0: it has none
+    bool loops = false;                        ///< its animation begins again
+    bool camera = false;                       ///< its animation moves the camera
 };
 /// A scene of several snapshots: reads its file and the files that it names once.
 class OpenScene {
@@ -39,9 +44,9 @@ public:
     explicit OpenScene(const InputOptions& input);
     ~OpenScene();
 
-    /// loadScene() for the snapshot that `input` names.
+    /// loadScene() for the snapshot that `input` names. @param seconds  of its animation; empty: without it
     Molecule snapshot(const InputOptions& input, const ReadOptions& reading,
-                      const std::function<void(double)>& onDownload = {});
+                      const std::function<void(double)>& onDownload = {}, std::optional<double> seconds = {});
     std::vector<SnapshotTimes> times() const;
 
 private:

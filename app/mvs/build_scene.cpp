@@ -4,6 +4,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "app/mvs/animation.h"
 #include "app/mvs/camera_nodes.h"
 #include "app/mvs/clip_nodes.h"
 #include "app/mvs/node_table.h"
@@ -56,6 +57,8 @@ class SceneBuilder {
 public:
     SceneBuilder(const std::string& name, const SceneSources& sources) : name_(name), files_(sources) {}
 
+    SceneWarnings& warnings() { return warnings_; }
+
     Molecule build(const Snapshot& snapshot) {
         guide_ = std::make_shared<SceneGuide>();
         for (const Node& node : snapshot.root.children) findCoordinates(node);
@@ -73,6 +76,16 @@ private:
         if (node.kind == "canvas") canvas(node);
         if (node.kind == "focus") camera_.focusAll(node);
         if (node.kind.starts_with("primitives")) group(node, kNoStructure);
+        if (node.kind == "transition") checkTransition(node);
+    }
+
+    void checkTransition(const Node& node) {
+        const CameraTransition transition = transitionOf(node);
+        if (!easedByName(transition.easing, 0.5))
+            warnings_.add(node, "there is no easing '" + nacre::printable(transition.easing, 40) + "'");
+        constexpr std::string_view kPaths[] = {"linear", "linear-relative", "leap", "leap-relative"};
+        if (std::find(std::begin(kPaths), std::end(kPaths), transition.trajectory) == std::end(kPaths))
+            warnings_.add(node, "there is no trajectory '" + nacre::printable(transition.trajectory, 40) + "'");
     }
 
     /// Structures may name coordinates that stand behind them.
@@ -427,12 +440,16 @@ private:
 
 }  // namespace
 
-Molecule buildScene(const SceneTree& tree, std::size_t snapshot, const std::string& name, const SceneSources& sources) {
+Molecule buildScene(const SceneTree& tree, std::size_t snapshot, const std::string& name, const SceneSources& sources,
+                    std::optional<double> seconds) {
     if (snapshot >= tree.snapshots.size())
         throw Error("cannot draw scene", name,
                     "there is no snapshot " + std::to_string(snapshot + 1) + "; it has " +
                         std::to_string(tree.snapshots.size()));
-    return SceneBuilder(name, sources).build(tree.snapshots[snapshot]);
+    SceneBuilder builder(name, sources);
+    const Snapshot& still = tree.snapshots[snapshot];
+    if (!seconds || still.animation.kind != "animation") return builder.build(still);
+    return builder.build(animatedAt(still, *seconds, builder.warnings()));
 }
 
 }  // namespace nacre::app::mvs

@@ -3,6 +3,7 @@
 // done as far as Nacre can. What it cannot do becomes a warning that names the node's place.
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "app/mvs/scene_tree.h"
@@ -25,7 +26,9 @@ constexpr std::size_t kMostLayers = 10'000;
 constexpr std::size_t kMostTimes = 16;
 
 /// @param snapshot  from 0 @param name  of the file, for messages
+/// @param seconds  of the snapshot's animation; empty: as the snapshot is without it
 /// @throws Error
-Molecule buildScene(const SceneTree& tree, std::size_t snapshot, const std::string& name, const SceneSources& sources);
+Molecule buildScene(const SceneTree& tree, std::size_t snapshot, const std::string& name, const SceneSources& sources,
+                    std::optional<double> seconds = {});
 
 }  // namespace nacre::app::mvs

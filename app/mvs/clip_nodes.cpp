@@ -15,7 +15,7 @@
 namespace nacre::app::mvs {
 namespace {
 
-glm::dvec3 point(const Node& node, const char* name) {
+glm::dvec3 neededPoint(const Node& node, const char* name) {
     const Json* value = node.param(name);
     if (!value) refusePrimitive(std::string("it has no ") + name);
     return vectorIn(name, *value);
@@ -86,21 +86,22 @@ ClipRegions::ClipRegions(const Node& parent, SceneWarnings& warnings) {
 ClipRegions::Region ClipRegions::regionOf(const Node& node, const std::string& type) {
     Region region{Region::Shape::plane};
     if (type == "plane") {
-        const glm::dvec3 normal = point(node, "normal");
+        const glm::dvec3 normal = neededPoint(node, "normal");
         if (!(glm::length(normal) > 1e-9)) refusePrimitive("its normal has no length");
         const glm::dvec3 y = glm::normalize(normal);  // x and z do not matter
-        region.toOwn = shiftedMap(glm::transpose(glm::dmat3(glm::dvec3(0), y, glm::dvec3(0))), point(node, "point"));
+        region.toOwn =
+            shiftedMap(glm::transpose(glm::dmat3(glm::dvec3(0), y, glm::dvec3(0))), neededPoint(node, "point"));
     } else if (type == "sphere") {
         region.shape = Region::Shape::ball;
         const double radius = positive(number(node, "radius", 1), "radius");
-        region.toOwn = shiftedMap(glm::dmat3(1 / radius), point(node, "center"));
+        region.toOwn = shiftedMap(glm::dmat3(1 / radius), neededPoint(node, "center"));
     } else {
         region.shape = Region::Shape::cube;
         const Json* given = node.param("size");
         const glm::dvec3 half = (given ? vectorIn("size", *given) : glm::dvec3(1)) / 2.0;
         glm::dmat3 scale(0);
         for (int i = 0; i < 3; ++i) scale[i][i] = 1 / positive(half[i], "size");
-        region.toOwn = shiftedMap(scale * glm::transpose(rotationOf(node)), point(node, "center"));
+        region.toOwn = shiftedMap(scale * glm::transpose(rotationOf(node)), neededPoint(node, "center"));
     }
     if (const Json* first = node.param("check_transform")) {
         const std::vector<double> matrix = numbersIn("check_transform", *first, 16);

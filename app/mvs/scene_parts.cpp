@@ -402,7 +402,8 @@ void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings) 
     if (!row) return warnings.add(node, "nodes of this kind are not drawn");
     if (!row->isBelow(parent.kind))
         return warnings.add(node, "it is not drawn below a " + nacre::printable(parent.kind, 40) + " node");
-    if (node.kind == "representation" || node.kind == "volume_representation" || node.kind == "clip")
+    if (node.kind == "representation" || node.kind == "volume_representation" || node.kind == "clip" ||
+        node.kind == "interpolate")
         return;  // each type has its own
     tellUnused(node, *row, warnings);
 }

@@ -74,7 +74,8 @@ void takeMetadata(const Json& json, Snapshot& snapshot) {
     snapshot.title = textAt(*metadata, "title");
     snapshot.description = textAt(*metadata, "description");
     snapshot.key = textAt(*metadata, "key");
-    snapshot.lingerSeconds = secondsOf(*metadata, "linger_duration_ms");
+    const bool newer = metadata->contains("duration_ms");
+    snapshot.lingerSeconds = secondsOf(*metadata, newer ? "duration_ms" : "linger_duration_ms");
     snapshot.transitionSeconds = secondsOf(*metadata, "transition_duration_ms");
 }
 
@@ -87,6 +88,8 @@ Snapshot readSnapshot(Json& json, const std::string& place, TreeReader& reader, 
     if (!snapshot.root.fault.empty()) refuseScene(name, snapshot.root.place + ": " + snapshot.root.fault);
     if (snapshot.root.kind != "root")
         refuseScene(name, "its root is a \"" + nacre::printable(snapshot.root.kind) + "\"");
+    if (const auto animation = json.find("animation"); animation != json.end() && !animation->is_null())
+        snapshot.animation = reader.read(*animation, place.empty() ? "animation" : place + "/animation");
     return snapshot;
 }
 

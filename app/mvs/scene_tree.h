@@ -1,6 +1,6 @@
 #pragma once
 // The tree of a MolViewSpec scene: nodes with parameters and children, bounded before anything is done by it.
-// Format: github.com/molstar/mol-view-spec, schema of version 1.2.
+// Format: github.com/molstar/mol-view-spec, and the schema of Mol* 5.11.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -28,6 +28,7 @@ struct Node {
 
 struct Snapshot {
     Node root;
+    Node animation;  ///< without a kind: none
     std::string title, description, key;
     double lingerSeconds = 0, transitionSeconds = 0;
 };

@@ -12,7 +12,7 @@
 namespace nacre::app::mvs {
 namespace {
 
-[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument("its text_format " + why); }
+[[noreturn]] void refuseFormat(const std::string& why) { throw std::invalid_argument("its text_format " + why); }
 
 constexpr int kWidest = 100;
 
@@ -20,7 +20,7 @@ int smallNumber(std::string_view text, std::size_t& at, int otherwise) {
     const std::size_t start = at;
     int number = 0;
     for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at)
-        if ((number = 10 * number + (text[at] - '0')) > kWidest) refuse("has a width or precision above 100");
+        if ((number = 10 * number + (text[at] - '0')) > kWidest) refuseFormat("has a width or precision above 100");
     return at == start ? otherwise : number;
 }
 
@@ -44,7 +44,7 @@ std::string withCommas(std::string text) {
 
 TextFormat::TextFormat(const std::string& format) {
     constexpr std::size_t kLongest = 10'000;
-    if (format.size() > kLongest) refuse("is longer than " + std::to_string(kLongest) + " bytes");
+    if (format.size() > kLongest) refuseFormat("is longer than " + std::to_string(kLongest) + " bytes");
     std::string words;
     for (std::size_t i = 0; i < format.size(); ++i) {
         const char c = format[i];
@@ -55,7 +55,7 @@ TextFormat::TextFormat(const std::string& format) {
             continue;
         }
         const std::size_t end = format.find_first_of("{}", i + 1);
-        if (c == '}' || end == std::string::npos || format[end] == '{') refuse("has a brace without another");
+        if (c == '}' || end == std::string::npos || format[end] == '{') refuseFormat("has a brace without another");
         const std::string field = format.substr(i + 1, end - i - 1);
         const std::size_t colon = std::min(field.find(':'), field.size());
         Part part{std::move(words), kFirst, styleOf(field.substr(std::min(colon + 1, field.size())))};
@@ -90,7 +90,7 @@ TextFormat::Style TextFormat::styleOf(const std::string& text) {
     if (next(",")) style.commas = true, ++at;
     if (next(".")) style.precision = smallNumber(text, ++at, 6);
     if (next(kTypes)) style.type = text[at++];
-    if (at != text.size()) refuse("has a format that is not known: '" + nacre::printable(text, 40) + "'");
+    if (at != text.size()) refuseFormat("has a format that is not known: '" + nacre::printable(text, 40) + "'");
     if (style.align == 0) style.align = style.type == 's' ? '<' : '>';
     return style;
 }

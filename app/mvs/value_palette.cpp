@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-[[noreturn]] void refuse(const std::string& why) { throw std::invalid_argument("its palette " + why); }
+[[noreturn]] void refusePalette(const std::string& why) { throw std::invalid_argument("its palette " + why); }
 
 const Json* fieldOf(const Json& palette, const char* name) {
     const auto found = palette.find(name);
@@ -31,7 +31,7 @@ std::string wordOf(const Json& palette, const char* name, const char* otherwise)
 }
 
 /// The number that a text begins with.
-std::optional<double> numberOf(const std::string& text) {
+std::optional<double> leadingNumber(const std::string& text) {
     const std::size_t start = text.find_first_not_of(" \t+");
     double value = 0;
     if (start == std::string::npos) return std::nullopt;
@@ -41,22 +41,13 @@ std::optional<double> numberOf(const std::string& text) {
 
 double boundOf(const Json& value, double otherwise) {
     if (value.is_null()) return otherwise;
-    if (!value.is_number()) refuse("has a checkpoint that is no number");
+    if (!value.is_number()) refusePalette("has a checkpoint that is no number");
     return value.get<double>();
 }
 
-std::uint32_t mixedColor(std::uint32_t from, std::uint32_t to, double share) {
-    std::uint32_t mixed = 0xff000000u;
-    for (int shift = 0; shift < 24; shift += 8) {
-        const double a = from >> shift & 0xff, b = to >> shift & 0xff;
-        mixed |= static_cast<std::uint32_t>(std::lround(a + (b - a) * share)) << shift;
-    }
-    return mixed;
-}
-
-std::uint32_t neededColor(const Json& value) {
+std::uint32_t colorInPalette(const Json& value) {
     const auto color = colorOf(&value);
-    if (!color) refuse("names a colour that is none: " + nacre::printable(value.dump(-1, ' ', true), 40));
+    if (!color) refusePalette("names a colour that is none: " + nacre::printable(value.dump(-1, ' ', true), 40));
     return *color;
 }
 
@@ -74,21 +65,22 @@ std::vector<Step> listedSteps(const Json& palette, std::size_t& each) {
     each = 0;
     if (!name.empty()) {
         for (const std::uint32_t color : namedColorList(name)) steps.push_back({color});
-        if (steps.empty()) refuse("'" + nacre::printable(name, 40) + "' is not known");
+        if (steps.empty()) refusePalette("'" + nacre::printable(name, 40) + "' is not known");
         return steps;
     }
-    if (!list->is_array() || list->empty()) refuse("has no list of colours");
-    if (list->size() > kMostPaletteColors) refuse("has more than " + std::to_string(kMostPaletteColors) + " colours");
+    if (!list->is_array() || list->empty()) refusePalette("has no list of colours");
+    if (list->size() > kMostPaletteColors)
+        refusePalette("has more than " + std::to_string(kMostPaletteColors) + " colours");
     each = list->front().is_array() ? list->front().size() - 1 : 0;
     for (const Json& entry : *list) {
         const std::size_t size = entry.is_array() ? entry.size() : 1;
-        if (each > 2 || size != each + 1) refuse("has colours with and without checkpoints");
+        if (each > 2 || size != each + 1) refusePalette("has colours with and without checkpoints");
         if (each == 0) {
-            steps.push_back({neededColor(entry)});
+            steps.push_back({colorInPalette(entry)});
             continue;
         }
         Step step;
-        if (each == 1 || !entry[0].is_null()) step.color = neededColor(entry[0]);
+        if (each == 1 || !entry[0].is_null()) step.color = colorInPalette(entry[0]);
         step.from = boundOf(entry[1], -kInfinity);
         step.to = each == 2 ? boundOf(entry[2], kInfinity) : 0;
         steps.push_back(step);
@@ -102,7 +94,7 @@ public:
         std::size_t each = 0;
         steps_ = listedSteps(palette, each);
         if (each == 0 && isSet(palette, "reverse")) std::reverse(steps_.begin(), steps_.end());
-        if (ramp_ && each == 2) refuse("has colours with two checkpoints");
+        if (ramp_ && each == 2) refusePalette("has colours with two checkpoints");
         const auto count = static_cast<double>(steps_.size());
         for (std::size_t i = 0; i < steps_.size() && each == 0; ++i) {
             const auto place = static_cast<double>(i);
@@ -136,7 +128,7 @@ private:
     static std::optional<std::uint32_t> outsideColor(const Json& palette, const char* name, const Step& nearest) {
         const Json* value = fieldOf(palette, name);
         if (!value) return std::nullopt;
-        return *value == "auto" ? nearest.color : neededColor(*value);
+        return *value == "auto" ? nearest.color : colorInPalette(*value);
     }
 
     bool ramp_;
@@ -162,11 +154,11 @@ Scale scaleOf(const Json& palette, const std::vector<AnnotationRow>& rows) {
     if (!scale.used) return scale;
     double least = kInfinity, largest = -kInfinity;
     for (const AnnotationRow& row : rows)
-        if (const auto value = row.value() ? numberOf(*row.value()) : std::nullopt)
+        if (const auto value = row.value() ? leadingNumber(*row.value()) : std::nullopt)
             least = std::min(least, *value), largest = std::max(largest, *value);
     scale = least <= largest ? Scale{least, largest} : Scale{};
     if (const Json* domain = fieldOf(palette, "value_domain")) {
-        if (!domain->is_array() || domain->size() != 2) refuse("has a value_domain that is no pair of numbers");
+        if (!domain->is_array() || domain->size() != 2) refusePalette("has a value_domain that is no pair of numbers");
         scale.from = boundOf((*domain)[0], scale.from);
         scale.to = boundOf((*domain)[1], scale.to);
     }
@@ -175,7 +167,7 @@ Scale scaleOf(const Json& palette, const std::vector<AnnotationRow>& rows) {
 
 ColorOfValue numberColors(const Json& palette, const std::vector<AnnotationRow>& rows) {
     return [colors = NumberPalette(palette), scale = scaleOf(palette, rows)](const std::string& text) {
-        const auto value = numberOf(text);
+        const auto value = leadingNumber(text);
         return value ? colors.at(scale(*value)) : std::nullopt;
     };
 }
@@ -192,7 +184,7 @@ std::vector<std::string> sortedValues(const Json& palette, const std::vector<Ann
     if (order == "lexical") std::sort(values.begin(), values.end());
     if (order == "numeric")
         std::stable_sort(values.begin(), values.end(), [](const std::string& a, const std::string& b) {
-            return numberOf(a).value_or(kInfinity) < numberOf(b).value_or(kInfinity);
+            return leadingNumber(a).value_or(kInfinity) < leadingNumber(b).value_or(kInfinity);
         });
     if (wordOf(palette, "sort_direction", "ascending") == "descending") std::reverse(values.begin(), values.end());
     return values;
@@ -205,7 +197,7 @@ ColorOfValue wordColors(const Json& palette, const std::vector<AnnotationRow>& r
     const bool capitals = isSet(palette, "case_insensitive");
     std::map<std::string, std::uint32_t> named;
     if (colors.is_object())
-        for (const auto& [word, color] : colors.items()) named.emplace(word, neededColor(color));
+        for (const auto& [word, color] : colors.items()) named.emplace(word, colorInPalette(color));
     else if (colors.is_string())
         named = namedColorMap(colors.get<std::string>());
     std::map<std::string, std::uint32_t> chosen;
@@ -213,7 +205,7 @@ ColorOfValue wordColors(const Json& palette, const std::vector<AnnotationRow>& r
     if (named.empty() && !colors.is_object()) {
         std::size_t each = 0, next = 0;
         const std::vector<Step> list = listedSteps(Json{{"colors", colors}}, each);
-        if (each > 0) refuse("has checkpoints, and words have none");
+        if (each > 0) refusePalette("has checkpoints, and words have none");
         const bool repeats = isSet(palette, "repeat_color_list");
         for (const std::string& value : sortedValues(palette, rows, capitals)) {
             if (next == list.size() && !repeats) break;
@@ -221,7 +213,7 @@ ColorOfValue wordColors(const Json& palette, const std::vector<AnnotationRow>& r
         }
     }
     std::optional<std::uint32_t> missing;
-    if (const Json* color = fieldOf(palette, "missing_color")) missing = neededColor(*color);
+    if (const Json* color = fieldOf(palette, "missing_color")) missing = colorInPalette(*color);
     return [=](const std::string& value) -> std::optional<std::uint32_t> {
         const auto found = chosen.find(capitals ? upperCase(value) : value);
         return found == chosen.end() ? missing : found->second;
@@ -230,16 +222,25 @@ ColorOfValue wordColors(const Json& palette, const std::vector<AnnotationRow>& r
 
 }  // namespace
 
+std::uint32_t mixedColor(std::uint32_t from, std::uint32_t to, double share) {
+    std::uint32_t mixed = 0xff000000u;
+    for (int shift = 0; shift < 24; shift += 8) {
+        const double a = from >> shift & 0xff, b = to >> shift & 0xff;
+        mixed |= static_cast<std::uint32_t>(std::lround(a + (b - a) * share)) << shift;
+    }
+    return mixed;
+}
+
 ColorOfValue colorsOfPalette(const Json& palette, const std::vector<AnnotationRow>& rows) {
-    if (!palette.is_object()) refuse("is no object");
+    if (!palette.is_object()) refusePalette("is no object");
     const std::string kind = wordOf(palette, "kind", "");
     if (kind == "categorical") return wordColors(palette, rows);
     if (kind == "discrete" || kind == "continuous") return numberColors(palette, rows);
-    refuse("is of no kind that is known: '" + nacre::printable(kind, 40) + "'");
+    refusePalette("is of no kind that is known: '" + nacre::printable(kind, 40) + "'");
 }
 
 std::optional<std::uint32_t> paletteColorAt(const Json& palette, double share) {
-    if (!palette.is_object()) refuse("is no object");
+    if (!palette.is_object()) refusePalette("is no object");
     return NumberPalette(palette).at(std::clamp(share, 0.0, 1.0));
 }
 

@@ -26,6 +26,9 @@ ColorOfValue colorsOfPalette(const Json& palette, const std::vector<AnnotationRo
 /// A colour along a discrete or continuous palette, for 0 to 1. @throws std::invalid_argument with the reason
 std::optional<std::uint32_t> paletteColorAt(const Json& palette, double share);
 
+/// A share of the way between two colours, packed: a mean of their sRGB values, as in Mol*.
+std::uint32_t mixedColor(std::uint32_t from, std::uint32_t to, double share);
+
 /// The colours of a list that MolViewSpec names ("Viridis"), packed; none if there is no such list.
 std::vector<std::uint32_t> namedColorList(std::string_view name);
 /// Colours by word ("ElementSymbol": "Fe"), packed; none if there is no such palette.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -68,6 +69,68 @@ TEST(Snapshots, AMovieRestsAtEachAndGoesOverIntoTheNext) {
     EXPECT_EQ(frame(6), frame(10));
     const Outcome spin = nacreIn(folder, std::string("movie s.mvsj --snapshot all --spin y -o a.gif") + kTinyPicture);
     EXPECT_EQ(spin.code, 2) << spin.err;
+}
+
+TEST(Snapshots, AnAnimationPlaysWhileItsSnapshotRests) {
+    const TemporaryFolder folder;
+    const std::string ball = R"({"kind": "primitives", "ref": "balls", "params": {"color": "red"}, "children": [
+        {"kind": "primitive", "params": {"kind": "ellipsoid", "center": [0, 0, 0], "radius": 2}}]})";
+    std::ofstream(folder / "s.mvsj") << R"({"root": {"kind": "root", "children": [)" << ball
+                                     << R"(]}, "animation": {"kind": "animation", "children": [{"kind": "interpolate",
+        "params": {"kind": "color", "target_ref": "balls", "property": "color", "end": "blue", "duration_ms": 400}}]}})";
+    const Outcome movie = nacreIn(folder, std::string("movie s.mvsj -o frames/ --fps 10") + kTinyPicture);
+    ASSERT_EQ(movie.code, 0) << movie.err;
+    const auto frame = [&](int number) {
+        return test::contentOf(folder / ("frames/frame_0000" + std::to_string(number) + ".png"));
+    };
+    EXPECT_FALSE(frame(4).empty());
+    EXPECT_TRUE(frame(5).empty());
+    EXPECT_NE(frame(1), frame(2));
+    EXPECT_NE(frame(3), frame(4));
+    // The first frame is the scene as a picture shows it.
+    ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj -o a.png") + kTinyPicture).code, 0);
+    EXPECT_EQ(test::contentOf(folder / "a.png"), frame(1));
+}
+
+TEST(Snapshots, AnimationsLengthenTheRestOfTheirSnapshot) {
+    app::SnapshotTimes moving{1, 2};
+    moving.animation = 1.5;
+    app::SnapshotTimeline line({moving, {1, 0}}, false);
+    EXPECT_EQ(line.seconds(), 4.5);
+    EXPECT_EQ(line.at(1.25).seconds, 1.25);
+    EXPECT_EQ(line.at(2.5).share, 0.5);
+    EXPECT_EQ(line.animationAt(0, 9), 1.5);
+    EXPECT_EQ(line.animationAt(1, 0.5), std::nullopt);
+    moving.loops = true;
+    moving.linger = 6;
+    EXPECT_EQ(app::SnapshotTimeline({moving}, false).animationAt(0, 4), 1);
+}
+
+TEST(Snapshots, ALeapShowsBothEndsOnItsWay) {
+    app::Lens from;
+    from.projection = Projection::perspective;
+    from.scale = 10, from.distance = 100;  // of a picture of 200 pixels: 10 Å are seen
+    app::Lens to = from;
+    to.focus = {100, 0, 0};
+    to.scale = 5, to.distance = 200;
+    const auto seen = [&](const char* way, double share) {
+        return 100 / app::lensBetween(from, to, way, share, 200).scale;
+    };
+    EXPECT_NEAR(seen("linear", 0.5), 15, 1e-9);
+    for (const char* way : {"linear", "linear-relative", "leap", "leap-relative"}) {
+        EXPECT_NEAR(seen(way, 0), 10, 1e-9) << way;
+        EXPECT_NEAR(seen(way, 1), 20, 1e-9) << way;
+        EXPECT_NEAR(
+            app::lensBetween(from, to, way, 0.3, 200).distance * app::lensBetween(from, to, way, 0.3, 200).scale, 1000,
+            1e-6)
+            << way;
+    }
+    EXPECT_NEAR(seen("leap", 0.55), 65, 1e-6);  // half of 10 + 100 + 20, and then the ball holds both
+    EXPECT_GT(seen("leap", 0.3), 40);
+    // Half of the way of ln(11) to ln(21).
+    EXPECT_NEAR(seen("linear-relative", 0.5), std::sqrt(11.0 * 21.0) - 1, 1e-9);
+    to.focus = {5, 0, 0};  // within what is seen
+    EXPECT_NEAR(seen("leap", 0.5), 15, 1e-9);
 }
 
 TEST(Snapshots, AnOpenSceneReadsItsFilesOnce) {
