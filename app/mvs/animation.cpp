@@ -142,8 +142,9 @@ glm::dvec3 turnedBetween(const glm::dvec3& from, const glm::dvec3& to, double sh
 }
 
 Json mixedVectors(const Json& from, const Json& to, double share, bool spherical) {
+    if (!from.is_array() || !to.is_array() || from.size() % 3 != 0)
+        refuseMotion("its start or end is no list of three numbers each");
     Json mixed = mixedNumbers(from, to, share, false);
-    if (!mixed.is_array() || mixed.size() % 3 != 0) refuseMotion("it is no list of three numbers each");
     for (std::size_t i = 0; spherical && i < mixed.size(); i += 3) {
         glm::dvec3 a, b;
         for (int k = 0; k < 3; ++k) a[k] = boundedNumber(from[i + k]), b[k] = boundedNumber(to[i + k]);
@@ -294,6 +295,7 @@ std::optional<CameraTransition> transitionTo(const Snapshot& snapshot) {
 double animationSeconds(const Snapshot& snapshot) {
     const Node& animation = snapshot.animation;
     double longest = 0;
+    if (animation.kind != "animation") return 0;
     for (const Node& node : animation.children)
         if (node.kind == "interpolate") longest = std::max(longest, startOf(node) + durationOf(node));
     return longest > 0 ? std::min(std::max(longest, durationOf(animation)), kLongest) / 1000 : 0;

@@ -1,8 +1,6 @@
 #include "app/mvs/build_scene.h"
 
 #include <algorithm>
-#include <map>
-#include <stdexcept>
 
 #include "app/mvs/animation.h"
 #include "app/mvs/camera_nodes.h"
@@ -11,7 +9,6 @@
 #include "app/mvs/scene_parts.h"
 #include "app/mvs/scene_primitives.h"
 #include "app/mvs/scene_volumes.h"
-#include "app/mvs/text_format.h"
 #include "engine/error.h"
 #include "engine/molecule/displacement.h"
 #include "engine/molecule/join_models.h"
@@ -161,60 +158,10 @@ private:
         if (!label.atoms.empty() && !text.empty()) labels.push_back(std::move(label));
     }
 
-    /// Columns that join rows to one text.
-    static std::vector<std::string> groupColumns(const Node& node) {
-        const Json* named = node.param("group_by_fields");
-        if (!named || !named->is_array()) return {columnOf(node, "group_id")};
-        std::vector<std::string> columns;
-        for (const Json& each : *named)
-            if (each.is_string()) columns.push_back(each.get<std::string>());
-        return columns;
-    }
-
-    /// The values of the group columns together; empty: the row has a text of its own.
-    static std::string groupOf(const AnnotationRow& row, std::size_t columns) {
-        std::string group;
-        for (std::size_t i = 1; i <= columns; ++i) {
-            if (!row.values[i]) return {};
-            group += *row.values[i] + '\0';
-        }
-        return columns == 0 ? "all" : group;
-    }
-
-    /// One text for each group of rows, by its first row.
+    /// One text for each group of rows.
     void addTexts(const Node& node, const char* field, Structure& s, std::vector<Structure::Text>& labels) {
-        const Json* format = node.param("text_format");
-        std::optional<TextFormat> words;
-        try {
-            words.emplace(format && format->is_string() ? format->get<std::string>() : "{}");
-        } catch (const std::invalid_argument& why) {
-            return warnings_.add(node, why.what() + std::string(": it is left out"));
-        }
-        std::vector<std::string> columns = groupColumns(node);
-        const std::size_t joining = columns.size();
-        columns.insert(columns.end(), words->fields().begin(), words->fields().end());
-        std::vector<std::pair<std::string, std::vector<bool>>> texts;
-        std::map<std::string, std::size_t> groups;
-        for (const AnnotationRow& row : rowsOf(node, field, s, files_, columns)) {
-            const std::string group = groupOf(row, joining);
-            const auto known = groups.find(group);
-            const bool first = group.empty() || known == groups.end();
-            const auto text = first ? words->of(row.values, 1 + joining) : std::nullopt;
-            if (first && !group.empty()) groups.emplace(group, text ? texts.size() : SIZE_MAX);
-            if (first && !text) continue;
-            const std::size_t place = first ? texts.size() : known->second;
-            if (place == SIZE_MAX) continue;
-            if (first) {
-                if (texts.size() == kMostTexts) {
-                    warnings_.add(node,
-                                  "it has more than " + std::to_string(kMostTexts) + " texts; the others are left out");
-                    break;
-                }
-                texts.emplace_back(*text, std::vector<bool>(s.molecule->atoms.size()));
-            }
-            s.atoms->add(row.expression, texts[place].second);
-        }
-        for (const auto& [text, atoms] : texts) addText(atoms, text, s, labels, &node);
+        for (const auto& [text, atoms] : textsOf(node, field, s, files_, warnings_))
+            addText(atoms, text, s, labels, &node);
     }
 
     void component(const Node& node, Structure& s) {
@@ -421,7 +368,7 @@ private:
         return whole;
     }
 
-    static constexpr std::size_t kMostTexts = 2000, kMostCopies = 20'000;
+    static constexpr std::size_t kMostCopies = 20'000;
     const std::string& name_;
     SceneFiles files_;
     SceneWarnings warnings_;

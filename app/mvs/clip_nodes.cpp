@@ -28,7 +28,7 @@ double positive(double value, const char* name) {
 
 /// First a shift, then a linear map.
 glm::dmat4x3 shiftedMap(const glm::dmat3& map, const glm::dvec3& origin) {
-    return {map[0], map[1], map[2], -(map * origin)};
+    return glm::dmat4x3(map[0], map[1], map[2], -(map * origin));
 }
 
 glm::dmat3 rotationOf(const Node& node) {

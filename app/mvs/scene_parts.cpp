@@ -15,16 +15,12 @@
 #include "engine/molecule/assemblies.h"
 #include "engine/molecule/crystal.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/instances/copies.h"
 #include "engine/scene/view/scene_camera.h"
-#include "engine/volume/read_map.h"
 
 namespace nacre::app::mvs {
 namespace {
-
-constexpr std::size_t kMostMapBytes = std::size_t{2} << 30;  // of the values of all maps
 
 [[noreturn]] void refuseNode(const Node& node, const std::string& why) {
     throw Error("cannot draw scene", node.place, why);
@@ -108,95 +104,6 @@ std::vector<double> numbersOf(const Node& node, const char* name, std::size_t co
 }
 
 }  // namespace
-
-void SceneWarnings::add(const std::string& text) {
-    if (!known_.insert(text).second) return;
-    if (texts_.size() < kMost)
-        texts_.push_back(text);
-    else
-        ++more_;
-}
-
-std::vector<std::string> SceneWarnings::take() {
-    if (more_ > 0) texts_.push_back("and " + std::to_string(more_) + " more such things of the scene");
-    return std::move(texts_);
-}
-
-const std::string& SceneFiles::bytes(const std::string& uri) {
-    if (const auto known = known_.find(uri); known != known_.end()) return known->second;
-    if (known_.size() >= kMostFiles)
-        throw Error("cannot draw scene", "", "it names more than " + std::to_string(kMostFiles) + " files");
-    std::string bytes = sources_.fetch(uri);
-    if (!compressionOf(bytes).empty()) bytes = decompress(nacre::printable(uri, 200), bytes, sources_.reading.maxBytes);
-    held_ += bytes.size();
-    if (held_ > sources_.reading.maxBytes)
-        throw Error("cannot draw scene", nacre::printable(uri, 200), "its files together are too large");
-    return known_.emplace(uri, std::move(bytes)).first->second;
-}
-
-Molecule SceneFiles::molecule(const std::string& uri, std::string text, ReadOptions options) {
-    countParsed(uri, text.size());
-    options.maxAtoms = sources_.reading.maxAtoms - std::min(atoms_, sources_.reading.maxAtoms);
-    Molecule molecule = readMolecule(nacre::printable(uri, 200), std::move(text), options);
-    atoms_ += molecule.atoms.size();
-    return molecule;
-}
-
-std::shared_ptr<const DensityMap> SceneFiles::map(const std::string& uri, const std::string& channel) {
-    ReadMap& known = maps_[{uri, channel}];
-    if (!known.map && known.failure.empty()) {
-        const std::string& text = bytes(uri);
-        countParsed(uri, text.size());
-        try {
-            const std::size_t most = std::min(sources_.reading.maxBytes, kMostMapBytes);
-            known.map = std::make_shared<const DensityMap>(
-                readMap(nacre::printable(uri, 200), text, {most - std::min(mapBytes_, most), channel}));
-            mapBytes_ += known.map->values.size() * sizeof(float);
-        } catch (const Error& error) {
-            known.failure = error.what();
-        }
-    }
-    if (!known.map) throw Error(known.failure, "", "");
-    return known.map;
-}
-
-std::vector<glm::vec3> SceneFiles::positions(const std::string& ref, std::size_t frame, std::size_t atoms) {
-    const std::string& uri = coordinates_.at(ref);
-    const std::string name = nacre::printable(uri, 200);
-    const std::string& text = bytes(uri);
-    auto& trajectory = trajectories_[uri];
-    if (!trajectory) trajectory = openTrajectory(name, text);
-    std::vector<glm::vec3> positions;
-    std::size_t found = 0;
-    if (trajectory) {
-        found = trajectory->atoms();
-        if (found == atoms) positions = trajectory->read(frame).positions;
-    } else {
-        ReadOptions options = sources_.reading;
-        options.model = static_cast<int>(frame) + 1;
-        const Molecule models = molecule(uri, text, options);
-        found = models.atoms.size();
-        if (models.lacksPositions) throw Error("cannot draw scene", name, "it is a topology without positions");
-        for (const Atom& atom : models.atoms) positions.push_back(atom.position);
-    }
-    if (found != atoms)
-        throw Error("cannot draw scene", name,
-                    "it has " + std::to_string(found) + " atoms, the structure " + std::to_string(atoms));
-    return positions;
-}
-
-void SceneFiles::countShown(const Node& node, std::size_t atoms) {
-    shown_ += atoms;
-    if (shown_ / kMostTimes > sources_.reading.maxAtoms)
-        refuseNode(node, "the representations have more than " +
-                             std::to_string(sources_.reading.maxAtoms * kMostTimes) + " atoms together");
-}
-
-void SceneFiles::countParsed(const std::string& uri, std::size_t bytes) {
-    parsed_ += bytes;
-    if (parsed_ / kMostTimes > sources_.reading.maxBytes)
-        throw Error("cannot draw scene", nacre::printable(uri, 200), "it is read too often");
-}
 
 std::string nodeText(const Node& node, const char* name) {
     const Json* value = node.param(name);

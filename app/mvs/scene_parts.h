@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/mvs/annotations.h"
@@ -133,6 +134,12 @@ std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Str
                                   std::vector<std::string> further = {});
 /// The column that a node takes for a field of the schema; empty: it ignores the field.
 std::string columnOf(const Node& node, const std::string& field);
+
+/// The texts of label_from_* and tooltip_from_*: one for each group of rows, by its first row; with their atoms.
+/// @param field  of the text, unless the node names another
+std::vector<std::pair<std::string, std::vector<bool>>> textsOf(const Node& node, const char* field,
+                                                               const Structure& structure, SceneFiles& files,
+                                                               SceneWarnings& warnings);
 
 /// Warns of a node that is not drawn where it is, and of parameters that nobody asks for.
 void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings);

@@ -204,7 +204,9 @@ ColorOfValue wordColors(const Json& palette, const std::vector<AnnotationRow>& r
     for (const auto& [word, color] : named) chosen.insert_or_assign(capitals ? upperCase(word) : word, color);
     if (named.empty() && !colors.is_object()) {
         std::size_t each = 0, next = 0;
-        const std::vector<Step> list = listedSteps(Json{{"colors", colors}}, each);
+        Json listed = Json::object();
+        listed["colors"] = colors;
+        const std::vector<Step> list = listedSteps(listed, each);
         if (each > 0) refusePalette("has checkpoints, and words have none");
         const bool repeats = isSet(palette, "repeat_color_list");
         for (const std::string& value : sortedValues(palette, rows, capitals)) {
