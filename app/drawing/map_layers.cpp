@@ -136,7 +136,9 @@ void addVolume(const SceneVolume& volume, Representation& shown) {
     if (volume.axis >= 0) {
         ValueColoring values{volume.map.get(), volume.map->name, {}, {}, volume.color};
         values.range = ColorRange{volume.map->statistics.min, volume.map->statistics.max};
-        return addSlice(*region, {volume.axis, volume.place, volume.opacity}, values, shown);
+        MapSlice slice{volume.axis, volume.place, volume.opacity};
+        if (volume.least) slice.least = *volume.least;
+        return addSlice(*region, slice, values, shown);
     }
     MapContour contour;
     contour.level = volume.level;

@@ -162,6 +162,10 @@ private:
         const auto index = valueOf(node, "absolute_index", warnings_);
         const double slice = share ? std::round(*share * last) : index.value_or(0);
         volume.place = std::clamp(slice / last, 0.0, 1.0);
+        const MapStatistics& statistics = maps_.front()->statistics;
+        volume.least = valueOf(node, "absolute_isovalue", warnings_);
+        if (const auto relative = valueOf(node, "relative_isovalue", warnings_); relative && !volume.least)
+            volume.least = statistics.mean + *relative * statistics.rms;
         return volume.opacity > 0;
     }
 

@@ -213,6 +213,16 @@ TEST(SceneVolumes, SlicesLieAtTheirNode) {
     EXPECT_EQ(half.guide->volumes.front().place, 0.5);  // node 1 of 0 to 2
     const Molecule last = built(volume(R"({"type": "grid_slice", "dimension": "x", "absolute_index": 2})"));
     EXPECT_EQ(last.guide->volumes.front().place, 1.0);
+    EXPECT_FALSE(last.guide->volumes.front().least);
+}
+
+TEST(SceneVolumes, SlicesHaveALeastValue) {
+    const auto least = [](const std::string& level) {
+        return built(volume(R"({"type": "grid_slice", "dimension": "x", )" + level + "}")).guide->volumes.at(0).least;
+    };
+    EXPECT_EQ(least(R"("absolute_isovalue": 0.4, "relative_isovalue": 1)"), 0.4);
+    // One value in 27 is 1: the mean is 1/27, the deviation the square root of 26 of that.
+    EXPECT_NEAR(least(R"("relative_isovalue": 2)").value(), (1 + 2 * std::sqrt(26.0)) / 27, 1e-6);
 }
 
 TEST(SceneVolumes, UnknownTypesAndUnreachedLevelsAreWarnings) {

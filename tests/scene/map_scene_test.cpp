@@ -114,6 +114,21 @@ TEST(MapScene, ASliceIsFlatAndHasItsOwnColours) {
     EXPECT_EQ(cut.triangles.size(), 2u * (kNodes - 1) * (kNodes / 2));
 }
 
+TEST(MapScene, ASliceEndsWhereItsValuesAreTooLow) {
+    const DensityMap x = alongX();
+    MapSlice slice{2, 0.25, 1};
+    slice.least = 1.25;
+    Representation scene;
+    addSlice(MapRegion(x, glm::ivec3(0), x.size - 1), slice, sixToSix(x), scene);
+    double least = 100;
+    for (const Triangle& t : scene.triangles)
+        for (const std::uint32_t v : {t.a, t.b, t.c})
+            least = std::min(least, static_cast<double>(positionOf(scene.meshVertices[v], t.step()).x));
+    EXPECT_NEAR(least, 1.25, 1e-3);
+    // In each row ten whole squares of two triangles; a square whose quarter is cut off has three.
+    EXPECT_EQ(scene.triangles.size(), (2u * 10 + 3) * (kNodes - 1));
+}
+
 TEST(MapScene, AMoleculesSurfaceHasTheColoursOfAMap) {
     const Molecule molecule = sampleMolecule("glucose");
     RepresentationOptions options;

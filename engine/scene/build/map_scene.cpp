@@ -1,7 +1,9 @@
 #include "engine/scene/build/map_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "engine/error.h"
@@ -158,6 +160,26 @@ void addContour(const MapRegion& region, const MapContour& contour, Representati
     addColored(mesh, colors.colors, contour.opacity, scene);
 }
 
+namespace {
+
+/// Adds the part of a triangle whose values are not below a level. @param values  by vertex; grows with the mesh
+void addAbove(double level, const std::array<std::uint32_t, 3>& corners, std::vector<double>& values, Mesh& mesh) {
+    std::array<std::uint32_t, 4> kept{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = corners[i], b = corners[(i + 1) % 3];
+        if (values[a] >= level) kept[count++] = a;
+        if ((values[a] >= level) == (values[b] >= level)) continue;
+        const double share = (level - values[a]) / (values[b] - values[a]);
+        kept[count++] = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.push_back(glm::mix(mesh.positions[a], mesh.positions[b], static_cast<float>(share)));
+        values.push_back(level);
+    }
+    for (std::size_t i = 2; i < count; ++i) mesh.triangles.emplace_back(kept[0], kept[i - 1], kept[i]);
+}
+
+}  // namespace
+
 void addSlice(const MapRegion& region, const MapSlice& slice, const ValueColoring& values, Representation& scene) {
     if (region.empty()) return;
     const DensityMap& map = region.map();
@@ -180,10 +202,8 @@ void addSlice(const MapRegion& region, const MapSlice& slice, const ValueColorin
             mesh.positions.emplace_back(place - scene.center);
         }
     const ValueColors of(values, found, Palette::grays, false);
-    for (const double value : found) mesh.atoms.push_back(of.stepOf(value));
-    mesh.normals.assign(mesh.positions.size(), normal);
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (!std::isnan(found[a] + found[b] + found[c])) mesh.triangles.emplace_back(a, b, c);
+        if (!std::isnan(found[a] + found[b] + found[c])) addAbove(slice.least, {a, b, c}, found, mesh);
     };
     const auto row = static_cast<std::uint32_t>(size[u]);
     for (std::uint32_t j = 0; j + 1 < static_cast<std::uint32_t>(size[v]); ++j)
@@ -193,6 +213,8 @@ void addSlice(const MapRegion& region, const MapSlice& slice, const ValueColorin
             add(at, at + row + 1, at + row);
         }
     if (mesh.triangles.empty()) return;
+    for (const double value : found) mesh.atoms.push_back(of.stepOf(value));
+    mesh.normals.assign(mesh.positions.size(), normal);
     std::vector<std::uint32_t> colors;
     for (std::uint32_t step = 0; step <= ValueColors::kSteps; ++step) colors.push_back(of.colorOf(step, 0xff000000u));
     addColored(mesh, colors, slice.opacity, scene);

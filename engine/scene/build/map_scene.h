@@ -2,6 +2,7 @@
 // Density maps in a scene: isosurfaces as wires, surfaces or dots.
 
 #include <cstdint>
+#include <limits>
 
 #include "engine/mesh/isosurface.h"
 #include "engine/scene/build/map_style.h"
@@ -29,6 +30,7 @@ struct MapSlice {
     int axis = 2;        ///< 0, 1, 2: across a, b, c
     double place = 0.5;  ///< along it, 0..1 of the region
     double opacity = 1;
+    double least = -std::numeric_limits<double>::infinity();  ///< what has lower values is left out
 };
 constexpr std::size_t kMostSliceNodes = 4'000'000;
 

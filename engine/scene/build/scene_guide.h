@@ -52,8 +52,9 @@ struct SceneVolume {
     std::shared_ptr<const DensityMap> map;
     double level = 0;  ///< of the contour, in the map's unit; a negative one encloses lower values
     bool faces = true, wires = false;
-    int axis = -1;     ///< across which the slice lies: 0, 1, 2; -1: a contour
-    double place = 0;  ///< of the slice along it, 0 to 1
+    int axis = -1;                     ///< across which the slice lies: 0, 1, 2; -1: a contour
+    double place = 0;                  ///< of the slice along it, 0 to 1
+    std::optional<double> least = {};  ///< of the slice: lower values are left out
     std::uint32_t color =
         0xffffffffu;  ///< packed as in colors.h; a slice is black at the least value, this at the largest
     double opacity = 1;
