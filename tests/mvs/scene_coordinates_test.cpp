@@ -43,14 +43,14 @@ std::string dcd(int frames) {
 }
 
 Molecule placed(const std::string& coordinates, const std::string& params, const std::string& topology = kPsf) {
-    const std::string file = R"({"kind": "download", "params": {"url": "c"}, "children": [{"kind": "parse",
+    const std::string file = R"({"kind": "download", "params": {"url": "c.xyz"}, "children": [{"kind": "parse",
         "params": {"format": "dcd"}, "children": [{"kind": "coordinates", "ref": "places"}]}]})";
-    const std::string json = R"({"root": {"kind": "root", "children": [{"kind": "download", "params": {"url": "t"},
+    const std::string json = R"({"root": {"kind": "root", "children": [{"kind": "download", "params": {"url": "t.xyz"},
         "children": [{"kind": "parse", "params": {"format": "psf"}, "children": [{"kind": "structure", "params":
         {"type": "model")" + params +
                              R"(}, "children": [)" + component(R"("all")", balls()) + "]}]}]}," + file + "]}}";
     SceneSources sources;
-    sources.fetch = [&](const std::string& uri) { return uri == "t" ? topology : coordinates; };
+    sources.fetch = [&](const std::string& uri) { return uri == "t.xyz" ? topology : coordinates; };
     return buildScene(parseScene(json, "a.mvsj"), 0, "a.mvsj", sources);
 }
 
