@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <string_view>
 
+#include "engine/devices.h"
 #include "engine/error.h"
 #include "engine/frame/geometry.h"
 #include "engine/frame/scene_frames.h"

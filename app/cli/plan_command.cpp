@@ -201,7 +201,7 @@ PlanReport planReport(const PlanOptions& options) {
     const bool given = scene.has_value();
     if (given) counts = countsOf(std::move(*scene), settings, facts);
     counts.flat = counts.flat || sampled;
-    const std::string lacks = lacksSamples(settings, facts.hasTranslucent);
+    const std::string lacks = lacksSamples(settings, facts.blends());
     if (motion.count > 1 && !sampled && !lacks.empty()) motion = {1, lacks};
 
     PlannedFrame planned = framePlanned(settings, Part::whole, facts, caps);

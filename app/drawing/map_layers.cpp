@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <iterator>
 #include <list>
 #include <mutex>
@@ -16,6 +17,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/scene/build/map_scene.h"
 #include "engine/scene/build/scene_guide.h"
+#include "engine/scene/build/volume.h"
 #include "engine/scene/color/colors.h"
 
 namespace nacre::app {
@@ -152,10 +154,21 @@ void addVolume(const SceneVolume& volume, Representation& shown) {
     if (volume.wires) addContour(*region, contour, shown);
 }
 
+/// A map with a transfer function is a volume.
+MapStyle styleOf(const DensityMap& map, const MapOptions& maps, std::size_t i) {
+    const MapStyle style = ofMap(maps.styles, i);
+    const bool transfers = !ofMap(maps.transfers, i).empty();
+    if (style == MapStyle::automatic)
+        return transfers ? MapStyle::volume : map.periodic ? MapStyle::mesh : MapStyle::surface;
+    if (transfers && style != MapStyle::volume)
+        throw Error("cannot draw map", map.name,
+                    "--map-transfer is for --map-style volume, not for " + mapStyleText(style));
+    return style;
+}
+
 MapContour makeContour(const DensityMap& map, const MapOptions& maps, std::size_t i) {
     MapContour contour;
-    contour.style = ofMap(maps.styles, i);
-    if (contour.style == MapStyle::automatic) contour.style = map.periodic ? MapStyle::mesh : MapStyle::surface;
+    contour.style = styleOf(map, maps, i);
     contour.opacity = ofMap(maps.opacities, i).value_or(kOpacityBesideMolecule);
     contour.width = maps.width;
     contour.level = contourLevel(map, ofMap(maps.levels, i));
@@ -174,16 +187,51 @@ double negativeLevel(const DensityMap& map, double level, MapLevel::Unit unit) {
     return aboutMean ? 2 * map.statistics.mean - level : -level;
 }
 
-/// A map's contour, and the negative one of a difference map.
-void addContours(const DensityMap& map, const MapRegion& region, const MapContour& contour, const MapColors& colors,
-                 MapLevel::Unit unit, Representation& shown) {
-    addContour(region, contour, shown);
-    if (!map.difference) return;
+/// The negative contour of a difference map.
+MapContour negativeOf(const DensityMap& map, const MapContour& contour, const MapOptions& maps, std::size_t i) {
+    const MapColors colors = ofMap(maps.colors, i);
     MapContour other = contour;
-    other.level = negativeLevel(map, contour.level, unit);
+    other.level = negativeLevel(map, contour.level, ofMap(maps.levels, i).unit);
     other.above = !contour.above;
     other.color = packRgb(colors.automatic ? kNegativeRed : colors.low);
-    addContour(region, other, shown);
+    return other;
+}
+
+/// The transfer function of a volume that has none of its own: from half of a contour's height above the mean, where
+/// nothing shows, to twice that height, lighter. @param opacity  of ten voxels there
+void addLevels(const DensityMap& map, const MapContour& contour, std::vector<VolumeLevel>& levels) {
+    constexpr double kVoxels = 10, kShareAtLevel = 0.25, kWhiter = 0.6;
+    const double mean = map.periodic ? map.statistics.mean : 0;
+    double height = contour.level - mean;
+    if (height == 0) height = map.statistics.rms > 0 ? map.statistics.rms : 1;
+    const double voxel = std::cbrt(std::abs(glm::determinant(map.step)));
+    const double opacity = 1 - std::pow(1 - std::min(contour.opacity, 0.999), 1 / (kVoxels * voxel));
+    std::array<float, 3> color{}, light{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        color[i] = static_cast<float>(contour.color >> 8 * i & 0xff) / 255;
+        light[i] = std::lerp(color[i], 1.0f, static_cast<float>(kWhiter));
+    }
+    levels.push_back({mean + height / 2, color, 0});
+    levels.push_back({mean + height, color, kShareAtLevel * opacity});
+    levels.push_back({mean + 2 * height, light, opacity});
+}
+
+/// Adds a map as a volume. @param contour  its level, colour and opacity
+void addVolume(const DensityMap& map, const MapRegion& region, const MapContour& contour, const MapOptions& maps,
+               std::size_t i, Representation& shown) {
+    if (contour.values)
+        throw Error("cannot draw map", map.name, "--map-color-from colours contours and slices, not a volume");
+    if (shown.volume) throw Error("cannot draw map", map.name, "only one map can be drawn as a volume");
+    std::vector<VolumeLevel> levels;
+    for (const MapTransferLevel& level : ofMap(maps.transfers, i))
+        levels.push_back(
+            {contourLevel(map, level.level), {level.color[0], level.color[1], level.color[2]}, level.opacity});
+    if (levels.empty()) {
+        addLevels(map, contour, levels);
+        if (map.difference) addLevels(map, negativeOf(map, contour, maps, i), levels);
+    }
+    shown.volume = makeVolume(region, levels, shown.center);
+    if (shown.volume) shown.radius = std::max(shown.radius, shown.volume->radius);
 }
 
 }  // namespace
@@ -229,9 +277,8 @@ void lookIntoCrystal(const Molecule& molecule, PictureDescription& d) {
     constexpr double kMargin = 1.2;
     const MapOptions& maps = d.maps;
     if (!molecule.atoms.empty() || maps.files.empty() || d.given.contains("map-around")) return;
-    const MapStyle style = ofMap(maps.styles, 0);
-    if (style != MapStyle::automatic && style != MapStyle::mesh) return;
-    if (ofMap(maps.slices, 0).axis >= 0 || !mapOf(maps.files.front(), mapLimits(d.input))->periodic) return;
+    const std::shared_ptr<const DensityMap> map = mapOf(maps.files.front(), mapLimits(d.input));
+    if (!map->periodic || ofMap(maps.slices, 0).axis >= 0 || styleOf(*map, maps, 0) != MapStyle::mesh) return;
     const std::optional<Bounds> whole = frameWithoutAtoms(molecule, d);
     d.maps.aroundFocus = true;
     if (whole && !d.camera.isPlaced())
@@ -248,10 +295,10 @@ MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, 
         const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files[i], mapLimits(d.input));
         const Around around = findSurroundings(molecule, d, *map, layers.focus);
         const std::shared_ptr<const MapRegion> region = keptRegion(map, around.places, around.reach);
-        const MapColors colors = ofMap(d.maps.colors, i);
-        const std::size_t before = shown.wires.size() + shown.triangles.size();
+        const auto drawn = [&] { return shown.wires.size() + shown.triangles.size() + (shown.volume ? 1u : 0u); };
+        const std::size_t before = drawn();
         MapContour contour = makeContour(*map, d.maps, i);
-        contour.color = contourColor(*map, colors);
+        contour.color = contourColor(*map, ofMap(d.maps.colors, i));
         // A level below a crystal map's mean encloses lower values; the mean of a cryo-EM map means little.
         contour.above = contour.level >= map->statistics.mean || !map->periodic;
         const MapStatistics& statistics = map->statistics;
@@ -261,15 +308,21 @@ MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, 
         const Values values(valueMap.file.empty() ? ValueMap{d.maps.files[i], {}, Palette::automatic} : valueMap,
                             mapLimits(d.input));
         if (!valueMap.file.empty()) contour.values = &values.coloring;
-        if (slice.axis < 0)
-            addContours(*map, *region, contour, colors, ofMap(d.maps.levels, i).unit, shown);
-        else
+        if (slice.axis >= 0) {
             addSlice(*region, {slice.axis, slice.place, ofMap(d.maps.opacities, i).value_or(1)}, values.coloring,
                      shown);
+        } else if (contour.style == MapStyle::volume) {
+            addVolume(*map, *region, contour, d.maps, i, shown);
+        } else {
+            addContour(*region, contour, shown);
+            if (map->difference) addContour(*region, negativeOf(*map, contour, d.maps, i), shown);
+        }
         if (around.places.empty()) layers.frame = shown.radius;
-        if (shown.wires.size() + shown.triangles.size() == before)
+        if (drawn() == before)
             layers.warnings.push_back(map->name + ": nothing to show" +
-                                      (slice.axis < 0 ? " at level " + numberText(contour.level) : " of this slice") +
+                                      (slice.axis >= 0                     ? " of this slice"
+                                       : contour.style == MapStyle::volume ? std::string(" as a volume")
+                                                                           : " at level " + numberText(contour.level)) +
                                       (layers.focus            ? " around the focus"
                                        : around.places.empty() ? ""
                                                                : " near these atoms"));
@@ -307,7 +360,7 @@ std::vector<SceneVolume> sceneVolumes(const PictureDescription& picture) {
         };
         volume.axis = slice.axis;
         volume.place = slice.place;
-        volume.faces = contour.style == MapStyle::surface;
+        volume.faces = contour.style == MapStyle::surface || contour.style == MapStyle::volume;
         volume.wires = !volume.faces;
         volume.opacity = slice.axis < 0 ? contour.opacity : ofMap(maps.opacities, i).value_or(1);
         if (slice.axis >= 0) {
@@ -346,6 +399,7 @@ void addMapSurfaces(const Molecule& molecule, PictureDescription picture, Repres
     colorByMap(molecule, picture, scene);
     if (!picture.drawsBeside()) return;
     picture.maps.styles.assign(picture.maps.files.size(), MapStyle::surface);
+    picture.maps.transfers.clear();
     MapLayers maps = buildMapLayers(molecule, picture, scene.center, {picture.camera, scene.radius});
     scene = withMaps(std::move(scene), maps);
     std::move(maps.warnings.begin(), maps.warnings.end(), std::back_inserter(scene.warnings));

@@ -29,7 +29,8 @@ struct MapLayers {
     std::vector<Primitives::Label> labels;
 
     bool empty() const {
-        return shown.spheres.empty() && shown.cylinders.empty() && shown.wires.empty() && shown.triangles.empty();
+        return shown.spheres.empty() && shown.cylinders.empty() && shown.wires.empty() && shown.triangles.empty() &&
+               !shown.volume;
     }
 };
 

@@ -104,6 +104,9 @@ std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& mo
         notes.push_back("MolViewSpec cannot store ellipsoids: they become balls");
     if (std::any_of(d.words.labels.begin(), d.words.labels.end(), hasFields))
         notes.push_back("MolViewSpec cannot store labels that name each residue");
+    if (std::ranges::count(d.maps.styles, MapStyle::volume) > 0 ||
+        std::ranges::any_of(d.maps.transfers, [](const MapTransfer& transfer) { return !transfer.empty(); }))
+        notes.push_back("MolViewSpec cannot store volumes: they become surfaces");
     if (torsions > 0) notes.push_back("MolViewSpec cannot store torsion angles");
     for (const SceneVolume& volume : volumes) {
         if (volume.map->periodic)

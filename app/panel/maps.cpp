@@ -21,8 +21,8 @@ Value& entry(std::vector<Value>& list, std::size_t i) {
 
 /// @returns whether it is a slice
 bool drawStyle(PanelFrame& f, std::size_t i, const std::string& name) {
-    enum class Shown : std::uint8_t { automatic, mesh, surface, dots, slice };
-    constexpr const char* kShown[] = {"Style: default", "Mesh", "Surface", "Dots", "Slice"};
+    enum class Shown : std::uint8_t { automatic, mesh, surface, dots, volume, slice };
+    constexpr const char* kShown[] = {"Style: default", "Mesh", "Surface", "Dots", "Volume", "Slice"};
     MapOptions& maps = f.look.maps;
     const MapSliceOption before = i < maps.slices.size() ? maps.slices[i] : MapSliceOption{};
     Shown shown = before.axis >= 0         ? Shown::slice
@@ -67,7 +67,8 @@ void drawMap(PanelFrame& f, std::size_t i) {
     const bool slid = i < maps.levels.size() && maps.levels[i].unit == MapLevel::Unit::sigma;
     const std::vector<double> built =
         f.viewer.document() ? f.viewer.document()->drawing.maps().sigmas : std::vector<double>();
-    if (!sliced && (slid || i < built.size())) {
+    const bool leveled = !sliced && (i >= maps.transfers.size() || maps.transfers[i].empty());
+    if (leveled && (slid || i < built.size())) {
         auto sigma = static_cast<float>(slid ? maps.levels[i].value : built[i]);
         if (f.ui.slide(("Level of " + name).c_str(), sigma, -kHighestSigma, kHighestSigma, "Level: %.1f σ"))
             entry(maps.levels, i) = {MapLevel::Unit::sigma, std::round(sigma * 10) / 10};
@@ -78,7 +79,7 @@ void drawMap(PanelFrame& f, std::size_t i) {
         if (i < list.size()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
     };
     drop(maps.files), drop(maps.levels), drop(maps.styles), drop(maps.colors), drop(maps.values), drop(maps.slices),
-        drop(maps.opacities);
+        drop(maps.transfers), drop(maps.opacities);
     f.look.mapsChanged();
 }
 

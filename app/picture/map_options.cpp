@@ -7,12 +7,13 @@
 #include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
 #include "engine/molecule/text.h"
+#include "engine/scene/build/volume.h"
 #include "engine/scene/color/palettes.h"
 
 namespace nacre::app {
 namespace {
 
-constexpr std::array<const char*, 4> kMapStyles{"auto", "mesh", "surface", "dots"};
+constexpr std::array<const char*, 5> kMapStyles{"auto", "mesh", "surface", "dots", "volume"};
 constexpr std::array<const char*, 3> kAxes{"a", "b", "c"};
 constexpr const char* kFocus = "focus";
 constexpr double kUsualPotential = 5;  // kT/e
@@ -137,6 +138,38 @@ std::string mapSliceText(const MapSliceOption& slice) {
     if (slice.axis < 0) return "none";
     const std::string axis = kAxes[static_cast<std::size_t>(slice.axis)];
     return slice.place == MapSliceOption().place ? axis : axis + "," + exactText(slice.place);
+}
+
+MapTransfer parseMapTransfer(std::string_view text) {
+    MapTransfer transfer;
+    if (text == "auto") return transfer;
+    constexpr std::size_t kFewest = 2;
+    while (true) {
+        const std::string_view item = trim(text.substr(0, text.find(',')));
+        const std::size_t equals = item.find('='), at = item.rfind('@');
+        if (equals == std::string_view::npos || at == std::string_view::npos || at < equals)
+            refuse(item, "LEVEL=COLOR@OPACITY such as 1.5sigma=blue@0.1");
+        MapTransferLevel level{parseMapLevel(item.substr(0, equals)),
+                               parseColor(item.substr(equals + 1, at - equals - 1)),
+                               app::parseNumber(item.substr(at + 1), 0, 1)};
+        if (level.level.unit == MapLevel::Unit::automatic) refuse("auto", "a level such as 1.5sigma, 0.03 or top1%");
+        if (level.color[3] < 1) throw std::invalid_argument("expected an opaque colour (the opacity follows @)");
+        transfer.push_back(level);
+        if (text.find(',') == std::string_view::npos) break;
+        text = text.substr(text.find(',') + 1);
+    }
+    if (transfer.size() < kFewest || transfer.size() > kMostVolumeLevels)
+        throw std::invalid_argument("expected 2 to " + std::to_string(kMostVolumeLevels) + " levels, not " +
+                                    std::to_string(transfer.size()));
+    return transfer;
+}
+
+std::string mapTransferText(const MapTransfer& transfer) {
+    std::string text;
+    for (const MapTransferLevel& level : transfer)
+        text += (text.empty() ? "" : ",") + mapLevelText(level.level) + "=" + backgroundText(level.color) + "@" +
+                numberText(level.opacity);
+    return text.empty() ? "auto" : text;
 }
 
 std::vector<std::string> mapFiles(const MapOptions& maps) {

@@ -50,6 +50,15 @@ struct MapSliceOption {
     friend bool operator==(const MapSliceOption&, const MapSliceOption&) = default;
 };
 
+/// What a value of a volume looks like.
+struct MapTransferLevel {
+    MapLevel level;
+    std::array<float, 4> color{};  ///< sRGB-coded, opaque
+    double opacity = 0;            ///< share of light that 1 Å hides
+    friend bool operator==(const MapTransferLevel&, const MapTransferLevel&) = default;
+};
+using MapTransfer = std::vector<MapTransferLevel>;  ///< empty: by level, colour and opacity of the map
+
 constexpr double kMapReach = 2, kMapReachOfFocus = 10, kMapReachOfAll = 4;  ///< Å
 
 struct MapOptions {
@@ -59,8 +68,9 @@ struct MapOptions {
     std::vector<MapColors> colors;
     std::vector<ValueMap> values;  ///< by which contours and slices are coloured
     std::vector<MapSliceOption> slices;
+    std::vector<MapTransfer> transfers;            ///< of volumes
     ValueMap surface;                              ///< by which the molecule's surfaces are coloured
-    std::vector<std::optional<double>> opacities;  ///< of surfaces; empty: 0.5, of slices 1
+    std::vector<std::optional<double>> opacities;  ///< of surfaces and volumes; empty: 0.5, of slices 1
     double width = 1.5;                            ///< of lines and dots, pixels
     std::optional<Selection> around;               ///< empty: of a crystal all drawn atoms, else everything
     bool aroundFocus = false;                      ///< around what the camera looks at, and no selection
@@ -92,6 +102,9 @@ std::string electrostaticsText(const ValueMap& map);
 /// "none", or "a", "b" or "c" with ",PLACE" behind it. @throws std::invalid_argument
 MapSliceOption parseMapSlice(std::string_view text);
 std::string mapSliceText(const MapSliceOption& slice);
+/// "auto", or 2 to 8 of "LEVEL=COLOR@OPACITY" with commas between. @throws std::invalid_argument
+MapTransfer parseMapTransfer(std::string_view text);
+std::string mapTransferText(const MapTransfer& transfer);
 /// All that a picture reads: --map, and what it is coloured by. Each once.
 std::vector<std::string> mapFiles(const MapOptions& maps);
 /// Applies to each of them, so that a view's are found wherever it is.

@@ -47,7 +47,7 @@ std::vector<Option> mapRows() {
             [](const P& d) { return lines(d.maps.levels, mapLevelText); }, list),
         row(
             "map-style", "STYLE", "mesh for crystals, else surface",
-            "mesh, surface or dots; repeatable, in the order of --map",
+            "mesh, surface, dots or volume (one map at most); repeatable, in the order of --map",
             [](T text, P& d) { addTo(d.maps.styles, text, kMostMaps, parseMapStyle); },
             [](const P& d) { return lines(d.maps.styles, mapStyleText); }, list),
         row(
@@ -68,8 +68,16 @@ std::vector<Option> mapRows() {
             [](T text, P& d) { addTo(d.maps.slices, text, kMostMaps, parseMapSlice); },
             [](const P& d) { return lines(d.maps.slices, mapSliceText); }, list),
         row(
-            "map-opacity", "SHARE", "0.5 for surfaces, 1 for slices",
-            "Opacity of surfaces and slices, 0.01 to 1; repeatable: the first is that of the first --map",
+            "map-transfer", "LEVEL=COLOR@OPACITY,...", "by level, colour and opacity of the map",
+            "Draw the map as a volume: what 2 to 8 levels look like, such as 1sigma=blue@0,4sigma=white@0.2;\nOPACITY "
+            "is the share of light that 1 Å hides; repeatable: the first is that of the first --map",
+            [](T text, P& d) { addTo(d.maps.transfers, text, kMostMaps, parseMapTransfer); },
+            [](const P& d) { return lines(d.maps.transfers, mapTransferText); }, list),
+        row(
+            "map-opacity", "SHARE", "0.5 for surfaces and volumes, 1 for slices",
+            "Opacity of surfaces and slices, and of ten voxels of a volume, 0.01 to 1;\nrepeatable: the first is that "
+            "of "
+            "the first --map",
             [](T text, P& d) { addTo(d.maps.opacities, text, kMostMaps, parseMapOpacity); },
             [](const P& d) { return lines(d.maps.opacities, mapOpacityText); }, list),
         row(

@@ -301,6 +301,7 @@ void appendMaps(MapOptions& maps, const MapOptions& more) {
     add(maps.colors, more.colors);
     add(maps.values, more.values);
     add(maps.slices, more.slices);
+    add(maps.transfers, more.transfers);
     add(maps.opacities, more.opacities);
 }
 

@@ -118,12 +118,12 @@ std::uint32_t motionSamples(const FrameCaps& device) {
 }
 
 /// Why a frame has one sample per pixel; null: it can have more.
-const char* lackOfSamples(const RenderSettings& settings, bool translucent) {
+const char* lackOfSamples(const RenderSettings& settings, bool blends) {
     if (settings.debug != DebugView::none) return "debug views show single samples";
     if (settings.fine) return "16 bits per channel and sample do not fit the tile";
     if (settings.effects.rims() || settings.effects.contours.width > 0)
         return "outlines and halos have one sample per pixel";
-    if (translucent) return "translucent layers have one sample per pixel";
+    if (blends) return "translucent layers and volumes have one sample per pixel";
     return nullptr;
 }
 
@@ -215,7 +215,7 @@ private:
     }
     /// Whether a frame by tiles can have samples at edges.
     bool canDrawEdges(bool adds) const {
-        return usual(adds) == Visibility::tiles && device_.tiles.drawsEdges && !scene_.hasTranslucent && !rims() &&
+        return usual(adds) == Visibility::tiles && device_.tiles.drawsEdges && !scene_.blends() && !rims() &&
                !isFineMesh(request_.settings.view, scene_);
     }
 
@@ -250,7 +250,7 @@ private:
 void Chooser::chooseSamples() {
     Samples& samples = choice_.samples;
     const std::uint32_t n = settings_.supersample;
-    const char* lack = lackOfSamples(settings_, scene_.hasTranslucent);
+    const char* lack = lackOfSamples(settings_, scene_.blends());
     switch (request_.part) {
         case Part::edges:
             samples = {Where::edges, RenderSettings::kEdgeSamples};
@@ -304,8 +304,8 @@ void Chooser::refine() {
         return because("samples", "compute adds samples of edge pixels in one frame");
     }
     choice_.refinement = Refinement::blocks;
-    because("samples", rims()                  ? "outlines and halos have no samples at edges"
-                       : scene_.hasTranslucent ? "translucent layers have no samples at edges"
+    because("samples", rims()            ? "outlines and halos have no samples at edges"
+                       : scene_.blends() ? "translucent layers and volumes have no samples at edges"
                        : isFineMesh(request_.settings.view, scene_)
                            ? "a small picture of a fine mesh: lists would be long"
                            : "the path has no lists of what edge pixels may show");
@@ -318,6 +318,7 @@ void Chooser::chooseEffects() {
     if (settings_.effects.halos.width > 0) add(Kind::halos);
     if (drawsLayers(request_, scene_))
         add(Kind::translucency, scene_.hasTranslucentAtoms ? kLayersOfAtoms : kTranslucentLayers);
+    if (drawsVolume(request_, scene_)) add(Kind::volume);
     if (request_.part == Part::whole && hasLens(settings_)) add(Kind::lens);
 }
 
@@ -331,7 +332,7 @@ void Chooser::chooseColor() {
             // Averages of the render pass are linear: no shader codes those colours.
             if (settings_.fine && !debugs())
                 color = ColorFormat::linear;
-            else if (choice_.samples.where != Where::resolved && device_.tiles.shade && !scene_.hasTranslucent)
+            else if (choice_.samples.where != Where::resolved && device_.tiles.shade && !scene_.blends())
                 color = ColorFormat::coded;
             break;
         case Part::motion:
@@ -340,8 +341,8 @@ void Chooser::chooseColor() {
         default:
             color = ColorFormat::linear;
     }
-    if (color == ColorFormat::linear && choice_.has(Kind::translucency) && !device_.blendsFloats)
-        throw Error("cannot draw translucent layers", device_.plan.name,
+    if (color == ColorFormat::linear && (choice_.layers() > 0 || choice_.has(Kind::volume)) && !device_.blendsFloats)
+        throw Error("cannot draw translucent layers or volumes", device_.plan.name,
                     "it does not blend 32 bits per channel, which layers and 16-bit pictures need; use 8 bits");
 }
 
@@ -402,7 +403,9 @@ void Chooser::chooseGeometry() {
                        : device_.plan.geometry.storesVaryings && !request_.counted ? Geometry::fetched
                                                                                    : Geometry::instanced;
     if (!debugs()) choice_.host = tiles ? hostWorkOfTiles() : hostWorkOf(choice_.path);
-    if (tiles && !scene_.hasTranslucentAtoms) choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
+    // A volume between layers needs their depth.
+    if (tiles && !scene_.hasTranslucentAtoms && !choice_.has(Kind::volume))
+        choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
     if (request_.part == Part::edges && choice_.shadedByCompute()) {
         // A sphere that nothing cuts or outlines is known by its number.
         const bool alone = !scene_.hasCylinders && !scene_.hasWires && scene_.meshTriangles == 0 && !rims() &&
@@ -461,6 +464,7 @@ const char* Chooser::lackOfViews() const {
     if (rims() || settings_.effects.contours.width > 0) return "outlines and halos are drawn for each eye";
     if (choice_.has(Kind::shadow)) return "shadows are looked up for each eye";
     if (choice_.layers() > 0) return "translucent layers are found for each eye";
+    if (choice_.has(Kind::volume)) return "rays through a volume are those of one eye";
     if (hasLens(settings_)) return "each eye looks through its own lens";
     if (scene_.leveled) return "levels of detail are found for each eye";
     if (request_.counted) return "fragments are counted for each eye";
@@ -630,7 +634,8 @@ std::string verticesText(const FrameChoice& choice) {
 }
 
 std::string effectsText(const EffectList& effects) {
-    constexpr const char* kNames[] = {"shadow", "outlines", "halos", "translucency", "translucency by tiles", "lens"};
+    constexpr const char* kNames[] = {"shadow", "outlines", "halos", "translucency", "translucency by tiles",
+                                      "volume", "lens"};
     static_assert(std::size(kNames) == kEffectKinds);
     std::string text;
     for (const Effect& e : effects) {
@@ -765,6 +770,10 @@ bool drawsLayers(const FrameRequest& request, const SceneFacts& scene) {
     return isPicture(request.part) && request.settings.debug == DebugView::none && scene.hasTranslucent;
 }
 
+bool drawsVolume(const FrameRequest& request, const SceneFacts& scene) {
+    return isPicture(request.part) && request.settings.debug == DebugView::none && scene.hasVolume;
+}
+
 graph::TestedPath choosePath(const FrameCaps& device) {
     const auto refuse = [&](Visibility path, const std::string& lacks) {
         throw Error("cannot draw by " + std::string(visibilityName(path)), device.plan.name, lacks);
@@ -829,8 +838,8 @@ std::string lacksMultisampling(Visibility path, const graph::PlanCaps& caps) {
     return {};
 }
 
-std::string lacksSamples(const RenderSettings& settings, bool translucent) {
-    const char* lack = lackOfSamples(settings, translucent);
+std::string lacksSamples(const RenderSettings& settings, bool blends) {
+    const char* lack = lackOfSamples(settings, blends);
     return lack ? lack : "";
 }
 

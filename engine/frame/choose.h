@@ -62,9 +62,12 @@ struct SceneFacts : passes::PrimitiveCounts {
     // Of the scene:
     bool hasCylinders = false, hasWires = false, hasTranslucent = false;
     bool hasTranslucentAtoms = false;  ///< spheres or cylinders among the translucent primitives
+    bool hasVolume = false;            ///< a density map that rays go through
     std::uint64_t meshTriangles = 0;   ///< of the finest level
     bool leveled = false;              ///< each view has its own levels of detail
     bool boxed = false;                ///< the scene's spheres have finite bounding boxes
+    /// Whether anything is blended over what is opaque.
+    bool blends() const { return hasTranslucent || hasVolume; }
     // Of the view:
     double smallestPixels = 1e9;       ///< half the width of the narrowest primitive or line in the picture
     passes::PrimitiveCounts light{};   ///< what the light's view submits to the shadow map
@@ -105,6 +108,7 @@ struct Effect {
         halos,             ///< drawn by the pass of those outlines
         translucency,      ///< layers of primitives; size: their number
         tileTranslucency,  ///< of triangles alone, found by compute
+        volume,            ///< a density map, in front of what is opaque and between translucent layers
         lens,              ///< depth of field: frames of distances, and a blur of the picture
     };
     Kind kind{};
@@ -255,6 +259,8 @@ Samples chooseSamples(const FrameRequest& request, const SceneFacts& scene, cons
 bool wantsEdges(const RenderSettings& settings);
 /// Whether the frame draws translucent layers.
 bool drawsLayers(const FrameRequest& request, const SceneFacts& scene);
+/// Whether it draws a volume.
+bool drawsVolume(const FrameRequest& request, const SceneFacts& scene);
 
 // Choices that hold for all frames of a device:
 
@@ -291,6 +297,6 @@ bool platesReject(Visibility path, const graph::PlanCaps& caps);
 std::string lacksMultisampling(Visibility path, const graph::PlanCaps& caps);
 
 /// Why a picture with these settings has one sample per pixel, whatever the device can. Empty: it can have more.
-std::string lacksSamples(const RenderSettings& settings, bool translucent);
+std::string lacksSamples(const RenderSettings& settings, bool blends);
 
 }  // namespace nacre

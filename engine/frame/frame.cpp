@@ -9,6 +9,7 @@
 #include "engine/frame/effects/lens/lens.h"
 #include "engine/frame/effects/shadow/shadow.h"
 #include "engine/frame/effects/translucency/translucency.h"
+#include "engine/frame/effects/volume/volume.h"
 #include "engine/frame/paths/paths.h"
 #include "engine/passes/read_back.h"
 
@@ -130,7 +131,11 @@ Frame declareFrame(const FrameShape& shape, std::shared_ptr<const ShownScene> sh
     declareShadow(frame, choice);
     declareTranslucentLayers(frame, shape);
     declarePath(frame, shape);
-    declareTranslucentColors(frame, shape);
+    declareVolume(frame, choice, choice.layers());
+    for (std::uint32_t i = choice.layers(); i-- > 0;) {
+        declareTranslucentColor(frame, i);
+        declareVolume(frame, choice, i);
+    }
     return frame;
 }
 

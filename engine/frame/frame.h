@@ -89,6 +89,7 @@ struct Frame {
     std::optional<graph::Image> samples;           ///< several per pixel; the first target is their mean
     // Translucent triangles:
     std::vector<graph::Image> layers;           ///< numbers of the nearest layer first
+    std::vector<graph::Image> layerDepths;      ///< their depth
     std::optional<graph::Buffer> layerNumbers;  ///< the same where compute finds them, imported
     // Of `tiles`, imported:
     graph::Buffer numbers;               ///< of primitives, or their colours

@@ -14,7 +14,7 @@ LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes:
         return run(prepare({settings, part, Ending::readBack}, {atlas, settings.view, name}), settings).pixels;
     };
     std::vector<gpu::Buffer> pixels;
-    if (frames_.facts(settings).hasTranslucent) {
+    if (frames_.facts(settings).blends()) {
         pixels = drawPart(Part::color, "screen");
         for (gpu::Buffer& layer : drawPart(Part::solid, "solid")) pixels.push_back(std::move(layer));
     } else {

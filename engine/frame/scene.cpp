@@ -108,6 +108,7 @@ SceneFacts factsOf(const Representation& r, const Chunks& chunks, const Transluc
     facts.hasTranslucentAtoms = translucent.hasAtoms();
     facts.meshTriangles = r.triangles.size();
     facts.boxed = chunks.finiteSpheres();
+    facts.hasVolume = r.volume != nullptr;
     return facts;
 }
 
@@ -243,6 +244,10 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     seen->ownMaterials = scene.representation.ownMaterials;
     if (shadowPixels(settings) > 0) seen->light = lightScene(scene, settings, view, views);
     seen->buffers = &scene.buffers;
+    const glm::dvec3 shift = view.seen(glm::dvec3(0));
+    for (int i = 0; i < 3; ++i)
+        seen->still[static_cast<std::size_t>(i)] =
+            glm::vec4(view.rotation[0][i], view.rotation[1][i], view.rotation[2][i], shift[i]);
     const bool wires = !scene.representation.wires.empty();
     passes::placeCopies(seen->copies, scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
                         cullingMargin(settings, view, wires), meshErrorOf(settings, view), true);

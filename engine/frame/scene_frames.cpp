@@ -14,6 +14,7 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
     : device_(device),
       scene_(scene),
       white_(passes::makeWhiteTexture(device, executor)),
+      volumes_(device, executor),
       tiles_(passes::makeTileFrames(device)),
       layerTiles_(passes::makeTileFrames(device)),
       hidden_(passes::makeHiddenSpheres()),
@@ -160,6 +161,7 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
     view.fragments = inputs.fragments;
     if (inputs.radiusBefore)
         view.radiusPixels = passes::steadyRadius(*inputs.radiusBefore, view.radiusPixels, caps.plan.geometry);
+    view.volume = volumes_.texturesOf(scene_->representation.volume);
     view.effectConstants = uploadEffects(settings, settings.effects.rims() && request.part == Part::block);
     const bool layered = drawsLayers(request, facts);
     const auto uploadRows = [&] {

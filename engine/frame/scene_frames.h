@@ -4,6 +4,7 @@
 
 #include "engine/frame/capped_scenes.h"
 #include "engine/frame/declared_frames.h"
+#include "engine/frame/effects/volume/volume_textures.h"
 #include "engine/frame/geometry.h"
 #include "engine/frame/level_scenes.h"
 #include "engine/frame/scene.h"
@@ -77,6 +78,7 @@ private:
     const std::shared_ptr<const Scene>& scene_;  ///< changes between frames
     std::shared_ptr<const Scene> shown_;         ///< it, or what the current view shows of it
     gpu::Image white_;                           // the atlas for scenes without occlusion
+    Volumes volumes_;
     // Frame memory, reused when frames in flight are done. Carries nothing from one frame to the next.
     SceneViews views_;
     std::unique_ptr<passes::TileFrames> tiles_, layerTiles_;  // null in builds without them

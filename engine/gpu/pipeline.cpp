@@ -45,9 +45,10 @@ vk::PipelineColorBlendAttachmentState blendState(Blend blend, bool written) {
                                                   : blend == Blend::maximum ? vk::BlendOp::eMax
                                                                             : vk::BlendOp::eMin;
     }
-    if (blend == Blend::over || blend == Blend::overRed || blend == Blend::overCyan) {
+    const bool premultiplied = blend == Blend::premultiplied;
+    if (blend == Blend::over || blend == Blend::overRed || blend == Blend::overCyan || premultiplied) {
         state.blendEnable = true;
-        state.srcColorBlendFactor = vk::BlendFactor::eSrcAlpha;
+        state.srcColorBlendFactor = premultiplied ? vk::BlendFactor::eOne : vk::BlendFactor::eSrcAlpha;
         state.srcAlphaBlendFactor = vk::BlendFactor::eOne;
         state.dstColorBlendFactor = state.dstAlphaBlendFactor = vk::BlendFactor::eOneMinusSrcAlpha;
     }

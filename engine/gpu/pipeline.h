@@ -46,9 +46,10 @@ enum class Blend : std::uint8_t {
     minimum,
     maximum,
     add,
-    over,      ///< straight alpha over an opaque picture
-    overRed,   ///< the same in the red channel alone
-    overCyan,  ///< in the other two
+    over,           ///< straight alpha over an opaque picture
+    overRed,        ///< the same in the red channel alone
+    overCyan,       ///< in the other two
+    premultiplied,  ///< over any picture
 };
 
 /// Vertex streams of a pipeline. Both tables are static: comparison uses their addresses.

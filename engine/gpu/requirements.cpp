@@ -14,15 +14,16 @@ namespace {
     RequiredLimit { &VkPhysicalDeviceLimits::name, least, #name, why }
 constexpr std::array kLimits{
     NACRE_LIMIT(maxImageDimension2D, 4096, "pictures and the occlusion atlas"),
+    NACRE_LIMIT(maxImageDimension3D, 256, "bricks of density maps"),
     NACRE_LIMIT(maxFramebufferWidth, 4096, "pictures"),
     NACRE_LIMIT(maxFramebufferHeight, 4096, "pictures"),
     NACRE_LIMIT(maxPushConstantsSize, 128, "the view of a geometry pass"),
     NACRE_LIMIT(maxBoundDescriptorSets, 2, "what a pass reads, and what counts its fragments"),
-    NACRE_LIMIT(maxPerStageDescriptorSamplers, 3, "occlusion atlas, shadow map and nearest depth"),
-    NACRE_LIMIT(maxPerStageDescriptorSampledImages, 3, "occlusion atlas, shadow map and nearest depth"),
+    NACRE_LIMIT(maxPerStageDescriptorSamplers, 4, "a brick of a density map, and the depths beside it"),
+    NACRE_LIMIT(maxPerStageDescriptorSampledImages, 4, "a brick of a density map, and the depths beside it"),
     NACRE_LIMIT(maxPerStageDescriptorInputAttachments, 1, "encoded depth, or numbers of primitives"),
     NACRE_LIMIT(maxPerStageDescriptorStorageBuffers, 4, "shapes, looks and copies of `deferred`, and the counter"),
-    NACRE_LIMIT(maxPerStageDescriptorUniformBuffers, 1, "directions of the occlusion bake"),
+    NACRE_LIMIT(maxPerStageDescriptorUniformBuffers, 2, "effects, and a brick of a density map"),
     NACRE_LIMIT(maxUniformBufferRange, 16 * 48, "directions of the occlusion bake"),
     NACRE_LIMIT(maxStorageBufferRange, 1u << 27, "streams of 4 million spheres"),
     NACRE_LIMIT(maxColorAttachments, 2, "colour, and the nearest depth that `raster-order` keeps"),
@@ -52,6 +53,8 @@ constexpr std::array kRequired{
                    "depth maps, distances, the nearest depth of `raster-order`"},
     RequiredFormat{VK_FORMAT_R32_UINT, kColor | kSampled, "numbers of primitives"},
     RequiredFormat{VK_FORMAT_R32G32_UINT, kColor | kSampled, "the identity layer"},
+    RequiredFormat{VK_FORMAT_R16_SFLOAT, kLinear, "density maps"},
+    RequiredFormat{VK_FORMAT_R16G16_SFLOAT, kLinear, "density maps that are known in part"},
     RequiredFormat{VK_FORMAT_R32G32B32A32_SFLOAT, kColor | kSampled, "the surface layer"},
 };
 

@@ -51,10 +51,12 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
     Image image;
     image.desc = desc;
     const auto format = static_cast<vk::Format>(desc.format);
-    image.handle = vk::raii::Image(
-        *device,
-        vk::ImageCreateInfo({}, vk::ImageType::e2D, format, {desc.extent.width, desc.extent.height, 1}, 1, desc.layers,
-                            static_cast<vk::SampleCountFlagBits>(desc.samples), vk::ImageTiling::eOptimal, usage));
+    const bool solid = desc.depth > 1;
+    image.handle =
+        vk::raii::Image(*device, vk::ImageCreateInfo({}, solid ? vk::ImageType::e3D : vk::ImageType::e2D, format,
+                                                     {desc.extent.width, desc.extent.height, desc.depth}, 1,
+                                                     desc.layers, static_cast<vk::SampleCountFlagBits>(desc.samples),
+                                                     vk::ImageTiling::eOptimal, usage));
     const auto requirements = image.handle.getMemoryRequirements();
     const vk::MemoryPropertyFlags lazy = transient ? Property::eLazilyAllocated : vk::MemoryPropertyFlagBits{};
     Device::Allocation allocation =
@@ -68,10 +70,12 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
         vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eColorAttachment |
         vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eInputAttachment;
     if (usage & kViewed)
-        image.view = vk::raii::ImageView(
-            *device, vk::ImageViewCreateInfo({}, *image.handle,
-                                             desc.layers > 1 ? vk::ImageViewType::e2DArray : vk::ImageViewType::e2D,
-                                             format, {}, {aspect, 0, 1, 0, desc.layers}));
+        image.view =
+            vk::raii::ImageView(*device, vk::ImageViewCreateInfo({}, *image.handle,
+                                                                 solid             ? vk::ImageViewType::e3D
+                                                                 : desc.layers > 1 ? vk::ImageViewType::e2DArray
+                                                                                   : vk::ImageViewType::e2D,
+                                                                 format, {}, {aspect, 0, 1, 0, desc.layers}));
     device.name(*image.handle, name);
     if (*image.view) device.name(*image.view, "view of " + name);
     return image;

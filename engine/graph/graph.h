@@ -43,6 +43,7 @@ struct ImageDesc {
     Extent extent;
     std::uint32_t samples = 1;
     std::uint32_t layers = 1;
+    std::uint32_t depth = 1;  ///< above 1: a three-dimensional texture
     friend bool operator==(const ImageDesc&, const ImageDesc&) = default;
 };
 

@@ -16,7 +16,7 @@
 namespace nacre {
 namespace {
 
-constexpr int kBlock = 8;           // cells along an edge
+constexpr int kBlock = MapRegion::kBlock;
 constexpr double kMostNodes = 1e9;  // of a region
 
 /// An edge of a cell as its lower end and its direction.

@@ -38,6 +38,21 @@ public:
     /// @throws Error if it has too many triangles or lines
     Isosurface at(double level, bool above, IsosurfaceParts parts, const glm::dvec3& origin) const;
 
+    /// Values of the nodes, along a first.
+    const float* values() const { return own_.empty() ? map_.values.data() : own_.data(); }
+    /// Lowest and highest known value of a block of cells, with the nodes on its border; low > high: none is known.
+    struct Range {
+        float low, high;
+    };
+    static constexpr int kBlock = 8;  ///< cells along a block's edge
+    Range rangeOf(const glm::ivec3& block) const {
+        return ranges_[(static_cast<std::size_t>(block.z) * blocks_.y + block.y) * blocks_.x + block.x];
+    }
+    const glm::ivec3& blocks() const { return blocks_; }
+    /// Positions (Å) that the region is limited to, and how far from them; none: it is a box.
+    std::span<const glm::dvec3> places() const { return places_; }
+    double reach() const { return reach_; }
+
     bool empty() const { return size_.x < 2 || size_.y < 2 || size_.z < 2; }
     const glm::ivec3& first() const { return first_; }
     const glm::ivec3& size() const { return size_; }
@@ -45,14 +60,9 @@ public:
 
 private:
     friend class IsosurfaceSlab;
-    struct Range {
-        float low, high;  ///< of the known values
-    };
-
     void begin(glm::ivec3 first, glm::ivec3 last);
     void copyValues();
     void findRanges();
-    const float* values() const { return own_.empty() ? map_.values.data() : own_.data(); }
 
     const DensityMap& map_;
     glm::ivec3 first_{}, size_{}, blocks_{};

@@ -4,8 +4,9 @@ namespace nacre::passes {
 namespace {
 
 vk::BufferImageCopy whole(const graph::ImageDesc& desc) {
-    return {
-        0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, desc.layers}, {}, {desc.extent.width, desc.extent.height, 1}};
+    return {0,  0,
+            0,  {vk::ImageAspectFlagBits::eColor, 0, 0, desc.layers},
+            {}, {desc.extent.width, desc.extent.height, desc.depth}};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // The scene as one view sees it: input of every pass of a frame.
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -27,6 +28,7 @@ struct Atlas {
 };
 
 class TileFrame;
+class VolumeTextures;
 
 /// Widths, Å at z = 0; 0: none.
 struct Rims {
@@ -40,11 +42,13 @@ struct SceneView {
     std::shared_ptr<const void> owner;  ///< keeps the buffers alive while a frame is in flight
     layout::ViewConstants constants{};  ///< those of a copy stay 0
     PlacedCopies copies;
-    float otherAxis = 0;                          ///< of two views: the other's axisPixel, along the picture's rows
-    std::shared_ptr<const TileFrame> tiles;       ///< for the `tiles` path
-    std::shared_ptr<const gpu::Buffer> copyRows;  ///< copies.rows on the device, for `deferred` shading
-    bool coded = false;                           ///< write colour sRGB-coded, else linear
-    bool powers = false;                          ///< the device computes powers in a few instructions
+    std::array<glm::vec4, 3> still{};              ///< rows of what no copy's transform moves
+    std::shared_ptr<const VolumeTextures> volume;  ///< null: the scene has none
+    float otherAxis = 0;                           ///< of two views: the other's axisPixel, along the picture's rows
+    std::shared_ptr<const TileFrame> tiles;        ///< for the `tiles` path
+    std::shared_ptr<const gpu::Buffer> copyRows;   ///< copies.rows on the device, for `deferred` shading
+    bool coded = false;                            ///< write colour sRGB-coded, else linear
+    bool powers = false;                           ///< the device computes powers in a few instructions
     bool perspective = false;
     bool frontsOnly = false;    ///< triangles are invisible from behind
     std::uint32_t samples = 1;  ///< of a pixel, which a fragment tells it covers

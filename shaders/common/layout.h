@@ -65,6 +65,9 @@ const int kEverywhereId = 54;  // bool: draw every pixel as an edge, where a bin
 const int kListedId = 55;      // bool: samples of an edge search lists, not only neighbours
 const int kRowsId = 56;        // bool: edges are coded words among the other pixels
 const int kLayerId = 57;       // of translucent triangles: 0 the nearest
+// Density maps between translucent layers.
+const int kBehindLayerId = 70;  // bool: only what is behind a layer
+const int kBeforeLayerId = 71;  // bool: and before another
 // The occlusion bake.
 const int kBatchId = 60;       // depth maps per batch
 const int kMapsAcrossId = 61;  // maps per row of the image
@@ -185,6 +188,17 @@ struct EffectConstants {
     vec4 copyColors[kMostCopyColors];  // linear
 };
 
+/// A brick of a density map that is drawn as a volume: a uniform buffer. Nodes count from its first texel.
+const int kMostLevels = 8;
+struct BrickConstants {
+    vec4 nodeX, nodeY, nodeZ;  // (position, 1) of the scene, Å -> node
+    vec4 first;                // node of the box's corner; w: number of levels
+    vec4 last;                 // and of the opposite one; w: 1 if a second channel says what is known
+    vec4 perSize;              // 1 / nodes; w: longest step of a ray, Å
+    vec4 levels[kMostLevels];  // ascending: value, 1 / (difference to the next)
+    vec4 colors[kMostLevels];  // linear; a: share of light that 1 Å hides
+};
+
 // Direction to the light, view space: over the viewer's left shoulder. Not normalised.
 const float kLightX = -0.35f, kLightY = 0.55f, kLightZ = 0.76f;
 // Fraction of light that reaches fully occluded points.
@@ -247,6 +261,7 @@ static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel)
               offsetof(TileConstants, atlasTexel) == 96);
 static_assert(sizeof(EffectConstants) == 160 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32 &&
               offsetof(EffectConstants, shadowSpread) == 96 && offsetof(EffectConstants, halo) == 112);
+static_assert(sizeof(BrickConstants) == 96 + 32 * kMostLevels);
 static_assert(sizeof(OcclusionConstants) == 68 && sizeof(MapConstants) == 56);
 static_assert(sizeof(Direction) == 48 && sizeof(NarrowDirections) == 36 * kMostDirections);
 }  // namespace nacre::layout

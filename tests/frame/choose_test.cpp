@@ -277,6 +277,27 @@ TEST(Choose, DrawsLayersOfAtomsByTriangles) {
     EXPECT_FALSE(atoms.has(Effect::Kind::tileTranslucency));
 }
 
+TEST(Choose, PutsAVolumeBetweenLayersOfTriangles) {
+    SceneFacts scene;
+    scene.hasVolume = true;
+    const FrameCaps caps = software(true);
+    RenderSettings settings;
+    settings.supersample = 1;
+    FrameChoice choice = choose(pictureOf(settings), scene, caps);
+    EXPECT_TRUE(choice.has(Effect::Kind::volume));
+    EXPECT_EQ(choice.shading, Shading::fragments);  // compute leaves no image to blend over
+    EXPECT_EQ(choice.layers(), 0u);
+    scene.hasTranslucent = true;
+    choice = choose(pictureOf(settings), scene, caps);
+    EXPECT_TRUE(choice.has(Effect::Kind::translucency));
+    EXPECT_FALSE(choice.has(Effect::Kind::tileTranslucency));  // leaves no depth
+    EXPECT_FALSE(choose({settings, Part::pick, Ending::readBack}, scene, caps).has(Effect::Kind::volume));
+    settings.supersample = RenderSettings::kEdges;
+    EXPECT_EQ(choose(pictureOf(settings), scene, caps).refinement, Refinement::blocks);
+    settings.debug = DebugView::normals;
+    EXPECT_FALSE(choose(pictureOf(settings), scene, caps).has(Effect::Kind::volume));
+}
+
 TEST(Choose, RefusesWhatTheDeviceCannotDraw) {
     FrameCaps caps = graph::capabilitySet("apple-moltenvk");
     RenderSettings settings;

@@ -39,6 +39,24 @@ TEST(MapOptions, ASliceIsAnAxisAndAPlace) {
     }
 }
 
+TEST(MapOptions, ATransferFunctionIsLevelsWithColoursAndOpacities) {
+    EXPECT_TRUE(parseMapTransfer("auto").empty());
+    const MapTransfer transfer = parseMapTransfer("1.5sigma=blue@0, top1%=#ff8000@0.25,0.5=white@1");
+    ASSERT_EQ(transfer.size(), 3u);
+    EXPECT_EQ(transfer[0].level, (MapLevel{MapLevel::Unit::sigma, 1.5}));
+    EXPECT_EQ(transfer[1].level, (MapLevel{MapLevel::Unit::top, 1}));
+    EXPECT_EQ(transfer[1].opacity, 0.25);
+    EXPECT_EQ(transfer[2].color, (std::array<float, 4>{1, 1, 1, 1}));
+    EXPECT_EQ(mapTransferText(transfer), "1.5sigma=blue@0,top1%=#ff8000@0.25,0.5=white@1");
+    EXPECT_EQ(parseMapTransfer(mapTransferText(transfer)), transfer);
+    for (const char* text : {"", "1=red@0.5", "1=red@0,2=red", "1=red@0,2=red@1.5", "1=red@0,=red@0.5",
+                             "1=red@0,auto=red@0", "1=red@0,2=transparent@0.5", "1=red@0,2@red=0.5"})
+        EXPECT_THROW(parseMapTransfer(text), std::invalid_argument) << text;
+    std::string many = "0=red@0";
+    for (int i = 1; i < 9; ++i) many += "," + std::to_string(i) + "=red@0.5";
+    EXPECT_THROW(parseMapTransfer(many), std::invalid_argument);
+}
+
 TEST(MapOptions, APlaceIsASelectionOrTheFocus) {
     MapOptions maps;
     EXPECT_EQ(mapAroundText(maps), "");

@@ -30,6 +30,7 @@ std::string otherValue(const Option& option) {
         {"map-level", "1.5sigma"},
         {"map-color-from", "emdb:3001:2..6:viridis"},
         {"map-slice", "b,0.25"},
+        {"map-transfer", "1sigma=blue@0,0.5=white@0.25"},
         {"map-around", "ligand,3"},
         {"surface-color-from", "a.dx:-5..5"},
         {"fov", "41.7"},

@@ -77,6 +77,7 @@ class Options(TypedDict, total=False):
     map_color: str | Sequence[str]
     map_color_from: str | PathLike[str] | Sequence[str | PathLike[str]]
     map_slice: str | Sequence[str]
+    map_transfer: str | Sequence[str]
     map_opacity: str | float | Sequence[str | float]
     map_width: str | float
     map_around: str | Mask | tuple[str | Mask, float]

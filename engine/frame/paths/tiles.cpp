@@ -71,7 +71,7 @@ void declareTiles(Frame& f, const FrameShape& shape) {
             .writes(*f.edges)
             .record(edgeSamples(f));
     }
-    const bool depth = choice.layers() > 0;
+    const bool depth = choice.layers() > 0 || choice.has(Effect::Kind::volume);
     for (const ScreenTarget& target : shape.targets) {
         graph::PassBuilder shading = f.graph.graphics(target.pass);
         if (depth) shading.depth(f.depth, graph::Clear{1.0f});

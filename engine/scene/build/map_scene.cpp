@@ -248,6 +248,7 @@ void join(Representation& scene, const Representation& others, std::uint32_t num
     keepApart(scene, triangles, scene.triangles.size(), model, &Copies::triangles, &R::triangleModels);
     scene.blendsColors |= others.blendsColors;
     scene.ownMaterials |= others.ownMaterials;
+    if (others.volume) scene.volume = others.volume;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -55,6 +56,8 @@ struct SurfaceAtom {
     SphereLook look;
 };
 
+struct Volume;
+
 struct Representation {
     std::vector<Sphere> spheres;
     std::vector<SphereLook> sphereLooks;  ///< same length as spheres
@@ -75,6 +78,7 @@ struct Representation {
     bool ownMaterials = false;              ///< of some colours (engine/scene/color/colors.h)
     std::vector<std::uint32_t> atomGroups;  ///< of the file's atoms in their order (atom_groups.h), then of contacts
     Copies copies;                          ///< of an assembly; relative to center, too
+    std::shared_ptr<const Volume> volume;   ///< a density map that rays go through (volume.h); null: none
     /// Models that are drawn together and do not occlude each other, in the order of the primitives; together all of
     /// them. Empty: whatever is drawn occludes.
     std::vector<ModelRun> sphereModels, cylinderModels, triangleModels;

@@ -55,32 +55,31 @@ void declareTranslucentLayers(Frame& f, const FrameShape& shape) {
             }));
         }
         before = depth;
+        f.layerDepths.push_back(depth);
     }
 }
 
-void declareTranslucentColors(Frame& f, const FrameShape& shape) {
-    for (std::uint32_t i = shape.choice.layers(); i-- > 0;) {
-        graph::PassBuilder pass = f.graph.graphics(kTranslucentColor + std::to_string(i + 1));
-        if (f.layerNumbers) {
-            f.lit(pass.reads(*f.layerNumbers).depthTest(f.depth)).color(f.targets[0]);
-            pass.record(records(f, [atlas = f.atlas, i](gpu::PassContext& c, const SceneView& scene) {
-                passes::draw(c, *scene.translucent,
-                             passes::TileShading{c.view(atlas), passes::Output::color, false, i});
-            }));
-            continue;
-        }
-        f.lit(pass.samples(f.layers[i]));
-        f.encoding ? pass.input(f.nearest) : pass.depthTest(f.depth);
-        pass.color(f.targets[0])
-            .record(records(f, [atlas = f.atlas, numbers = f.layers[i], encoding = f.encoding, nearest = f.nearest](
-                                   gpu::PassContext& c, const SceneView& scene) {
-                passes::DeferredPass layer{passes::Output::color, readsOf(c, NearestFrom::texture, atlas, numbers)};
-                layer.over = passes::LayerOver();
-                if (encoding)
-                    layer.over = passes::LayerOver{fromEarlierPass(c), c.view(nearest), passes::Encoding(*encoding)};
-                passes::draw(c, *scene.translucent, layer);
-            }));
+void declareTranslucentColor(Frame& f, std::uint32_t layer) {
+    graph::PassBuilder pass = f.graph.graphics(kTranslucentColor + std::to_string(layer + 1));
+    if (f.layerNumbers) {
+        f.lit(pass.reads(*f.layerNumbers).depthTest(f.depth)).color(f.targets[0]);
+        pass.record(records(f, [atlas = f.atlas, layer](gpu::PassContext& c, const SceneView& scene) {
+            passes::draw(c, *scene.translucent,
+                         passes::TileShading{c.view(atlas), passes::Output::color, false, layer});
+        }));
+        return;
     }
+    f.lit(pass.samples(f.layers[layer]));
+    f.encoding ? pass.input(f.nearest) : pass.depthTest(f.depth);
+    pass.color(f.targets[0])
+        .record(records(f, [atlas = f.atlas, numbers = f.layers[layer], encoding = f.encoding, nearest = f.nearest](
+                               gpu::PassContext& c, const SceneView& scene) {
+            passes::DeferredPass shading{passes::Output::color, readsOf(c, NearestFrom::texture, atlas, numbers)};
+            shading.over = passes::LayerOver();
+            if (encoding)
+                shading.over = passes::LayerOver{fromEarlierPass(c), c.view(nearest), passes::Encoding(*encoding)};
+            passes::draw(c, *scene.translucent, shading);
+        }));
 }
 
 void viewTranslucent(passes::SceneView& view, const passes::SceneView& all, const TranslucentParts& parts) {

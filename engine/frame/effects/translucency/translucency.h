@@ -17,8 +17,8 @@ constexpr const char* kTranslucentColor = "translucent colour ";
 /// behind; none for a choice without layers.
 void declareTranslucentLayers(Frame& frame, const FrameShape& shape);
 
-/// Composites the layers over the path's result, farthest first.
-void declareTranslucentColors(Frame& frame, const FrameShape& shape);
+/// Composites a layer over the picture so far. Call for the farthest first. @param layer  0 is the nearest
+void declareTranslucentColor(Frame& frame, std::uint32_t layer);
 
 /// A view of a scene's translucent primitives only, without outlines.
 /// @param all  a view of the whole scene's copies
