@@ -17,7 +17,7 @@ constexpr float kUnknown = -1000;  // of the second channel: hides every cell at
 constexpr double kMostHalf = 60000;
 
 /// Least and most of the corners of what a brick shows.
-struct Box {
+struct NodeBox {
     glm::ivec3 first{1 << 30}, last{-1};
     bool empty() const { return last.x < 0; }
 };
@@ -42,7 +42,7 @@ public:
         for (glm::ivec3 at(0); at.z < bricks.z; ++at.z)
             for (at.y = 0; at.y < bricks.y; ++at.y)
                 for (at.x = 0; at.x < bricks.x; ++at.x) {
-                    const Box box = shownIn(at);
+                    const NodeBox box = shownIn(at);
                     if (box.empty()) continue;
                     VolumeBrick brick{at, box.first, box.last - box.first + 1, false, {}};
                     brick.masked = !region_.places().empty() || anyUnknown(brick);
@@ -95,10 +95,10 @@ private:
     }
 
     /// The nodes of a brick's blocks that may show anything.
-    Box shownIn(const glm::ivec3& place) const {
+    NodeBox shownIn(const glm::ivec3& place) const {
         constexpr int kBlock = MapRegion::kBlock;
         const glm::ivec3 from = place * (cells_ / kBlock), to = glm::min(from + cells_ / kBlock, region_.blocks());
-        Box box;
+        NodeBox box;
         for (glm::ivec3 at = from; at.z < to.z; ++at.z)
             for (at.y = from.y; at.y < to.y; ++at.y)
                 for (at.x = from.x; at.x < to.x; ++at.x) {
