@@ -19,7 +19,7 @@
 namespace nacre::app::mvs {
 namespace {
 
-constexpr double kLongest = 3'600'000;  // ms
+constexpr double kLongestAnimation = 3'600'000;  // ms
 constexpr double kRounding = 1e-6;
 
 [[noreturn]] void refuseMotion(const std::string& why) { throw std::invalid_argument(why); }
@@ -44,7 +44,7 @@ double easeIn(std::string_view curve, double t) {
 
 double timeOf(const Node& node, const char* name, double otherwise) {
     const Json* value = node.param(name);
-    return value && value->is_number() ? std::clamp(value->get<double>(), 0.0, kLongest) : otherwise;
+    return value && value->is_number() ? std::clamp(value->get<double>(), 0.0, kLongestAnimation) : otherwise;
 }
 double startOf(const Node& node) { return timeOf(node, "start_ms", 0); }
 double durationOf(const Node& node) { return timeOf(node, "duration_ms", 0); }
@@ -298,7 +298,7 @@ double animationSeconds(const Snapshot& snapshot) {
     if (animation.kind != "animation") return 0;
     for (const Node& node : animation.children)
         if (node.kind == "interpolate") longest = std::max(longest, startOf(node) + durationOf(node));
-    return longest > 0 ? std::min(std::max(longest, durationOf(animation)), kLongest) / 1000 : 0;
+    return longest > 0 ? std::min(std::max(longest, durationOf(animation)), kLongestAnimation) / 1000 : 0;
 }
 
 bool animationFlag(const Snapshot& snapshot, const char* name) { return flag(snapshot.animation, name, false); }

@@ -32,11 +32,11 @@ struct Limits {
 constexpr std::array<Type, 6> bindingsOf(Type opaque) {
     return {kSampled, Type::eUniformBuffer, Type::eUniformBuffer, opaque, kSampled, kSampled};
 }
-constexpr auto kInput = bindingsOf(Type::eInputAttachment), kTexture = bindingsOf(kSampled);
+constexpr auto kInputBindings = bindingsOf(Type::eInputAttachment), kTextureBindings = bindingsOf(kSampled);
 
 const gpu::Layout& layoutOf(gpu::PipelineContext& context, NearestFrom from) {
-    return context.pipelines.layout(
-        {"volume layout", from == NearestFrom::texture ? kTexture : kInput, kFragments, sizeof(layout::ViewConstants)});
+    return context.pipelines.layout({"volume layout", from == NearestFrom::texture ? kTextureBindings : kInputBindings,
+                                     kFragments, sizeof(layout::ViewConstants)});
 }
 
 passes::FullScreenPass passOf(const SceneView& view, NearestFrom from, const Limits& limits) {
