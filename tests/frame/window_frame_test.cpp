@@ -9,8 +9,8 @@
 namespace nacre::graph {
 namespace {
 
-constexpr ScreenTarget kWindow{"window", VK_FORMAT_B8G8R8A8_SRGB, passes::Output::color, "impostor colour", Clear{1.0f},
-                               true};
+constexpr ScreenTarget kWindow{
+    "window", VK_FORMAT_B8G8R8A8_SRGB, passes::Output::color, "impostor colour", Clear{1.0f}, &kWindowState};
 
 Frame windowFrame(Visibility visibility, Extent extent) {
     FrameShape shape = test::shapeOf(visibility, extent);
