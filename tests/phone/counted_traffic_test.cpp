@@ -11,7 +11,7 @@
 namespace nacre::test {
 namespace {
 
-bool onMali() { return std::string_view(std::getenv("NACRE_PHONE")) == "mali"; }
+bool asMali() { return std::string_view(std::getenv("NACRE_PHONE")) == "mali"; }
 
 struct Counters {
     Counters() { setenv("NACRE_PHONE_COUNTERS", "1", 1); }
@@ -26,7 +26,7 @@ CountedTraffic counted(Visibility path) {
 }
 
 TEST(CountedTraffic, IsWhatThePlanSays) {
-    if (!onMali()) GTEST_SKIP() << "the least phone of Arm's in raster order alone";
+    if (!asMali()) GTEST_SKIP() << "the least phone of Arm's in raster order alone";
     const Counters counters;
     for (const Visibility path : {Visibility::rasterOrder, Visibility::encoded, Visibility::fragdepth}) {
         const CountedTraffic traffic = counted(path);
@@ -51,7 +51,9 @@ TEST(CountedTraffic, IsToldInWords) {
               "planned 2.0");
     traffic.lacks = "no counters";
     EXPECT_EQ(describe(traffic), "not counted: no counters");
-    if (onMali()) EXPECT_EQ(counted(Visibility::fragdepth).lacks, "the driver has no VK_KHR_performance_query");
+    if (asMali()) {
+        EXPECT_EQ(counted(Visibility::fragdepth).lacks, "the driver has no VK_KHR_performance_query");
+    }
 }
 
 TEST(CountedTraffic, TakesCountersOfMemoryOutsideTheChip) {
