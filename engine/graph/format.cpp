@@ -16,6 +16,7 @@ constexpr FormatInfo kFormats[] = {
     {VK_FORMAT_B8G8R8A8_UNORM, "BGRA8", 4, false},
     {VK_FORMAT_B8G8R8A8_SRGB, "BGRA8 sRGB", 4, false},
     {VK_FORMAT_A2B10G10R10_UNORM_PACK32, "A2B10G10R10", 4, false},
+    {VK_FORMAT_R16_SFLOAT, "R16F", 2, false},
     {VK_FORMAT_R16G16_SFLOAT, "RG16F", 4, false},
     {VK_FORMAT_R16G16B16A16_SFLOAT, "RGBA16F", 8, false},
     {VK_FORMAT_R32_SFLOAT, "R32F", 4, false},

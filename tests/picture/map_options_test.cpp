@@ -47,7 +47,7 @@ TEST(MapOptions, ATransferFunctionIsLevelsWithColoursAndOpacities) {
     EXPECT_EQ(transfer[1].level, (MapLevel{MapLevel::Unit::top, 1}));
     EXPECT_EQ(transfer[1].opacity, 0.25);
     EXPECT_EQ(transfer[2].color, (std::array<float, 4>{1, 1, 1, 1}));
-    EXPECT_EQ(mapTransferText(transfer), "1.5sigma=blue@0,top1%=#ff8000@0.25,0.5=white@1");
+    EXPECT_EQ(mapTransferText(transfer), "1.5sigma=#0000ff@0,top1%=#ff8000@0.25,0.5=white@1");
     EXPECT_EQ(parseMapTransfer(mapTransferText(transfer)), transfer);
     for (const char* text : {"", "1=red@0.5", "1=red@0,2=red", "1=red@0,2=red@1.5", "1=red@0,=red@0.5",
                              "1=red@0,auto=red@0", "1=red@0,2=transparent@0.5", "1=red@0,2@red=0.5"})
