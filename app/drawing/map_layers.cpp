@@ -198,9 +198,9 @@ MapContour negativeOf(const DensityMap& map, const MapContour& contour, const Ma
 }
 
 /// The transfer function of a volume that has none of its own: from half of a contour's height above the mean, where
-/// nothing shows, to twice that height, lighter. @param opacity  of ten voxels there
+/// nothing shows, to twice that height, lighter. The contour's opacity is that of three voxels there.
 void addLevels(const DensityMap& map, const MapContour& contour, std::vector<VolumeLevel>& levels) {
-    constexpr double kVoxels = 10, kShareAtLevel = 0.25, kWhiter = 0.6;
+    constexpr double kVoxels = 3, kShareAtLevel = 0.25, kWhiter = 0.6;
     const double mean = map.periodic ? map.statistics.mean : 0;
     double height = contour.level - mean;
     if (height == 0) height = map.statistics.rms > 0 ? map.statistics.rms : 1;

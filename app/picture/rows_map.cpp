@@ -75,7 +75,8 @@ std::vector<Option> mapRows() {
             [](const P& d) { return lines(d.maps.transfers, mapTransferText); }, list),
         row(
             "map-opacity", "SHARE", "0.5 for surfaces and volumes, 1 for slices",
-            "Opacity of surfaces and slices, and of ten voxels of a volume, 0.01 to 1;\nrepeatable: the first is that "
+            "Opacity of surfaces and slices, and of three voxels of a volume, 0.01 to 1;\nrepeatable: the first is "
+            "that "
             "of "
             "the first --map",
             [](T text, P& d) { addTo(d.maps.opacities, text, kMostMaps, parseMapOpacity); },
