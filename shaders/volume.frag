@@ -53,6 +53,7 @@ void main() {
     if (kBehindLayer) begin = max(begin, distanceOf(texelFetch(behind, ivec2(gl_FragCoord.xy), 0).x));
     if (kBeforeLayer) end = min(end, distanceOf(texelFetch(before, ivec2(gl_FragCoord.xy), 0).x));
     if (!(begin < end)) discard;
+    begin = min(begin, end);  // invocations that are discarded may go on: without steps
 
     float angstroms = length(way), stepZ = brick.perSize.w / angstroms;  // of a Z of 1, and of a whole step
     int first = int(floor(begin / stepZ)), last = int(floor(end / stepZ));
