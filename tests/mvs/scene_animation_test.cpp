@@ -32,7 +32,7 @@ TEST(SceneAnimations, EasingsAreTheUsualOnes) {
             const std::string name = std::string(curve) + way;
             EXPECT_EQ(easedByName(name, 0), 0) << name;
             EXPECT_EQ(easedByName(name, 1), 1) << name;
-            if (name.ends_with("in-out")) {
+            if (name.ends_with("-in-out")) {
                 EXPECT_NEAR(at(name.c_str(), 0.3) + at(name.c_str(), 0.7), 1, 1e-12) << name;
             }
         }

@@ -14,7 +14,8 @@ std::vector<std::uint32_t> left(const std::string& nodes, const std::string& typ
     const std::string node =
         R"({"kind": "representation", "params": {"type": ")" + type + R"("}, "children": [)" + nodes + "]}";
     std::vector<std::uint32_t> atoms;
-    for (const SceneLayer& layer : built(scene(component(R"("all")", node))).guide->layers)
+    const auto drawn = built(scene(component(R"("all")", node)));
+    for (const SceneLayer& layer : drawn.guide->layers)
         for (const std::uint32_t atom : layer.atoms) atoms.push_back(atom + 11);
     return atoms;
 }

@@ -104,7 +104,7 @@ TEST(ScenePalettes, CategoricalOnesNameWordsOrCountThem) {
     EXPECT_NE(colorIn(R"({"kind": "categorical", "colors": "ElementSymbol"})", "FE"), std::nullopt);
 }
 
-// D3's formula of the one, and the other as the engine has it from Matplotlib.
+// D3's formula of the one; the other as the engine has it from Matplotlib, by fewer stops.
 TEST(ScenePalettes, ListsAreThoseOfTheirAuthors) {
     const std::vector<std::uint32_t> sinebow = namedColorList("Sinebow"), viridis = namedColorList("Viridis");
     ASSERT_EQ(sinebow.size(), 51u);
@@ -117,7 +117,7 @@ TEST(ScenePalettes, ListsAreThoseOfTheirAuthors) {
         EXPECT_LE(distance(sinebow[i], packedColor(rgb)), 1) << i;
     }
     for (std::size_t i = 0; i < viridis.size(); ++i)
-        EXPECT_LE(distance(viridis[i], paletteColor(Palette::viridis, (static_cast<double>(i) + 0.5) / 51)), 9) << i;
+        EXPECT_LE(distance(viridis[i], paletteColor(Palette::viridis, (static_cast<double>(i) + 0.5) / 51)), 20) << i;
     for (const char* name : {"Reds", "YlGn", "RdBu", "Set1", "Turbo", "Chainbow", "Accent", "Spectral"})
         EXPECT_GE(namedColorList(name).size(), 8u) << name;
     EXPECT_TRUE(namedColorList("reds").empty());
