@@ -11,7 +11,7 @@ namespace nacre::app {
 /// The device, its path with the reason, its self-test, and its own properties.
 nlohmann::ordered_json deviceJson(const DeviceInfo& device);
 
-/// What a device counted, beside the plan.
+/// Bytes counted by the device and by the plan.
 nlohmann::ordered_json trafficJson(const CountedTraffic& traffic);
 /// The same of a device that is asked now, or why it cannot.
 CountedTraffic countedOf(const DeviceInfo& device, const DeviceOptions& options);

@@ -41,7 +41,7 @@ struct AnnotationRow {
     const std::optional<std::string>& value() const { return values.front(); }
 };
 
-/// What is read of a table.
+/// The columns that are read.
 struct AnnotationFields {
     std::vector<std::string> values;  ///< columns, at least one
     /// Columns that stand for fields of the schema; empty: the field is ignored. Others have their own names.

@@ -19,7 +19,7 @@ constexpr std::array kEyesOfOverlays{OverlayEye::both, OverlayEye::left, Overlay
 /// Marks commands that follow another eye's; Dear ImGui calls nobody, since we draw its lists.
 void changesEye(const ImDrawList*, const ImDrawCmd*) {}
 
-/// What is drawn beneath the panel from now on is for this eye.
+/// Draws the following marks for one eye, beneath the panel.
 void drawFor(OverlayEye eye) {
     ImGui::GetBackgroundDrawList()->AddCallback(
         changesEye, const_cast<OverlayEye*>(&kEyesOfOverlays[static_cast<std::size_t>(eye)]));

@@ -50,7 +50,7 @@ struct MapSliceOption {
     friend bool operator==(const MapSliceOption&, const MapSliceOption&) = default;
 };
 
-/// What a value of a volume looks like.
+/// Colour and opacity at one value of a volume.
 struct MapTransferLevel {
     MapLevel level;
     std::array<float, 4> color{};  ///< sRGB-coded, opaque

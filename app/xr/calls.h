@@ -65,7 +65,7 @@ struct XrCalls {
 /// An instance with XR_KHR_vulkan_enable2. @throws Error without loader, runtime or that extension
 XrInstance makeXrInstance();
 
-/// A structure of OpenXR, empty but for its type.
+/// A zeroed structure of OpenXR with its type set.
 template <typename Structure>
 Structure typed(XrStructureType type) {
     Structure structure{};

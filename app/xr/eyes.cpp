@@ -74,7 +74,7 @@ EyeViews viewsOf(const Placement& placement, std::array<EyePose, 2> eyes, std::u
         EyePose& eye = seen.eyes[i];
         const double across = widen(eye.left, eye.right, width / pixels), up = widen(eye.down, eye.up, height / pixels);
         glm::dvec3 center = seenBy(eye, placement.center) / placement.metresPerAngstrom;
-        if (parallel && i > 0) {  // equal but for rounding
+        if (parallel && i > 0) {  // rounding alone differs
             center.y = seen.views[0].shift.y;
             center.z = -seen.views[0].eyeDistance;
         }

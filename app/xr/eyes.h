@@ -29,7 +29,7 @@ struct Placement {
 
 struct EyeViews {
     std::array<View, 2> views;
-    /// What they show: the same eyes, with pictures that may be wider or taller, since pixels are squares.
+    /// The eyes as drawn. Pixels are square, so a picture may be wider or taller than asked for.
     std::array<EyePose, 2> eyes;
 };
 

@@ -129,7 +129,7 @@ void HeadsetSession::follow(const std::optional<Hand>& hand, const std::array<Ey
         return;
     }
     if (!grip_) {
-        viewer().gesture({Gesture::Kind::touched}, now());  // what is undone
+        viewer().gesture({Gesture::Kind::touched}, now());  // undo returns to here
         const Camera& camera = viewer().view().camera;
         grip_.emplace(hand->pose, (eyes[0].position + eyes[1].position) / 2.0, camera.orientation, camera.zoom);
     }
