@@ -28,7 +28,7 @@ std::shared_ptr<const Scene> CappedScenes::show(const gpu::Device& device, const
     if (!caps.triangles.empty()) {
         Representation whole = scene->representation;
         joinPart(whole, caps);
-        // Fewer levels would have other vertices than the bake.
+        // With fewer levels, vertices would differ from those of the bake.
         if (shapeBytes(whole) <= passes::mostShapeBytes(device.caps())) {
             auto made = std::make_shared<Scene>(makeOrderedScene(device, std::move(whole)));
             made->order = scene->order;

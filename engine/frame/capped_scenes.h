@@ -1,6 +1,6 @@
 #pragma once
-// Scenes with meshes that the near plane cuts: each view gets the scene with their caps (mesh_caps.h). Caps have no
-// part in the bake, which stays.
+// Scenes with meshes that the near plane cuts: each view gets the scene with their caps (mesh_caps.h). The bake ignores
+// caps, and stays.
 
 #include <memory>
 
@@ -12,10 +12,10 @@ class CappedScenes {
 public:
     enum class Pace {
         complete,
-        live  ///< a moving view: no caps if they cost a noticeable part of a frame
+        live  ///< a moving view: omits caps that cost a noticeable part of a frame
     };
 
-    /// The scene as a view shows it: itself where no mesh is cut. The last result is kept.
+    /// The scene for a view: unchanged where no mesh is cut. The last result is kept.
     std::shared_ptr<const Scene> show(const gpu::Device& device, const std::shared_ptr<const Scene>& scene,
                                       const Clip& clip, const View& view, Pace pace);
     /// Forgets the last result. Call before the scene changes.

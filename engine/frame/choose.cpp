@@ -60,7 +60,7 @@ PathRow pathOfKind(DeviceKind kind, const graph::PlanCaps& caps) {
     return {Visibility::fragdepth, "immediate-mode GPU: no tile memory to keep encoded depth in"};
 }
 
-/// As choosePath() without the reason, which takes memory.
+/// Like choosePath(), without the reason, which would allocate.
 Visibility pathOf(const FrameCaps& device) {
     if (device.visibility != Visibility::automatic) return device.visibility;
     if (device.tested.visibility != Visibility::automatic) return device.tested.visibility;
@@ -97,7 +97,7 @@ Lack lackOfMultisampling(Visibility path, const graph::PlanCaps& caps) {
     return bytesOfSamples(path) > caps.tileBytesPerPixel ? Lack::room : Lack::nothing;
 }
 
-/// Why frames in motion have one sample per pixel by default, besides what the path lacks; null: they have more.
+/// Why frames in motion have one sample per pixel by default, apart from limits of the path; null: they have more.
 const char* whySingleInMotion(DeviceKind kind, Visibility path, const graph::PlanCaps& caps) {
     if (kind == DeviceKind::software) return "software rasteriser: each sample costs as much as a pixel";
     if (kind == DeviceKind::immediate) return "immediate-mode GPU: samples go through memory";
@@ -107,7 +107,7 @@ const char* whySingleInMotion(DeviceKind kind, Visibility path, const graph::Pla
     return nullptr;
 }
 
-/// As chooseMotionSamples() without the reason, which takes memory.
+/// Like chooseMotionSamples(), without the reason, which would allocate.
 std::uint32_t motionSamples(const FrameCaps& device) {
     if (device.multisampling == Multisampling::four) return kMultisamples;
     const Visibility path = pathOf(device);
@@ -127,8 +127,8 @@ const char* lackOfSamples(const RenderSettings& settings, bool blends) {
     return nullptr;
 }
 
-/// Whether a view is small, and shows a mesh of so many triangles that samples would search long lists. The host finds
-/// the triangle of each sample there.
+/// Whether a small view shows a mesh of so many triangles that samples would search long lists. The host finds the
+/// triangle of each sample there.
 bool isFineMesh(const View& view, const SceneFacts& scene) {
     constexpr std::uint32_t kLargest = 384;  // a side: one block of samples
     constexpr std::uint64_t kPixels = 8;     // per triangle
@@ -136,13 +136,13 @@ bool isFineMesh(const View& view, const SceneFacts& scene) {
            scene.meshTriangles * kPixels > std::uint64_t{view.width} * view.height;
 }
 
-/// A pass over the primitives: its rounds in VertexOutputs, and what it hands on.
+/// A pass over the primitives: its rounds in VertexOutputs, and its vertex outputs.
 struct GeometryWork {
     Rounds VertexOutputs::*rounds = nullptr;
     PassCost cost;
 };
 
-/// Those of a path, in order. Frames allocate nothing.
+/// The passes of a path, in order. Does not allocate.
 class GeometryWorks {
 public:
     void add(const GeometryWork& work) { works_.at(count_++) = work; }
@@ -154,13 +154,13 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Whether a limit changes shapes or render passes.
+/// Whether the limit changes shapes or render passes.
 bool limited(const VertexOutputs& outputs) { return outputs != VertexOutputs(); }
 
-/// Render passes that passes begin beyond the first.
+/// Render passes beyond the first.
 std::uint32_t begun(const Rounds& rounds) { return rounds.count - (rounds.apart ? 0 : 1); }
 
-/// Makes one choice, step by step. Steps note their reasons if somebody wants them.
+/// Makes one choice, step by step. Steps note their reasons on request.
 class Chooser {
 public:
     Chooser(const FrameRequest& request, const SceneFacts& scene, const FrameCaps& device,
@@ -196,8 +196,8 @@ private:
     bool debugs() const { return settings_.debug != DebugView::none; }
     bool rims() const { return settings_.effects.rims(); }
 
-    /// The device's path, or that of frames that add samples to a picture or depth behind it. Devices that shade by
-    /// tiles draw those by tiles whatever path is wanted: other paths draw each sample as a pixel.
+    /// The device's path, or the path of frames that add samples or depth to a picture. Devices that shade by tiles
+    /// always draw those by tiles: other paths draw each sample as a pixel.
     Visibility usual(bool adds) const {
         return adds && device_.tiles.shade && device_.plan.tiles ? Visibility::tiles : pathOf(device_);
     }
@@ -281,7 +281,7 @@ void Chooser::chooseSamples() {
     because("samples", n == 0 ? "debug views show single samples" : kAskedFor);
 }
 
-/// Why a picture with one sample per pixel does not show where it needs more; null: it does.
+/// Why a picture with one sample per pixel may miss places that need more; null: it finds them all.
 const char* Chooser::blind() const {
     constexpr double kSmallPixels = 0.75;  // half of a width
     if (request_.quarterTurns != 0) return "blocks of a turned view are its whole rows";
@@ -291,8 +291,8 @@ const char* Chooser::blind() const {
     return nullptr;
 }
 
-/// Samples where a picture with one sample per pixel shows that colours change, in blocks, so that memory does not grow
-/// with the picture. A frame for each sample would list the scene as often.
+/// Adds samples where a picture with one sample per pixel changes colour. They are drawn in blocks, so that memory does
+/// not grow with the picture. A frame per sample would list the scene as often.
 void Chooser::refine() {
     if (const char* why = blind()) {
         choice_.refinement = Refinement::everywhere;
@@ -368,7 +368,7 @@ void Chooser::choosePath() {
 
 /// Work of the host before a path that draws triangles.
 HostWork Chooser::hostWorkOf(Visibility path) const {
-    // Where depth is tested late, a processor takes longer to shade what is hidden than to find it.
+    // Where depth is tested late, shading hidden fragments takes a CPU longer than finding hidden spheres.
     const bool late = device_.kind == DeviceKind::software && !platesReject(path, device_.plan);
     return settings_.tuning.cull && late ? HostWork::hiddenSpheres : HostWork::none;
 }
@@ -377,7 +377,7 @@ HostWork Chooser::hostWorkOfTiles() const {
     constexpr double kSmallPixels = 2.5;  // a radius below which lists and tiles take longer
     constexpr std::uint64_t kManySpheres = 100'000;
     const Effects& effects = settings_.effects;
-    // The host finds what the centres of pixels show, without planes and rims.
+    // The host tests pixel centres only, without clipping planes and rims.
     const bool plain = settings_.view.projection == Projection::orthographic && !effects.clip.on() &&
                        effects.contours.width <= 0 && effects.halos.width <= 0;
     const bool meshless = scene_.triangles == 0;
@@ -390,8 +390,8 @@ HostWork Chooser::hostWorkOfTiles() const {
 }
 
 bool Chooser::prepassOf(Visibility path, PlateShape plates) const {
-    if (debugs()) return true;  // views show it
-    // Without plates the passes that write depth themselves need no pass before them.
+    if (debugs()) return true;  // views show the prepass
+    // Without plates, passes that write depth themselves need no prepass.
     const bool wanted = plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);
     return wanted && platesReject(path, device_.plan);
 }
@@ -407,7 +407,7 @@ void Chooser::chooseGeometry() {
     if (tiles && !scene_.hasTranslucentAtoms && !choice_.has(Kind::volume))
         choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
     if (request_.part == Part::edges && choice_.shadedByCompute()) {
-        // A sphere that nothing cuts or outlines is known by its number.
+        // The number of a sphere is enough if nothing cuts or outlines it.
         const bool alone = !scene_.hasCylinders && !scene_.hasWires && scene_.meshTriangles == 0 && !rims() &&
                            settings_.effects.contours.width <= 0 && !settings_.effects.clip.on();
         choice_.edgePixels = alone ? EdgePixels::alone : EdgePixels::listed;
@@ -446,7 +446,7 @@ void Chooser::chooseOverflow() {
     overflow.longestList =
         choice_.drawsEdges() ? device_.tiles.longestListOfEdges : device_.tiles.longestList / (rims() ? 2 : 1);
     overflow.path = rims() ? Visibility::deferred : usual == Visibility::tiles ? Visibility::fragdepth : usual;
-    // Lists of a quarter of the pixels' side are shorter.
+    // Tiles of blocks cover a quarter of the side, so their lists are shorter.
     if (choice_.drawsEdges()) overflow.refinement = blind() ? Refinement::everywhere : Refinement::blocks;
     overflow.host = hostWorkOf(overflow.path);
     overflow.prepass = prepassOf(overflow.path, settings_.tuning.plates);
@@ -484,7 +484,7 @@ std::uint64_t Chooser::mostVertexBytes() const {
     return asked > 0 ? asked : device_.plan.geometry.mostVertexBytes;
 }
 
-/// Rounds of a pass, so that none hands on more than the limit.
+/// Rounds of a pass that keep each one's vertex outputs within the limit.
 Rounds Chooser::roundsOf(const PassCost& cost, const PrimitiveCounts& counts) const {
     const std::uint64_t all = bytesOf(cost, counts) * choice_.views, most = mostVertexBytes();
     Rounds rounds;
@@ -520,7 +520,7 @@ GeometryWorks Chooser::geometryOf(Visibility path, const SphereShapes& shapes) c
     return passes;
 }
 
-/// Shapes and rounds by which no render pass of a path hands on more than the limit: first fewer corners, then none of
+/// Shapes and rounds that keep vertex outputs of each render pass within the limit: first fewer corners, then no
 /// plates, then more render passes.
 VertexOutputs Chooser::fitted(Visibility path) const {
     const graph::GeometryCaps& caps = device_.plan.geometry;
@@ -802,7 +802,7 @@ MotionSamples chooseMotionSamples(const FrameCaps& device) {
 
 OcclusionMaps chooseOcclusionMaps(const FrameCaps& device) {
     if (device.kind == DeviceKind::software && device.plan.tiles) return OcclusionMaps::tiles;
-    // Where MIN is a blend shader, depth costs less by the depth buffer.
+    // Where MIN is a blend shader, the depth buffer is cheaper.
     return pathOf(device) == Visibility::encoded && !device.encoded.ordered ? OcclusionMaps::encoded
                                                                             : OcclusionMaps::fragdepth;
 }

@@ -20,8 +20,8 @@ namespace nacre {
 
 /// What a frame draws.
 enum class Part : std::uint8_t {
-    whole,      ///< all of a picture: in one frame where that is possible, else the first of several
-    coarse,     ///< a picture with one sample per pixel, which shows where more are needed
+    whole,      ///< a whole picture, or the first of its frames
+    coarse,     ///< a picture with one sample per pixel; finds where more are needed
     edges,      ///< samples of listed edge pixels, added to a picture with one sample per pixel
     block,      ///< a rectangle of a picture, with kBlockSamples x kBlockSamples pixels for each of its pixels
     distances,  ///< how far away each pixel is, for depth of field
@@ -38,14 +38,14 @@ enum class Ending : std::uint8_t {
     left,            ///< stays on the device
     readBack,        ///< read by the host
     picture,         ///< in the image of its picture
-    pictureAndHost,  ///< the same, and read by the host, which finds where more samples are needed
-    throughLens,     ///< that image blurred by depth, read by the host
+    pictureAndHost,  ///< in the image of its picture; the host reads it to find where more samples are needed
+    throughLens,     ///< in the image of its picture, blurred by depth; the host reads the result
     window,          ///< drawn into the window's image
     copiedToWindow,  ///< copied to the window
     scaledToWindow,  ///< scaled to the window
-    firstSample,     ///< starts a sum of samples, which is shown in the window
-    nextSample,      ///< adds to such a sum
-    sumToWindow,     ///< shows the sum only: no scene is drawn
+    firstSample,     ///< starts a sum of samples; the window shows it
+    nextSample,      ///< adds a sample to the sum; the window shows it
+    sumToWindow,     ///< shows the sum; draws no scene
 };
 
 struct FrameRequest {
@@ -66,7 +66,7 @@ struct SceneFacts : passes::PrimitiveCounts {
     std::uint64_t meshTriangles = 0;   ///< of the finest level
     bool leveled = false;              ///< each view has its own levels of detail
     bool boxed = false;                ///< the scene's spheres have finite bounding boxes
-    /// Whether anything is blended over what is opaque.
+    /// Whether anything is blended over opaque surfaces.
     bool blends() const { return hasTranslucent || hasVolume; }
     // Of the view:
     double smallestPixels = 1e9;       ///< half the width of the narrowest primitive or line in the picture
@@ -79,8 +79,8 @@ struct SceneFacts : passes::PrimitiveCounts {
 struct Samples {
     enum class Where : std::uint8_t {
         one,         ///< one sample per pixel
-        edges,       ///< several where the frame finds or is given edges
-        everywhere,  ///< several pixels of the frame are one of the picture
+        edges,       ///< several where the frame finds edges, or is given them
+        everywhere,  ///< several pixels of the frame form one of the picture
         resolved,    ///< several, which the render pass averages
     };
     Where where = Where::one;
@@ -88,15 +88,15 @@ struct Samples {
     friend bool operator==(const Samples&, const Samples&) = default;
 };
 
-/// The frames behind a picture's first one, which add samples.
+/// Frames that add samples to a picture's first one.
 enum class Refinement : std::uint8_t {
     none,
-    edges,       ///< behind a coarse frame, one frame draws samples where colours change
-    blocks,      ///< behind a coarse frame, frames of a block each draw samples where colours change
-    everywhere,  ///< frames of a block each draw samples in every pixel; there is no other frame
+    edges,       ///< after a coarse frame, one frame draws samples where colours change
+    blocks,      ///< after a coarse frame, one frame per block draws samples where colours change
+    everywhere,  ///< one frame per block draws samples in every pixel; no coarse frame
 };
 
-/// Translucent layers per pixel: the nearest ones in front of what is opaque. Atoms lie closer behind each other than
+/// Translucent layers per pixel: the nearest ones in front of opaque surfaces. Atoms lie closer together in depth than
 /// surfaces do.
 constexpr std::uint32_t kTranslucentLayers = 2, kLayersOfAtoms = 3;
 
@@ -108,7 +108,7 @@ struct Effect {
         halos,             ///< drawn by the pass of those outlines
         translucency,      ///< layers of primitives; size: their number
         tileTranslucency,  ///< of triangles alone, found by compute
-        volume,            ///< a density map, in front of what is opaque and between translucent layers
+        volume,            ///< a density map, in front of opaque surfaces and between translucent layers
         lens,              ///< depth of field: frames of distances, and a blur of the picture
     };
     Kind kind{};
@@ -162,14 +162,14 @@ enum class Shading : std::uint8_t { fragments, compute };
 enum class EdgePixels : std::uint8_t {
     found,   ///< compute finds them
     listed,  ///< the host lists them
-    alone,   ///< the same, and only they are shaded, from the numbers of primitives
+    alone,   ///< the host lists them, and only they are shaded, from primitive numbers
 };
 
 /// Passes that each draw a share of the primitives.
 struct Rounds {
     std::uint32_t count = 1;
-    std::array<std::uint32_t, 3> bytes{};  ///< of vertex outputs per primitive of each kind, where there are several
-    bool apart = false;                    ///< the first begins a render pass, as all others do
+    std::array<std::uint32_t, 3> bytes{};  ///< of vertex outputs per primitive of each kind, if count > 1
+    bool apart = false;                    ///< the first begins a render pass, like all others
     friend bool operator==(const Rounds&, const Rounds&) = default;
 
     std::vector<graph::Share> shares() const;
@@ -177,21 +177,21 @@ struct Rounds {
 
 /// How a frame's vertex outputs fit the device's limit per render pass (GeometryCaps::mostVertexBytes).
 struct VertexOutputs {
-    // Automatic: as the settings have it.
+    // `automatic`: those of the settings.
     PlateShape plates = PlateShape::automatic;
     ImpostorShape impostor = ImpostorShape::automatic;
-    // Of the passes that draw primitives, in the order in which they run:
+    // Rounds of the passes that draw primitives, in order:
     Rounds light, layers;              ///< the shadow map; each translucent layer
     Rounds plating, nearest, shading;  ///< the prepass; nearest depth or numbers; colour, layers, or outlines and halos
     friend bool operator==(const VertexOutputs&, const VertexOutputs&) = default;
 };
 
-/// Changes of a choice where a tile's list is longer than the device's loops.
+/// How the choice changes where a tile's list is longer than the device's loops.
 struct Overflow {
-    std::uint32_t longestList = 0;          ///< entries that a list may have; 0: the frame has no lists
-    std::uint32_t longestListOfLayers = 0;  ///< beyond, only translucent layers are drawn otherwise
+    std::uint32_t longestList = 0;          ///< entries of the longest list allowed; 0: the frame has no lists
+    std::uint32_t longestListOfLayers = 0;  ///< longer lists change only how translucent layers are drawn
     Visibility path{};
-    Refinement refinement{};  ///< not none: these frames are drawn instead of this one
+    Refinement refinement{};  ///< unless none: these frames are drawn instead of this one
     HostWork host{};
     bool prepass = false;
     VertexOutputs vertices{};
@@ -206,7 +206,7 @@ struct FrameChoice {
     Refinement refinement{};
     EffectList effects;
     Ending ending{};
-    std::uint32_t views = 1;  ///< that each draw call draws
+    std::uint32_t views = 1;  ///< per draw call
     DebugView debug = DebugView::none;
     ColorFormat color{};
     Geometry geometry{};
@@ -249,17 +249,17 @@ std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& sce
 std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device,
                               const FrameChoice& drawn);
 
-// Steps of choose() that are needed before a view's counts are known:
+// Steps of choose() that need no counts of a view:
 
-/// The settings without what such a frame leaves out: layers have no outlines, for example.
+/// The settings without effects that the frame omits: layers have no outlines, for example.
 RenderSettings drawnSettings(const FrameRequest& request);
-/// Samples of such a frame, of a scene whose view is not known yet.
+/// Samples of a frame before its view is known.
 Samples chooseSamples(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device);
-/// Whether pictures with these settings have several samples per pixel where edges are, and one elsewhere.
+/// Whether pictures with these settings take several samples per pixel at edges, and one elsewhere.
 bool wantsEdges(const RenderSettings& settings);
 /// Whether the frame draws translucent layers.
 bool drawsLayers(const FrameRequest& request, const SceneFacts& scene);
-/// Whether it draws a volume.
+/// Whether the frame draws a volume.
 bool drawsVolume(const FrameRequest& request, const SceneFacts& scene);
 
 // Choices that hold for all frames of a device:
@@ -281,12 +281,12 @@ MotionSamples chooseMotionSamples(const graph::FrameCaps& device);
 /// How a bake's depth maps are drawn.
 OcclusionMaps chooseOcclusionMaps(const graph::FrameCaps& device);
 
-/// The path that asks least of a driver: one subpass, and nothing read from the tile.
+/// The path with the lowest demands on a driver: one subpass, and no reads from the tile.
 graph::TestedPath plainestPath(const char* why);
 
 /// Whether a device with these abilities has a path at all.
 bool hasPath(Visibility path, bool rasterOrder, bool tiles);
-/// Whether the small scenes of a self-test tell how long a path takes.
+/// Whether the small scenes of a self-test are enough to time a path.
 bool isTimedBySmallScenes(Visibility path);
 
 /// Whether plates in the hardware depth buffer reject fragments on a path. Where impostors write depth themselves, that
@@ -296,7 +296,7 @@ bool platesReject(Visibility path, const graph::PlanCaps& caps);
 /// Why a path cannot draw kMultisamples per pixel in one render pass without storing them. Empty: it can.
 std::string lacksMultisampling(Visibility path, const graph::PlanCaps& caps);
 
-/// Why a picture with these settings has one sample per pixel, whatever the device can. Empty: it can have more.
+/// Why a picture with these settings has one sample per pixel, on any device. Empty: it can have more.
 std::string lacksSamples(const RenderSettings& settings, bool blends);
 
 }  // namespace nacre

@@ -45,7 +45,7 @@ public:
     std::size_t size() const { return frames_.size(); }
 
 private:
-    /// Moves it to the front.
+    /// Moves a match to the front.
     bool find(const FrameShape& shape);
     static std::shared_ptr<DeclaredFrame> begin(const FrameShape& shape);
     void keep(std::shared_ptr<DeclaredFrame> frame);

@@ -32,7 +32,7 @@ void addUp(std::vector<Row>& sum, const std::vector<Row>& more, Number Row::*num
 /// @param more  of passes over the whole picture
 std::uint32_t rimOf(const RenderSettings& settings, double more = 0) {
     constexpr std::uint32_t kRim = PictureRect::kStep;
-    static_assert(kRim == TileBins::kPixels);  // its bins are those of the whole
+    static_assert(kRim == TileBins::kPixels);  // bins of a part are bins of the whole
     const double reach = std::max(settings.effects.contours.width, settings.effects.halos.width) + more;
     return kRim * std::max(static_cast<std::uint32_t>(std::ceil(reach / kRim)), 1u);
 }
@@ -56,8 +56,8 @@ Picture PictureFrames::part(const RenderSettings& settings, const passes::Atlas&
     return picture(settings, atlas, {view, inner});
 }
 
-/// Has a frame end in the picture's image, all of which it draws. @param picture  its view
-/// @param n  n x n pixels of the frame are one of the picture
+/// Makes a frame end in the picture's image, and fill it. @param picture  its view
+/// @param n  n x n pixels of the frame form one of the picture
 void PictureFrames::endInPicture(PreparedFrame& prepared, const View& picture, std::uint32_t n) {
     using Usage = vk::ImageUsageFlagBits;
     const graph::ImageDesc desc{prepared.shape.targets[0].format, imageExtent(picture)};
@@ -91,9 +91,9 @@ PictureFrames::Drawn PictureFrames::readPicture() {
     return drawn;
 }
 
-/// Draws a picture with one sample per pixel. @returns where it needs more samples
+/// Draws a picture with one sample per pixel. @returns the pixels that need more
 FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Wanted& wanted, PreparedFrame coarse) {
-    constexpr double kThinOutline = 0.34;  // of the widest, as shaders/common/rims.glsl has it
+    constexpr double kThinOutline = 0.34;  // share of the widest width, as shaders/common/rims.glsl has it
     coarse.shape.name = "coarse screen";
     endInPicture(coarse, wanted.view, 1);
     const bool fine = coarse.choice().color == ColorFormat::linear;
@@ -102,17 +102,17 @@ FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Want
     const graph::Extent image = imageExtent(wanted.view);
     FinerPlaces places = fine ? FinerPlaces(reinterpret_cast<const float*>(pixels), image)
                               : FinerPlaces(reinterpret_cast<const std::uint32_t*>(pixels), rowPixels, image);
-    // Some pixels have a thin outline beside their centres.
+    // At some pixels a thin outline misses the centre.
     if (settings.effects.linesByGroups() && kThinOutline * settings.effects.contours.width < 1) places.grow();
     return places;
 }
 
-/// Draws finer places from the samples of one frame by tiles, for pictures by other paths.
-/// @returns whether its lists are short enough
+/// Draws the samples of finer places in one frame by tiles, for pictures by other paths.
+/// @returns false if the tiles' lists are too long
 bool PictureFrames::drawEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                               const FinerPlaces& places) {
     const PictureRect whole = wholeOf(imageExtent(view));
-    const PictureRect rect = hasLens(settings) ? places.boundsIn(whole) : whole;  // else they are all over it
+    const PictureRect rect = hasLens(settings) ? places.boundsIn(whole) : whole;  // else they are everywhere
     const auto [part, inner] = withRim(view, rect, rimOf(settings));
     const auto [wanted, tiles] = places.edgesOf({rect.x - inner.x, rect.y - inner.y, part.width, part.height}, rect);
     FrameInputs inputs{atlas, part, "finer screen"};
@@ -127,8 +127,8 @@ bool PictureFrames::drawEdges(const RenderSettings& settings, const passes::Atla
     return true;
 }
 
-/// Draws all blocks of a picture with kBlockSamples x kBlockSamples samples, where it needs them.
-/// @param drew  called behind each
+/// Draws a picture in blocks with kBlockSamples x kBlockSamples samples per pixel, only where it needs them.
+/// @param drew  called after each block
 template <typename Drew>
 void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                                const FinerPlaces* places, const Drew& drew) {
@@ -164,7 +164,7 @@ void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atl
         }
 }
 
-/// Draws a picture with samples where its coarse frame shows that colours change, or everywhere, as its choice has it.
+/// Draws a picture with more samples where the coarse frame changes colour, or everywhere, as its choice says.
 /// @param first  the coarse frame, or one that gives way to others
 void PictureFrames::refine(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                            PreparedFrame first) {
@@ -182,7 +182,7 @@ void PictureFrames::refine(const RenderSettings& settings, const passes::Atlas& 
         if (first.choice().givesWay()) first = prepare({settings, Part::coarse}, {atlas, wanted.view});
         places = drawCoarse(settings, wanted, std::move(first));
         drew();
-        // Its images' memory serves those of the lens.
+        // The memory of its images serves the lens.
         if (hasLens(settings)) executor_.forget("coarse screen");
         if (hasLens(settings) && leaveBlurred(settings, wanted.view, *places)) drew();
         picture_.finer = passes::makeTexture(device_, executor_, {VK_FORMAT_R8_UNORM, picture_.image.desc.extent},

@@ -28,7 +28,7 @@ void compare(const std::uint32_t* a, const std::uint32_t* b, std::uint32_t count
     }
 }
 
-/// A channel in steps that look alike: the square root is close to sRGB's coding.
+/// A channel in steps of equal visibility: the square root is close to sRGB's coding.
 std::uint32_t stepOf(float linear) {
     return static_cast<std::uint32_t>(255 * std::sqrt(std::clamp(linear, 0.0f, 1.0f)));
 }
@@ -129,7 +129,7 @@ std::pair<passes::EdgePlaces, TileMask> FinerPlaces::edgesOf(const PictureRect& 
             if (!finer(x, y)) continue;
             const std::uint32_t left = x - shown.x, top = y - shown.y;
             edges.pixels[std::size_t{top} * shown.width + left] = 1;
-            // Samples are asked of what the pixels around show.
+            // Samples need the pixels around them.
             for (std::uint32_t row = (top - std::min(top, 1u)) / kSide;
                  row <= std::min(top + 1, shown.height - 1) / kSide; ++row)
                 for (std::uint32_t at = (left - std::min(left, 1u)) / kSide;

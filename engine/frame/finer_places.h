@@ -12,7 +12,7 @@
 
 namespace nacre {
 
-/// The pixels whose colour differs visibly from that of a neighbour.
+/// Pixels whose colour differs visibly from a neighbour's.
 class FinerPlaces {
 public:
     FinerPlaces() = default;
@@ -25,10 +25,9 @@ public:
     void grow();
 
     static constexpr std::uint32_t kTogether = 4;
-    /// Drops pixels that are blurred. @param sharp  a byte for each kTogether x kTogether pixels, row by row: not 0
-    /// where they are
+    /// Drops blurred pixels. @param sharp  one byte per kTogether x kTogether pixels, row by row; 0: blurred
     void keep(const std::vector<std::uint8_t>& sharp);
-    /// Whether there is any.
+    /// Whether any pixel is left.
     bool any() const;
 
     /// A byte per pixel, row by row: 0 where one sample is enough.
@@ -36,13 +35,13 @@ public:
     /// The smallest rectangle that contains all finer pixels of a part. Its position relative to the part is a multiple
     /// of PictureRect::kStep. @returns an empty one if there are none
     PictureRect boundsIn(const PictureRect& part) const;
-    /// The same of bands of a part's rows, where there are any: together much smaller.
+    /// Smallest rectangles per band of a part's rows, without empty ones: together much smaller than boundsIn().
     std::vector<PictureRect> bandsIn(const PictureRect& part) const;
     /// The mask of a frame with RenderSettings::kBlockSamples x kBlockSamples samples per pixel.
     /// @param shown  part of the picture in the frame
     /// @param wanted  the frame's wanted part
     TileMask tilesOf(const PictureRect& shown, const PictureRect& wanted) const;
-    /// The edges of a frame with one sample per pixel, and its tiles that these ask about.
+    /// The edges of a frame with one sample per pixel, and the tiles that need them.
     std::pair<passes::EdgePlaces, TileMask> edgesOf(const PictureRect& shown, const PictureRect& wanted) const;
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
-// A frame: its graph, and the images and buffers that its passes hand on. frame.cpp declares it from a choice; the
-// files of paths/ and effects/ declare and record the passes.
+// A frame: its graph, and the images and buffers that its passes share. frame.cpp declares it from a choice; the files
+// of paths/ and effects/ declare and record the passes.
 
 #include <memory>
 #include <optional>
@@ -29,16 +29,16 @@ struct ScreenTarget {
     passes::Output output;
     const char* pass;  ///< name of the pass that makes it
     graph::Clear clear{0.0f};
-    const graph::State* lent = nullptr;  ///< of an image from outside, before and after the frame; null: its own image
+    const graph::State* lent = nullptr;  ///< of an imported image, before and after the frame; null: the frame makes it
 };
 
-/// The targets of a choice, but those of windows.
+/// The targets of a choice, except those of windows.
 std::span<const ScreenTarget> targetsOf(const FrameChoice& choice);
 
-/// Whether `raster-order` settles depth and shades in one pass: its colour and the depth beside it fit every tile.
+/// Whether `raster-order` settles depth and shades in one pass: colour and depth together fit every tile.
 bool settlesWhileShading(std::span<const ScreenTarget> targets);
 
-/// Of windows and headsets, which are opaque: composites the background over white.
+/// Composites a background over white, for windows and headsets, which are opaque.
 graph::Clear opaqueClear(const std::array<float, 4>& background);
 
 /// How a frame ends in the image of its picture.
@@ -56,11 +56,11 @@ struct FrameShape {
     graph::Extent extent;
     graph::ImageDesc atlas{VK_FORMAT_R8_UNORM, {1, 1}};
     std::span<const ScreenTarget> targets;
-    const char* name = "screen";  ///< images are kept by it: frames of several sizes want several names
+    const char* name = "screen";  ///< key of its kept images: frames of several sizes need several names
     PictureEnd picture{};         ///< for endings in a picture's image, and through the lens
     graph::Extent window{};       ///< its image's size, for endings in a window
     bool overlay = false;         ///< the window has an overlay
-    bool eye = false;             ///< it is one of two that the window's sum shows
+    bool eye = false;             ///< it draws one of two eyes that the window's sum shows
     bool merge = true, transient = true;
 
     /// Whether the frame's target is the picture's image itself.
@@ -90,7 +90,7 @@ struct Frame {
     // Translucent triangles:
     std::vector<graph::Image> layers;           ///< numbers of the nearest layer first
     std::vector<graph::Image> layerDepths;      ///< their depth
-    std::optional<graph::Buffer> layerNumbers;  ///< the same where compute finds them, imported
+    std::optional<graph::Buffer> layerNumbers;  ///< numbers where compute finds them, imported
     // Of `tiles`, imported:
     graph::Buffer numbers;               ///< of primitives, or their colours
     std::optional<graph::Buffer> edges;  ///< for edges: numbers if `numbers` are colours, else edge colours
@@ -101,23 +101,23 @@ struct Frame {
     std::optional<graph::Image> finer;    ///< imported: the mask, if only some pixels are replaced
     std::optional<graph::Image> sum;      ///< imported, of a window: the sum of its samples
 
-    /// The pass samples the atlas, and the shadow map if there is one. @returns the pass
+    /// Makes the pass sample the atlas, and the shadow map if there is one. @returns the pass
     graph::PassBuilder& lit(graph::PassBuilder& pass) const;
-    /// The image of a target, which a pass draws to with the choice's samples per pixel. The pass of the first share
-    /// makes and clears it. @returns the pass
+    /// Makes the pass draw to a target with the choice's samples per pixel. The pass of the first share creates and
+    /// clears the image. @returns the pass
     graph::PassBuilder& draw(graph::PassBuilder& pass, const ScreenTarget& target, const FrameShape& shape,
                              const graph::Share& share);
     /// The image of a target.
     graph::Image& add(const ScreenTarget& target, const FrameShape& shape);
 };
 
-/// The pass of the first share clears what the others go on with.
+/// Clears only in the pass of the first share: the others continue its work.
 inline std::optional<graph::Clear> clearFirst(const graph::Share& share, const graph::Clear& clear) {
     if (share.index > 0) return {};
     return clear;
 }
 
-/// Declares the passes of a shape's scene. The caller declares what becomes of the targets.
+/// Declares the passes of a shape's scene. The caller declares how the targets are used.
 /// @param shown  null: the frame is only planned
 Frame declareFrame(const FrameShape& shape, std::shared_ptr<const ShownScene> shown = nullptr);
 

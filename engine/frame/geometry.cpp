@@ -88,7 +88,7 @@ void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const gr
     for (std::uint32_t p = 0; p < graph.passes().size(); ++p) {
         const graph::PassDecl& pass = graph.passes()[p];
         const bool tests = pass.has(Verb::depth) || pass.has(Verb::depthTest) || pass.has(Verb::ordered);
-        // None of the scene's primitives, but triangles over the screen.
+        // Draws triangles over the screen instead of the scene's primitives.
         const bool screen = pass.has(Verb::reads) || pass.name.starts_with(kTranslucentColor);
         if (pass.kind != graph::PassKind::graphics || !tests) continue;
         if (pass.name.starts_with(kTranslucentLayer)) {

@@ -13,14 +13,14 @@ namespace nacre {
 
 struct SceneCounts : passes::PrimitiveCounts {
     passes::PrimitiveCounts light{};   ///< of the light's view
-    passes::PrimitiveCounts layers{};  ///< of translucent layers, beside the others
+    passes::PrimitiveCounts layers{};  ///< of translucent layers, not included above
     std::vector<MeshLevelCount> meshLevels{};
     std::vector<CopyLevelCount> copyLevels{};
     TileCounts lists{};  ///< tile lists
 };
 
-/// Primitives that the settings' view of a scene submits, after culling those outside of the picture as frames do.
-/// @param facts  receives what choose() needs of the view
+/// Primitives that the settings' view of a scene submits, after the culling of frames.
+/// @param facts  receives the facts about the view for choose()
 SceneCounts countsOf(Representation representation, const RenderSettings& settings, SceneFacts& facts);
 
 /// Geometry of a screen frame's passes that draw primitives, in order. @param plates, impostor  as requested
@@ -31,7 +31,7 @@ std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCount
 void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const graph::GeometryCaps& caps,
                   PlateShape plates, ImpostorShape impostor, std::vector<PassGeometry>& list);
 
-/// Bytes that the passes of each render pass hand on. Render passes that draw no primitives have none.
+/// Bytes of vertex outputs of each render pass; 0 for those that draw no primitives.
 std::vector<std::uint64_t> vertexBytesOf(const graph::Plan& plan, std::span<const PassGeometry> passes);
 
 /// The total.

@@ -1,4 +1,4 @@
-// Pictures of what pixels show beside colour, and the atom at a place.
+// Pictures of what pixels show besides colour, and the atom at a position.
 
 #include <algorithm>
 #include <cmath>

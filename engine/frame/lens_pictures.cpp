@@ -1,4 +1,4 @@
-// Pictures with depth of field. All paths and all ways to sample end in one image, which is blurred on the device.
+// Pictures with depth of field. All paths and sampling methods end in one image, which is blurred on the device.
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace nacre {
 
 namespace {
 
-/// Settings of frames that draw how far away pixels are.
+/// Settings of frames that draw the distance of each pixel.
 RenderSettings distances(RenderSettings settings) {
     settings.supersample = 1;
     settings.occlusion.directions = 0;
@@ -18,7 +18,7 @@ RenderSettings distances(RenderSettings settings) {
 
 }  // namespace
 
-/// Drops the places that the lens blurs so much that one sample is enough. @returns whether that took a frame
+/// Drops places that the lens blurs so much that one sample is enough. @returns whether it drew a frame
 bool PictureFrames::leaveBlurred(const RenderSettings& settings, const View& view, FinerPlaces& places) {
     if (!places.any()) return false;
     // Groups of pixels start at the top left, also in parts of pictures.

@@ -1,5 +1,5 @@
 #pragma once
-// Scenes of millions of copies: each view gets a scene of the spheres that it shows, which all paths can draw.
+// Scenes of millions of copies: each view gets a scene of the spheres that it shows, for any path.
 
 #include "engine/frame/scene.h"
 #include "engine/lists/seen_copies.h"
@@ -10,16 +10,16 @@ namespace nacre {
 
 class LevelScenes {
 public:
-    /// Whether a scene's views are drawn by levels. They show no occlusion.
+    /// Whether levels draw a scene's views. They show no occlusion.
     static bool draws(const Representation& representation, const RenderSettings& settings);
 
-    /// Places per pixel and side where pixels have several samples: fewer in a large picture, whose places take memory.
+    /// Grid places per pixel side where pixels have several samples: fewer in a large picture, to save memory.
     static std::uint32_t gridOf(std::uint32_t width, std::uint32_t height);
 
-    /// The spheres that a view shows of such a scene, without copies. One sample per pixel.
+    /// The spheres that a view of such a scene shows, without copies. One sample per pixel.
     Representation show(const Representation& whole, const RenderSettings& settings, const View& view);
-    /// As above, on the device. The levels are kept while the scene stays. @param edges  have several samples: so
-    /// the levels are finer, and what lies between pixels' centres is found
+    /// As above, on the device. The levels are kept while the scene stays. @param edges  take several samples: the
+    /// levels are finer, and spheres between pixel centres are found
     std::shared_ptr<const Scene> show(const gpu::Device& device, const std::shared_ptr<const Scene>& scene,
                                       const RenderSettings& settings, const View& view, bool edges);
     /// Counts of the last view.
@@ -29,7 +29,7 @@ private:
     Representation shownBy(const Representation& whole, const RenderSettings& settings, const View& view, bool edges);
 
     std::weak_ptr<const Scene> leveled_;
-    SphereLevels levels_;  // of it
+    SphereLevels levels_;  // of the scene
     SeenCopies copies_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kTriangle = sizeof(Triangle) + 3 * sizeof(MeshVertex);
 constexpr Fetch kPositions{sizeof(Sphere), sizeof(Cylinder), kTriangle};
 constexpr Fetch kPlates{sizeof(Sphere), 0, kTriangle};
-// Where its patch lies in the occlusion atlas follows from a primitive's number, and is not fetched.
+// A primitive's patch of the occlusion atlas follows from its number, and is not fetched.
 constexpr Fetch kRecords{sizeof(Sphere) + sizeof(SphereLook), sizeof(Cylinder) + sizeof(CylinderLook),
                          kTriangle + 3 * sizeof(SphereLook)};
 constexpr Fetch kRecordsOfPixel{kRecords.sphere, kRecords.cylinder, kRecords.triangle, true};

@@ -1,5 +1,5 @@
 #pragma once
-// Facts about a pass that vendors' profilers ask for, derived from its use of images.
+// Facts about a pass that vendors' profilers ask for, derived from how it uses images.
 
 #include <cstdint>
 

@@ -47,7 +47,7 @@ std::uint64_t resolve(const ResolvedPart& part, Picture& to, const Add& add) {
 
 namespace {
 
-/// Values of the device's bytes.
+/// Values of the bytes 0 to 255.
 struct ByteValues {
     std::array<float, 256> linear{}, share{};
     ByteValues() {
@@ -86,7 +86,7 @@ std::uint64_t resolvePixels(const std::uint32_t* pixels, const ResolvedPart& par
 
 namespace {
 
-/// @param code  of a pixel that lets some of the background through @returns the number of covered pixels
+/// @param code  returns the code of a translucent pixel @returns the number of covered pixels
 template <std::size_t kChannels, typename Code>
 std::uint64_t codeRows(const std::uint32_t* pixels, const ResolvedPart& part, const Code& code, std::uint8_t* to) {
     constexpr std::uint32_t kShare = 24, kSolid = 0xff;

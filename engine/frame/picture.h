@@ -12,12 +12,12 @@ namespace nacre {
 /// Linear value of an sRGB-coded channel; both 0..1. IEC 61966-2-1.
 float linearFromSrgb(float coded);
 
-/// A linear colour. @param coded  sRGB-coded @param share  the fourth number
+/// A linear colour. @param coded  sRGB-coded @param share  the fourth component
 inline glm::vec4 linearColor(const std::array<float, 3>& coded, double share) {
     return {linearFromSrgb(coded[0]), linearFromSrgb(coded[1]), linearFromSrgb(coded[2]), share};
 }
 
-/// Which device pixels form a part of the picture.
+/// The device pixels that form a part of the picture.
 struct ResolvedPart {
     std::uint32_t rowPixels;  ///< per row on the device
     std::uint32_t n;          ///< n x n device pixels form one pixel of the picture
@@ -33,11 +33,11 @@ std::uint64_t resolvePixels(const std::uint32_t* pixels, const ResolvedPart& par
 std::uint64_t resolvePixels(const float* pixels, const ResolvedPart& part, Picture& to);
 
 /// Puts a background behind a picture of linear, premultiplied colour. @param background  sRGB-coded, straight alpha
-/// @returns the number of pixels that were not empty
+/// @returns the number of covered pixels
 std::uint64_t putOver(Picture& picture, const std::array<float, 4>& background);
 
-/// Both at once, and the result coded: the same bytes, but most pixels are copied. @param part  of one device pixel per
-/// pixel
+/// resolvePixels() and putOver() with a coded result: the same bytes, but most pixels are copied. @param part  with one
+/// device pixel per pixel
 CodedPicture codePixels(const std::uint32_t* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
                         bool alpha, std::uint64_t& covered);
 

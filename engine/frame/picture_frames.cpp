@@ -14,13 +14,13 @@ namespace {
 
 std::string pixelsOf(const ScreenTarget& target) { return std::string(target.image) + " pixels"; }
 
-/// Of all views.
+/// Bytes of all views.
 std::uint64_t pixelBytes(const ScreenTarget& target, const FrameShape& shape) {
     return std::uint64_t{shape.extent.width} * shape.extent.height * shape.choice.views *
            graph::bytesPerTexel(target.format);
 }
 
-/// A target as the host reads it: behind a lens there is the picture.
+/// A target as the host reads it: with a lens, the blurred picture.
 ScreenTarget readTarget(const FrameShape& shape, std::size_t i) {
     ScreenTarget target = shape.targets[i];
     if (shape.choice.ending == Ending::throughLens) target.format = shape.picture.image.format;
@@ -61,7 +61,7 @@ std::vector<gpu::Buffer> bindPixels(const gpu::Device& device, DeclaredFrame& de
 
 }  // namespace
 
-/// Pixels of a picture's frame per pixel of the picture and side.
+/// Pixels of a picture's frame per pixel side of the picture.
 std::uint32_t PictureFrames::samplesPerSide(const RenderSettings& settings) {
     return std::max(settings.supersample, 1u);
 }
@@ -160,13 +160,13 @@ std::pair<const std::byte*, std::uint32_t> PictureFrames::rowsOf(const Drawn& dr
     return {drawn.pixels[0].mapped, imageExtent(view).width * n};
 }
 
-/// All of a view.
+/// All pixels of a view.
 PictureFrames::Wanted PictureFrames::wantedOf(const RenderSettings& settings) {
     const graph::Extent image = imageExtent(settings.view);
     return {settings.view, {0, 0, image.width, image.height}};
 }
 
-/// Draws a picture's frames. @returns its pixels; of several samples each, if the host is to average them
+/// Draws a picture's frames. @returns its pixels; with several samples each, if the host averages them
 PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas,
                                          const Wanted& wanted, Ending ending) {
     const std::uint32_t n = samplesPerSide(settings);

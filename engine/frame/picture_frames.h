@@ -40,14 +40,14 @@ public:
     /// As Renderer::atoms.
     std::vector<std::uint32_t> atoms(const RenderSettings& settings);
 
-    /// Starts a picture as coded() draws it: pictures of one frame while earlier ones are drawn, others at once.
+    /// Starts a picture as coded() draws it. Pictures of one frame are drawn while earlier ones are, others at once.
     void start(RenderSettings settings, const passes::Atlas& atlas, bool alpha);
-    /// The picture that was started first, of those that finish() has not returned.
+    /// The first picture that was started and not yet returned.
     CodedPicture finish();
     std::size_t started() const { return started_.size(); }
-    /// Waits for what is started: what it reads may change then.
+    /// Waits for started pictures. Call before what they read changes.
     void settle();
-    /// Gives up what is started.
+    /// Cancels started pictures.
     void drop();
 
     const PictureStats& stats() const { return stats_; }
@@ -59,7 +59,7 @@ public:
     std::vector<Decision> decisions() const;
 
 private:
-    /// The view of a picture, and the wanted pixels of it.
+    /// The view of a picture, and its wanted pixels.
     struct Wanted {
         View view;
         PictureRect inner;
@@ -67,7 +67,7 @@ private:
     /// Results of a frame.
     struct Drawn {
         std::vector<gpu::Buffer> pixels;                  ///< per target, if read back
-        std::shared_ptr<const passes::TileFrame> colors;  ///< not null: the picture, in memory that the host reads
+        std::shared_ptr<const passes::TileFrame> colors;  ///< if not null, the picture, in memory that the host reads
     };
     static Wanted wantedOf(const RenderSettings& settings);
     static std::uint32_t samplesPerSide(const RenderSettings& settings);
@@ -99,14 +99,14 @@ private:
     bool leaveBlurred(const RenderSettings& settings, const View& view, FinerPlaces& places);
     Drawn blur(const RenderSettings& settings, const Wanted& wanted);
 
-    /// A picture that is drawn while the host goes on.
+    /// A picture that is drawn while the host continues.
     struct Started {
         std::array<float, 4> background{};
         bool alpha = false;
         Wanted wanted;
-        PreparedFrame prepared;  ///< what its frame uses
+        PreparedFrame prepared;  ///< resources of its frame
         std::unique_ptr<gpu::Submission> submission;
-        std::optional<CodedPicture> picture;  ///< instead, if it was drawn at once
+        std::optional<CodedPicture> picture;  ///< set instead, if it was drawn at once
     };
     bool submit(const RenderSettings& settings, const passes::Atlas& atlas, bool alpha);
 
@@ -118,7 +118,7 @@ private:
         int quarterTurns = 0;
         bool counted = false, eyes = false;
         SceneFacts facts;
-        FrameChoice drawn;  ///< what was chosen, and holds for the lists
+        FrameChoice drawn;  ///< the choice, after changes for long lists
     };
 
     const gpu::Device& device_;

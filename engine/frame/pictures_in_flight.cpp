@@ -1,11 +1,11 @@
-// Pictures that are drawn while the host prepares the next and codes the last: the device need not wait for it.
+// Pictures that are drawn while the host prepares the next and codes the last, so that the device need not wait.
 
 #include "engine/error.h"
 #include "engine/frame/picture_frames.h"
 
 namespace nacre {
 
-/// Starts a picture of one frame whose pixels the host reads where compute writes them. @returns whether it is one
+/// Starts a picture of one frame whose pixels compute writes to host memory. @returns false for any other picture
 bool PictureFrames::submit(const RenderSettings& settings, const passes::Atlas& atlas, bool alpha) {
     const auto isOneFrame = [&](const FrameChoice& choice) {
         return choice.refinement == Refinement::none && !choice.has(Effect::Kind::lens) && choice.shadedByCompute();

@@ -1,5 +1,5 @@
 #pragma once
-// Work of a frame's passes: functions that describe what a pass draws of the scene that the frame shows.
+// Work of a frame's passes: functions that describe what a pass draws of the shown scene.
 
 #include <optional>
 #include <utility>
@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-// Pipelines depend only on the kind of what is read; images are needed for recording alone.
+// Pipelines depend only on the kind of input; recording alone needs images.
 inline vk::ImageView viewOf(const gpu::PassContext& c, graph::Image image) { return c.view(image); }
 inline vk::ImageView viewOf(const gpu::PipelineContext&, graph::Image) { return {}; }
 
@@ -22,13 +22,13 @@ passes::Reads readsOf(const Context& c, passes::NearestFrom from, graph::Image a
     return {from, viewOf(c, atlas), nearest ? viewOf(c, *nearest) : vk::ImageView()};
 }
 
-/// Where the result of an earlier pass is: on the tile, or in memory.
+/// Where the result of an earlier pass lies: on the tile, or in memory.
 inline passes::NearestFrom fromEarlierPass(const gpu::PipelineContext& c) {
     return c.inputIsSampled ? passes::NearestFrom::texture : passes::NearestFrom::inputAttachment;
 }
 
 /// Work that draws the scene, and requests its pipelines ahead.
-/// @param describe  (context, scene): returns what draw() and want() of passes take
+/// @param describe  (context, scene): returns the argument of draw() and want()
 template <typename Describe>
 graph::Work draws(const Frame& frame, Describe describe) {
     if (!frame.shown) return {};
@@ -39,7 +39,7 @@ graph::Work draws(const Frame& frame, Describe describe) {
         }};
 }
 
-/// As above for the first pass that uses the depth buffer: masked pixels are covered before it.
+/// As above for the first pass that uses the depth buffer: it first covers masked pixels.
 template <typename Describe>
 graph::Work drawsFirst(const Frame& frame, Describe describe) {
     graph::Work work = draws(frame, describe);

@@ -6,7 +6,7 @@ namespace nacre {
 
 namespace {
 
-/// All pixels go as they are, from words of a buffer.
+/// Copies all pixels unchanged, from words of a buffer.
 void declareCopy(Frame& f, graph::Image picture, graph::Extent extent, const PictureImage& to) {
     const vk::ImageSubresourceLayers color(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
     const vk::Extent3D size(extent.width, extent.height, 1);

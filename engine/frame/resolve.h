@@ -1,5 +1,5 @@
 #pragma once
-// The one image that all paths and all ways to sample end in, for passes over the whole picture behind them.
+// The one image in which all paths and sampling methods end, and which passes over the whole picture read.
 
 #include "engine/frame/effects/lens/lens_pass.h"
 #include "engine/frame/frame.h"
@@ -11,7 +11,7 @@ namespace nacre {
 /// The picture's image, and parameters of the next frame that uses it.
 struct PictureImage {
     gpu::Image image;
-    gpu::Image finer;  ///< of its size: not 0 where a pixel takes more samples than one
+    gpu::Image finer;  ///< of its size; not 0 where a pixel takes several samples
     // Of the next frame that ends in it:
     passes::ResolvePlace place;
     const passes::TileFrame* tiles = nullptr;

@@ -36,7 +36,7 @@ bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
-/// Whether a stream is another one in an order.
+/// Whether `ordered` is the stream in this order.
 template <typename T>
 bool isOrdered(const std::vector<T>& ordered, const std::vector<T>& stream, const std::vector<std::uint32_t>& order) {
     if (ordered.size() != stream.size() || order.size() != stream.size()) return false;
@@ -45,7 +45,7 @@ bool isOrdered(const std::vector<T>& ordered, const std::vector<T>& stream, cons
     return true;
 }
 
-/// Whether a representation has the scene's shapes, each with its look. Not for assemblies, whose copies may differ.
+/// Whether a representation has the scene's shapes in its order. Not for assemblies, whose copies may differ.
 bool hasShapesOf(const Scene& scene, const Representation& r) {
     const Representation& now = scene.representation;
     return r.copies.transforms.empty() && now.copies.transforms.empty() && r.radius == now.radius &&
@@ -58,7 +58,7 @@ bool hasShapesOf(const Scene& scene, const Representation& r) {
            sameBytes(r.cylinderModels, now.cylinderModels) && sameBytes(r.triangleModels, now.triangleModels);
 }
 
-/// Whether a representation with the scene's shapes has its opaque and translucent ones.
+/// Whether the same primitives are opaque in the scene and in a representation with its shapes.
 bool hasOpacitiesOf(const Scene& scene, const Representation& r) {
     const Representation& now = scene.representation;
     const auto same = [](const auto& looks, const auto& others, const std::vector<std::uint32_t>& order) {
@@ -181,10 +181,10 @@ Scene makeOrderedScene(const gpu::Device& device, Representation representation)
 bool recolor(Scene& scene, Representation& r) {
     Representation& now = scene.representation;
     if (scene.buffers.empty() || !hasShapesOf(scene, r)) return false;
-    // Translucent primitives do not occlude: with other ones the bake is outdated.
+    // Translucent primitives do not occlude: if others become translucent, the bake is outdated.
     if (!hasOpacitiesOf(scene, r)) return false;
     putInOrder(r, scene.order);
-    // The shapes stay where they are: a running bake may read them. The meshes have the levels that a buffer holds.
+    // The shapes stay where they are: a running bake may read them. The meshes keep the levels that fit a buffer.
     r.spheres = std::move(now.spheres), r.cylinders = std::move(now.cylinders), r.wires = std::move(now.wires);
     r.triangles = std::move(now.triangles), r.coarseTriangles = std::move(now.coarseTriangles);
     r.meshVertices = std::move(now.meshVertices), r.meshes = std::move(now.meshes);
@@ -252,7 +252,7 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     passes::placeCopies(seen->copies, scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
                         cullingMargin(settings, view, wires), meshErrorOf(settings, view), true);
     seen->perspective = view.projection == Projection::perspective;
-    // The inner side of a closed surface is visible only through a cut, an outline or from inside.
+    // The inside of a closed surface is visible only through a cut, an outline or from inside.
     seen->frontsOnly = scene.solid && !settings.effects.clip.on() && settings.effects.contours.width <= 0 &&
                        !seen->rims.any() && (!seen->perspective || view.eyeDistance > view.radius);
     seen->quarterTurns = view.quarterTurns;

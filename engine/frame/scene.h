@@ -27,7 +27,7 @@ struct Scene {
     Chunks chunks;
     TranslucentParts translucent;
     StreamOrder order;   ///< maps to the caller's order
-    bool solid = false;  ///< from outside, backs of triangles are behind fronts
+    bool solid = false;  ///< closed: from outside, triangles' backs are behind fronts
 };
 
 /// A scene in the representation's own order. @throws Error
@@ -36,12 +36,12 @@ Scene makeOrderedScene(const gpu::Device& device, Representation representation)
 /// Uploads the streams. @throws Error
 Scene makeScene(const gpu::Device& device, Representation representation);
 
-/// Gives the scene the looks of a representation with the same shapes, if it is one. Only when no device reads it.
+/// Gives the scene the looks of a representation if its shapes are equal. Call only when no device reads the scene.
 bool recolor(Scene& scene, Representation& representation);
 
-/// Whether a representation can be the scene with moved primitives: the same number of each kind.
+/// Whether a representation can be the scene with moved primitives: it has as many of each kind.
 bool isMoved(const Scene& scene, const Representation& representation);
-/// As above, with primitives in the order of the scene that they moved from. @throws Error
+/// As above, with primitives in the order of the earlier scene. @throws Error
 Scene makeMovedScene(const gpu::Device& device, Representation representation, const Scene& before);
 
 /// Size of the image that holds a view: the view's own, possibly turned by 90°.
@@ -50,7 +50,7 @@ graph::Extent imageExtent(const View& view);
 /// Facts of a scene for choose(), without those of a view.
 SceneFacts factsOf(const Representation& representation, const Chunks& chunks, const TranslucentParts& translucent);
 
-/// Room around the picture within which primitives may reach into it, pixels.
+/// Margin around the picture, in pixels, from which primitives may reach into it.
 double cullingMargin(const RenderSettings& settings, const View& view, bool wires);
 
 /// Half the width of the narrowest primitive or outline in a picture, pixels.

@@ -67,7 +67,7 @@ std::shared_ptr<const passes::TileFrame> SceneFrames::listTiles(const passes::Sc
     work.edgesAlone = choice.edgePixels == EdgePixels::alone;
     work.longestList = choice.overflow.longestList;
     work.subsamples = view.rims.any() && request.part == Part::block;
-    // The device finds edges by whole bins.
+    // The device finds edges in whole bins.
     if (!work.edges || choice.edgePixels != EdgePixels::found) work.mask = inputs.mask;
     work.frontSpheres = choice.host == HostWork::frontSpheres;
     work.triangleChunks = shown_->chunks.triangles;
@@ -75,7 +75,7 @@ std::shared_ptr<const passes::TileFrame> SceneFrames::listTiles(const passes::Sc
     return tiles_->prepare(shown_->representation, view, inputs.view, imageExtent(inputs.view), work);
 }
 
-/// The tiles' lists, where the path takes them. The choice becomes what holds for lists of that length.
+/// The tiles' lists, if the path uses them. Replaces the choice if they are too long.
 void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request, const FrameInputs& inputs) {
     FrameChoice& choice = prepared.shape.choice;
     passes::SceneView& view = *prepared.view;
@@ -99,7 +99,7 @@ void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request,
     if (choice.has(Effect::Kind::tileTranslucency)) view.translucent->tiles = layers;
 }
 
-/// Covers what a mask leaves out, for passes that test depth.
+/// Covers masked pixels, for passes that test depth.
 void SceneFrames::addCovers(PreparedFrame& prepared, const TileMask& mask) {
     const std::vector<glm::vec4> covers = passes::coversOf(mask, prepared.shape.extent);
     if (covers.empty()) return;
@@ -129,7 +129,7 @@ void SceneFrames::releaseScene() {
 
 void SceneFrames::releaseViews() {
     shown_ = nullptr;
-    for (int held = 0; held < 2; ++held)  // a view holds the light's view, and the translucent one
+    for (int held = 0; held < 2; ++held)  // a view holds the light's and the translucent view
         views_.eachFree([](passes::SceneView& view) { view.clear(); });
 }
 

@@ -110,9 +110,9 @@ PlanCaps plan(const char* name, std::uint32_t tileBytes, bool storeNone) {
     return caps;
 }
 
-/// Where more corners begin to pay, by counts (docs/tilers.md): instructions of Mesa's compilers times vertices and
-/// fragments; of GPUs that store varyings at 100 pJ a byte and 10 an instruction. Where depth is tested late by
-/// default, octagons begin sooner: nothing but their outline spares fragments.
+/// Radius from which more corners pay, by counts (docs/tilers.md): instructions of Mesa's compilers times vertices and
+/// fragments; for GPUs that store varyings, 100 pJ per byte and 10 per instruction. Where depth is tested late by
+/// default, octagons begin sooner: only their outline saves fragments.
 constexpr GeometryCaps kDirect{false, 3.5, 6.5, 6.5}, kDirectLate{false, 3.5, 3.5, 6.5}, kV3dLate{false, 4.5, 5, 9.5},
     kStored{true, 9, 20, 20}, kStoredByArm{true, 9, 20, 20, 150'000'000}, kStoredLate{true, 9, 10, 20};
 

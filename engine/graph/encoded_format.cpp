@@ -5,7 +5,7 @@
 namespace nacre::graph {
 
 std::span<const EncodedFormat> encodedFormats() {
-    // 61,439: the normal halves of either sign, in their order; 65,504 is the last of them.
+    // 61,439 is the number of normal halves of both signs, in order; 65,504 is the last one.
     static constexpr std::array kLadder{
         EncodedFormat{EncodedDepth::r32f, "r32f", VK_FORMAT_R32_SFLOAT, 1, 0, 1.0f, false},
         EncodedFormat{EncodedDepth::rgba16f, "rgba16f", VK_FORMAT_R16G16B16A16_SFLOAT, 4, 61439, 65504.0f, false},

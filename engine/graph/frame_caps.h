@@ -24,8 +24,8 @@ struct TileCaps {
     std::uint32_t lanes = 0;  ///< per subgroup
     bool shade = false;       ///< compute shading is faster than drawing fragments
     bool drawsEdges = false;  ///< draws edges from the tile lists
-    /// Entries that a tile's list may have. lavapipe 22.3 allows an invocation 65,535 loop iterations in total, then
-    /// ends its loops in silence. Entries take one iteration each, and chunks as many again.
+    /// Most entries of a tile's list. lavapipe 22.3 allows an invocation 65,535 loop iterations in total, then ends its
+    /// loops silently. Entries take one iteration each, and chunks as many again.
     std::uint32_t longestList = 28000;
     /// As above with samples at edges: a subgroup may go through a list several times.
     std::uint32_t longestListOfEdges = 6000;
@@ -45,7 +45,7 @@ struct FrameCaps {
     EncodedFormat encoded{};  ///< for images
     TileCaps tiles{};
     bool blendsFloats = false;  ///< can blend colour attachments with 32 bits per channel
-    std::string lacksRasterOrder = "it does not read its own attachments in order";  ///< the reason, if it does not
+    std::string lacksRasterOrder = "it does not read its own attachments in order";  ///< why not, if it does not
     // The user's options, and the result of a self-test:
     Visibility visibility = Visibility::automatic;
     Multisampling multisampling = Multisampling::automatic;

@@ -7,7 +7,7 @@ namespace nacre::graph {
 
 std::string SourceLine::text() const {
     std::string_view path = file;
-    // From the tree's root, wherever it was built.
+    // Path from the root of the source tree, wherever it was built.
     for (const char* top : {"/engine/", "/tests/", "/app/"})
         if (const std::size_t at = path.rfind(top); at != std::string_view::npos) path.remove_prefix(at + 1);
     return line == 0 ? "" : " (declared at " + std::string(path) + ":" + std::to_string(line) + ")";

@@ -71,7 +71,7 @@ enum class Verb : std::uint8_t {
     depthTest,   // attachment, tested only
     color,       // attachment, written (and blended)
     ordered,     // attachment, read and written at the pixel's own place, fragment after fragment in raster order
-    resolve,     // attachment of one sample, which the subpass leaves the mean of its first colour's samples in
+    resolve,     // one-sample attachment; the subpass writes the mean of its first colour's samples to it
     input,       // read at the pixel's own place
     samples,     // texture
     reads,       // buffer: storage or uniform, read
@@ -103,7 +103,7 @@ struct Use {
     friend bool operator==(const Use&, const Use&) = default;
 };
 
-/// Where something was declared; errors state it.
+/// Where something was declared, for errors.
 struct SourceLine {
     const char* file = "";
     int line = 0;
@@ -194,7 +194,7 @@ private:
 
 class Graph {
 public:
-    /// @param views  that its passes draw at once: each of its own images has a layer per view
+    /// @param views  drawn at once by its passes: each of its own images has a layer per view
     explicit Graph(std::string name, std::uint32_t views = 1);
 
     /// An image that lives inside one execution. The plan decides memory and usage.

@@ -54,8 +54,8 @@ enum class Quirk : std::uint8_t {
     noLocalRead,      ///< no dynamic rendering with local reads
     dispatchesApart,  ///< dispatches after draws in one command buffer crash
     heapPerTile,      ///< allocates and frees heap memory for each tile of a frame
-    /// Keys shaders of a pipeline cache by the address of the render pass, and confuses a destroyed render pass with a
-    /// new one at the same address: no cache is used.
+    /// Keys shaders of a pipeline cache by the address of the render pass, and confuses a new render pass with a
+    /// destroyed one at that address: no cache is used.
     cacheMixesRenderPasses,
     noPipelineCache,  ///< vkCreatePipelineCache crashes
     oneCompiler,      ///< its compiler is not thread-safe: one pipeline at a time in the whole process

@@ -21,7 +21,7 @@ std::vector<bool> cullPasses(const Graph& graph) {
     for (std::size_t p = passes.size(); p-- > 0;) {
         const PassDecl& pass = passes[p];
         bool live = pass.sideEffect;
-        for (const Use& use : pass.uses)  // buffers live on outside
+        for (const Use& use : pass.uses)  // buffers outlive the graph
             live = live || (isWrite(use.verb) && (!use.isImage || imageWanted[use.resource]));
         if (!live) continue;
         culled[p] = false;

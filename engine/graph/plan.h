@@ -26,12 +26,12 @@ struct PlanCaps {
     bool tileSubpasses = true;              ///< input attachments between subpasses stay on the tile
     bool transient = true;                  ///< attachments that never leave the tile need no memory
     bool rasterOrder = false;               ///< VK_EXT_rasterization_order_attachment_access
-    bool tiles = false;                     ///< compute can draw by tiles: subgroups hand values round
-    bool blendsByShader = false;            ///< MIN is a shader behind the fragment's own
+    bool tiles = false;                     ///< compute can draw by tiles: subgroups exchange values
+    bool blendsByShader = false;            ///< MIN is a shader after the fragment's own
     bool loadsUniforms = false;             ///< each invocation loads uniforms for itself
     bool conservativeDepth = true;          ///< depth_greater lets the test reject before the fragment shader
-    bool storeAll = false;                  ///< every attachment is stored, to look at it in a capture
-    bool placesSamples = true;              ///< a pixel's samples stand where the specification proposes
+    bool storeAll = false;                  ///< store every attachment, to inspect it in a capture
+    bool placesSamples = true;              ///< a pixel's samples have the specification's standard positions
     bool storeNone = false;                 ///< VK_EXT_load_store_op_none: a tested depth buffer is not stored again
     std::uint32_t tileBytesPerPixel = 16;   ///< colour + input attachments of one render pass
     std::uint32_t maxColorAttachments = 4;  ///< of one subpass
@@ -80,8 +80,8 @@ struct Dependency {
 
 struct RenderPassPlan {
     Extent extent;
-    std::uint32_t layers = 1, samples = 1;  ///< samples: of all attachments but those that others are resolved to
-    std::uint32_t viewMask = 0;             ///< a bit per layer: each is a view, and a draw call draws them all
+    std::uint32_t layers = 1, samples = 1;  ///< samples: of all attachments except resolve targets
+    std::uint32_t viewMask = 0;             ///< a bit per layer: each is a view, and one draw call draws all views
     std::vector<Attachment> attachments;
     std::vector<Subpass> subpasses;
     std::vector<Dependency> dependencies;

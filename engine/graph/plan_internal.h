@@ -26,7 +26,7 @@ void deriveSynchronization(const Graph& graph, Plan& plan);
 /// Usage flag that an image needs for a verb.
 VkImageUsageFlags usageFlag(Verb verb);
 
-/// The verb with which a subpass uses an attachment; false: it does not use it.
+/// Finds the verb with which a subpass uses an attachment. @returns false if it does not use it
 bool attachmentVerb(const Subpass& subpass, std::uint32_t attachment, Verb& verb);
 /// The verb of a use, after inputs that left the tile became texture reads.
 Verb effectiveVerb(const Plan& plan, std::uint32_t pass, const Use& use);

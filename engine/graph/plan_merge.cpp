@@ -80,7 +80,7 @@ private:
         return caps_.tileSubpasses || sharesSubpass(pass);
     }
 
-    /// Bytes of an image on the tile. The target of a resolve leaves the tile as it is made.
+    /// Bytes of an image on the tile. A resolve target leaves the tile at once.
     std::uint32_t tileBytes(const Use& use) const {
         const ImageDesc& desc = graph_.images()[use.resource].desc;
         return use.verb == Verb::resolve || isDepthFormat(desc.format) ? 0 : bytesPerTexel(desc.format) * desc.samples;
@@ -107,7 +107,7 @@ private:
         return false;
     }
 
-    /// Whether a pass can share the last subpass: no input read on the tile, and every attachment in common used the
+    /// Whether a pass can share the last subpass: it reads no input on the tile, and uses shared attachments in the
     /// same way. Where a new subpass would leave the tile, a depth image may be written by one and tested by another.
     bool sharesSubpass(const PassDecl& pass) {
         if (current().subpasses.empty()) return false;
@@ -134,7 +134,7 @@ private:
         return true;
     }
 
-    /// A subpass resolves once, behind all of its passes.
+    /// A subpass resolves once, after all of its passes.
     bool resolvesAlike(const PassDecl& pass, const Subpass& last) {
         std::int32_t to = -1;
         for (const Use& use : pass.uses)

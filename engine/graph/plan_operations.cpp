@@ -81,7 +81,7 @@ public:
                 if (a.load == Load::load) plan_.traffic[a.image].loaded += bytes;
                 if (a.store == Store::store) plan_.traffic[a.image].stored += bytes;
             }
-        // An image made by this graph and read as a texture by a later pass comes back once.
+        // An image that this graph makes is loaded once for each later pass that reads it as a texture.
         for (std::uint32_t p = 0; p < graph_.passes().size(); ++p)
             for (const Use& use : graph_.passes()[p].uses) {
                 if (plan_.culled[p] || !use.isImage || effectiveVerb(plan_, p, use) != Verb::samples) continue;
@@ -96,7 +96,7 @@ public:
             }
     }
 
-    /// A buffer between passes, or that compute leaves to the host: written to memory once, and read by every consumer.
+    /// A buffer between passes, or from compute to the host: written to memory once, and read by every consumer.
     void deriveBufferTraffic() {
         std::vector<bool> written(graph_.buffers().size());
         for (std::uint32_t p = 0; p < graph_.passes().size(); ++p)

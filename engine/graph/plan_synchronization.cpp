@@ -26,7 +26,7 @@ Track trackOf(const State& state) {
         track.writeStages = state.stages;
         track.writeAccess = state.access & kWriteAccess;
     } else if (state.access) {
-        // Whoever put it into this state made it visible to these stages alone; others wait for them.
+        // The imported state is visible to these stages alone; others wait for them.
         track.writeStages = track.visibleStages = state.stages;
         track.visibleAccess = state.access;
     } else {
@@ -35,7 +35,7 @@ Track trackOf(const State& state) {
     return track;
 }
 
-/// One use of a resource by a step: how it is entered, and all that it does until the step ends.
+/// One use of a resource by a step: the state on entry, and all of the step's stages and accesses.
 struct StepUse {
     bool isImage = true;
     std::uint32_t resource = 0;
@@ -51,7 +51,7 @@ public:
     void run() {
         for (Step& step : plan_.steps)
             if (step.kind == PassKind::graphics) subpassDependencies(step.renderPass);
-        // Once to find the final states, and again starting from these: a graph may follow itself.
+        // Walks once to find the final states, and again from these: a graph may follow itself.
         reset();
         for (Step& step : plan_.steps) walk(step, false);
         const std::vector<Track> images = images_;
@@ -138,8 +138,8 @@ private:
             const VkImageLayout wanted = use.isImage ? use.entry.layout : VK_IMAGE_LAYOUT_UNDEFINED;
             State from{track.before().stages, track.before().access,
                        discards ? VK_IMAGE_LAYOUT_UNDEFINED : track.layout};
-            // Whoever drew a colour or sampled it before, all of fragments, so that passes that differ by that alone
-            // are compatible: one pipeline draws the window and a picture that is sampled.
+            // Waits for all earlier drawing and sampling of a colour, in any fragment stage. So passes that differ only
+            // in that are compatible: one pipeline draws the window and a picture that is sampled.
             if (discards && !isDepthFormat(use.attachment->format))
                 from.stages |= VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT;
             const State to{use.entry.stages, use.entry.access, wanted};
@@ -236,7 +236,7 @@ private:
         });
     }
 
-    /// Whether the next graph, which trusts the imported state, would miss something that this one did.
+    /// Whether the next graph, which trusts the imported state, would miss work of this one.
     static bool leftOtherwise(const Track& track, const State& imported) {
         if (track.writeAccess) return true;
         return imported.access && ((track.writeStages | track.readStages) & ~imported.stages);
@@ -265,7 +265,7 @@ private:
                 plan_.after.push_back({false, i, buffers_[i].before(), decl.imported});
             if (!decl.output) continue;
             State to{VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT, {}};
-            if (leftOtherwise(buffers_[i], decl.imported)) {  // also the next graph's, if that says so
+            if (leftOtherwise(buffers_[i], decl.imported)) {  // also for the next graph, if imported so
                 to.access |= decl.imported.access;
                 if (decl.imported.access) to.stages |= decl.imported.stages;
             }

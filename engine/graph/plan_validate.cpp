@@ -15,7 +15,7 @@ bool fits(Verb verb, PassKind kind) {
     return false;
 }
 
-/// @param written  images that have contents before the pass; those that it writes are added
+/// @param written  images that have contents before the pass; adds those that it writes
 void checkReads(const Graph& graph, std::size_t p, std::vector<bool>& written) {
     const PassDecl& pass = graph.passes()[p];
     const auto writtenLater = [&](const Use& read) {

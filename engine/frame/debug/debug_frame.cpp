@@ -36,13 +36,13 @@ std::span<const ScreenTarget> drawnFor(DebugView view, bool coded) {
     }
 }
 
-/// Images that the view is made from.
+/// Images that the view reads.
 struct Shown {
     graph::Image source;
     std::optional<graph::Image> under;
 };
 
-/// Repeats the prepass with a depth buffer of its own: on some paths the frame's depth later holds the impostors.
+/// Repeats the prepass with its own depth buffer: on some paths the frame's depth later holds the impostors.
 graph::Image addPlates(Frame& f, graph::Extent extent, const Rounds& rounds) {
     graph::Image plates = f.graph.image("plates", {VK_FORMAT_D32_SFLOAT, extent});
     declarePrepass(f, plates, rounds);

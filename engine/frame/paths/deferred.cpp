@@ -41,7 +41,7 @@ void declareDeferred(Frame& f, const FrameShape& shape) {
             .record(clear ? drawsFirst(f, describe) : draws(f, describe));
     }
 
-    // A pixel's nearest primitive is known here, and nothing has left the tile.
+    // The nearest primitives are known here, and nothing has left the tile.
     std::optional<graph::Image> drawnRims;
     if (rims) drawnRims = declareRims(f, shape);
 

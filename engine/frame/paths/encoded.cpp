@@ -12,7 +12,7 @@ using passes::SceneView;
 
 namespace {
 
-/// Impostors that are shown where they have the pixel's nearest depth.
+/// Impostors shown where they have the pixel's nearest depth.
 /// @param settles  the encoding is coarse: the depth buffer resolves ties
 passes::GeometryPass shadedImpostors(Output output, const passes::Reads& reads, const passes::Encoding& encoding,
                                      bool settles) {

@@ -14,7 +14,7 @@ using passes::SceneView;
 
 namespace {
 
-/// Impostors that write their depth. @param multisampled  each states the samples of a pixel that it covers
+/// Impostors that write their depth. @param multisampled  fragments state which samples they cover
 passes::GeometryPass shadedImpostors(Output output, const passes::Reads& reads, bool multisampled) {
     static const passes::PrimitiveShaders kShaders[] = NACRE_OUTPUTS(Fragdepth),
                                           kMultisampled = NACRE_SHADERS(look, , color, FragdepthMultisampled);

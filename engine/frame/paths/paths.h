@@ -6,20 +6,20 @@
 
 namespace nacre {
 
-/// The paper's: opaque prepass, encoded depth, impostor colour; three subpasses, and colour alone leaves the tile.
+/// The paper's path: opaque prepass, encoded depth, impostor colour; three subpasses, and only colour leaves the tile.
 void declareEncoded(Frame& frame, const FrameShape& shape);
 
-/// Opaque prepass and impostor colour in one subpass; depth is settled by gl_FragDepth.
+/// Opaque prepass and impostor colour in one subpass; gl_FragDepth settles depth.
 void declareFragdepth(Frame& frame, const FrameShape& shape);
 
-/// Numbers of the nearest primitives by gl_FragDepth, then every covered pixel is shaded once.
+/// Numbers of the nearest primitives by gl_FragDepth, then shading once per covered pixel.
 void declareDeferred(Frame& frame, const FrameShape& shape);
 
 /// The nearest depth is read and written as an attachment in raster order: no blending, no second pass over impostors.
 void declareRasterOrder(Frame& frame, const FrameShape& shape);
 
 /// Compute finds the nearest primitives per tile, from lists in depth order; then every covered pixel is shaded once.
-/// Draws no triangles except those that bound covered areas. Edges: samples from the same lists.
+/// Draws no triangles except those that bound covered areas. Edge samples come from the same lists.
 void declareTiles(Frame& frame, const FrameShape& shape);
 
 /// Declares the path of the choice.

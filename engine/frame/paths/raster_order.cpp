@@ -22,7 +22,7 @@ passes::GeometryPass orderedImpostors(Output output, const passes::Reads& reads,
     return pass;
 }
 
-/// Impostors that are shown where an earlier pass has left their depth.
+/// Impostors shown where an earlier pass left their depth.
 passes::GeometryPass impostorsAtNearest(Output output, const passes::Reads& reads) {
     static const passes::PrimitiveShaders kShaders[] = NACRE_OUTPUTS(Sampled);
     passes::GeometryPass pass = passes::shadingPass(kShaders[static_cast<std::size_t>(output)], reads);

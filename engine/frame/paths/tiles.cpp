@@ -23,8 +23,7 @@ graph::Work edgeSamples(const Frame& f) {
     });
 }
 
-/// Compute finds and shades in one pass. Colours are in a buffer row by row, where the host reads them: no image is
-/// made.
+/// Compute finds and shades in one pass. Colours go to a buffer, row by row, which the host reads: no image is made.
 void declareShadedByCompute(Frame& f, const FrameShape& shape) {
     const FrameChoice& choice = shape.choice;
     f.numbers = addPixels(f, shape, "colours of tiles", kWord);

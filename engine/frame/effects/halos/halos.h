@@ -1,6 +1,6 @@
 #pragma once
 // Halos around foreground shapes, denser the farther the background lies behind. The pass of outlines draws them
-// (effects/outlines): a pixel shows the denser of both.
+// (effects/outlines): the denser rim of a pixel stays.
 
 #include "engine/frame/effects/outlines/outlines.h"
 #include "engine/frame/picture.h"

@@ -24,7 +24,7 @@ bool isPerspective(const View& view) { return view.projection == Projection::per
 /// Z of the view's centre.
 double centerOf(const View& view) { return isPerspective(view) ? view.eyeDistance : view.radius; }
 
-/// Z of what is sharp, before the eye.
+/// Z of the focus, in front of the eye.
 double focusOf(const RenderSettings& settings, const View& view) {
     constexpr double kNearest = 0.01;  // Å
     const double focus = centerOf(view) + settings.effects.depthOfField.focus.value_or(0);
@@ -57,7 +57,7 @@ passes::Lens lensOf(const RenderSettings& settings, const View& view) {
 
 namespace {
 
-/// Each becomes the least of itself and those beside it. @param step  from one to the next
+/// Replaces each value by the minimum of itself and its neighbours. @param step  from one to the next
 void takeLeast(float* values, std::size_t count, std::size_t step) {
     for (std::size_t i = step; i < count; ++i) values[i - step] = std::min(values[i - step], values[i]);
     for (std::size_t i = count; i-- > step;) values[i] = std::min(values[i], values[i - step]);
@@ -74,7 +74,7 @@ std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent exte
         const float Z = *distances++;
         radius = Z < kNoDistance ? radiusAt(lens, Z) : kNothing;
     }
-    // The smallest circle of the pixels around: sharp shapes keep samples at their edges and outlines.
+    // Takes the smallest circle of the pixels around: sharp shapes keep samples at their edges and outlines.
     for (auto left = static_cast<std::size_t>(1 + std::ceil(rim)); left > 0; --left) {
         for (std::size_t y = 0; y < extent.height; ++y) takeLeast(radii.data() + y * extent.width, extent.width, 1);
         takeLeast(radii.data(), radii.size(), extent.width);
@@ -87,11 +87,11 @@ std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent exte
 }
 
 View throughLens(const RenderSettings& settings, View view, glm::dvec2 point) {
-    // The scene turns about its centre, and the image plane shifts so that what is sharp stays where it is.
+    // The scene turns about its centre, and the image plane shifts so that the focus stays in place.
     const double focus = focusOf(settings, view), center = centerOf(view);
     const double scale = isPerspective(view) ? focus / center : 1;
     const glm::dvec2 turn = 0.5 * settings.effects.depthOfField.strength * scale * point;
-    const double z = center - focus;  // of what is sharp
+    const double z = center - focus;  // of the focal plane
     const glm::dvec3 back = glm::normalize(glm::dvec3(-turn, 1.0));
     const glm::dvec3 right = glm::normalize(glm::dvec3(1, 0, 0) - back.x * back);
     const glm::dmat3 rows(right, glm::cross(back, right), back);
@@ -103,13 +103,13 @@ View throughLens(const RenderSettings& settings, View view, glm::dvec2 point) {
 
 namespace {
 
-/// The lens with no larger circles than what the tiles show has.
+/// The lens, with circles no larger than those of the shown tiles.
 passes::Lens lensOf(const PictureImage& picture) {
     constexpr float kRounding = 0.01f;
     passes::Lens lens = picture.lens;
     if (!picture.tiles) return lens;
     const float largest = std::max(radiusAt(lens, picture.tiles->nearest()), radiusAt(lens, picture.tiles->farthest()));
-    lens.most = std::min(lens.most, largest + kRounding);  // else it is larger, or no number
+    lens.most = std::min(lens.most, largest + kRounding);  // larger or NaN: unchanged
     return lens;
 }
 
@@ -118,7 +118,7 @@ passes::Lens lensOf(const PictureImage& picture) {
 std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const TileBins::Span> spans,
                                    graph::Extent extent) {
     constexpr std::uint32_t kBin = TileBins::kPixels, kBand = 2 * kBin;
-    const auto room = static_cast<std::uint32_t>(1.25f * lens.most + lens.rim + 4);  // samples stand for some around
+    const auto room = static_cast<std::uint32_t>(1.25f * lens.most + lens.rim + 4);  // samples may stand for neighbours
     std::vector<PictureRect> bands;
     for (std::uint32_t top = 0; top < extent.height; top += kBand) {
         const std::uint32_t bottom = std::min(top + kBand, extent.height);
@@ -143,8 +143,8 @@ void declareLens(Frame& f, graph::Extent extent, VkFormat format, const PictureI
         graph::PassBuilder drawn = g.graphics(name);
         for (const graph::Image image : images) drawn.samples(image);
         std::optional<graph::Clear> clear;
-        if (step == LensStep::soft) clear = graph::Clear{1, 1, 1, 0};               // of pixels that are not
-        if (step == LensStep::circles) clear = graph::Clear{0, kNoDistance, 0, 0};  // of nothing, as bits
+        if (step == LensStep::soft) clear = graph::Clear{1, 1, 1, 0};               // of pixels that are not soft
+        if (step == LensStep::circles) clear = graph::Clear{0, kNoDistance, 0, 0};  // for empty pixels, as bits
         drawn.color(to, clear);
         if (!from) return to;
         drawn.record({[=](gpu::PassContext& c) {
@@ -172,7 +172,7 @@ void declareLens(Frame& f, graph::Extent extent, VkFormat format, const PictureI
     const VkFormat roots = graph::bytesPerTexel(format) == 4 ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
     const graph::Image soft =
         draw("large circles", LensStep::soft, g.image("large circles", {roots, extent}), {circles, reach});
-    f.targets[0] = draw("depth of field", LensStep::gather, picture, {circles, reach, soft});  // over what is not sharp
+    f.targets[0] = draw("depth of field", LensStep::gather, picture, {circles, reach, soft});  // over blurred pixels
 }
 
 }  // namespace nacre

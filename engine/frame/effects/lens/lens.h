@@ -1,5 +1,5 @@
 #pragma once
-// Depth of field: passes behind a frame that draws how far away each pixel is, and the lens they stand for.
+// Depth of field: passes after a frame that draws the distance of each pixel, and the lens that they model.
 
 #include <cstdint>
 #include <span>
@@ -17,31 +17,31 @@ struct PictureImage;
 
 /// Z of an empty pixel, as shaders/lens.frag has it.
 constexpr float kNoDistance = 1e30f;
-/// The target of such a frame: of the surface layer, Z alone.
+/// The target of such a frame: Z of the surface layer.
 constexpr ScreenTarget kLensTargets[] = {
     {"distances", VK_FORMAT_R32_SFLOAT, passes::Output::surface, "surface layer", kNoDistance}};
 
 /// The lens of a view's pictures. @param view  the settings' view, or a part of it
 passes::Lens lensOf(const RenderSettings& settings, const View& view);
 
-/// Where a picture through the lens shows single pixels, as a byte for each of a frame of less resolution: 0 where all
-/// nearby is blurred by more. @param distances  what that frame shows, as kLensTargets have it
+/// Where a picture through the lens is sharp: one byte per pixel of a frame of lower resolution; 0 where everything
+/// nearby is blurred more. @param distances  drawn by that frame (kLensTargets)
 /// @param lens  of the picture @param rim  width of outlines and halos, pixels of that frame
 std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent extent, const passes::Lens& lens,
                                       double rim);
 
-/// Largest radius of a circle that a lens shows, pixels.
+/// Largest radius of a lens's circle, pixels.
 double largestCircle(const RenderSettings& settings);
 
-/// A view through a point of the lens: the mean of all is what the lens shows. @param point  in the unit disc
+/// A view through a point of the lens; the mean over all points is the lens's picture. @param point  in the unit disc
 View throughLens(const RenderSettings& settings, View view, glm::dvec2 point);
 
-/// The parts of a picture that a lens may change: around what it shows. @param spans  of bins that show anything
+/// The parts of a picture that a lens may change: the margins of its shapes. @param spans  bins that show anything
 std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const TileBins::Span> spans,
                                    graph::Extent extent);
 
 /// Declares the passes that blur a picture, Frame::picture. The first target becomes the result.
-/// @param format  of both @param from  read when the passes are recorded; null: the frame is only planned
+/// @param format  of picture and result @param from  read when the passes are recorded; null: the frame is only planned
 void declareLens(Frame& frame, graph::Extent extent, VkFormat format, const PictureImage* from);
 
 }  // namespace nacre

@@ -9,7 +9,7 @@ namespace nacre::passes {
 
 /// A lens, as shaders/lens.frag has it.
 struct Lens {
-    float focus = 0;        ///< Z of what is sharp
+    float focus = 0;        ///< Z of the focus
     float pixels = 0;       ///< radius of a circle per Å from the focus; perspective: times Z
     float most = 0;         ///< largest radius, pixels
     float perspective = 0;  ///< 1, or 0
@@ -26,11 +26,11 @@ enum class LensStep : std::uint8_t { circles, reach, spread, soft, gather };
 
 struct LensPass {
     LensStep step{};
-    bool coded = false;  ///< the picture is sRGB-coded, and so is the result
+    bool coded = false;  ///< picture and result are sRGB-coded
 };
 
-/// @param images  that the step reads, in the order of its bindings
-/// @param parts  of the step's image that it draws
+/// @param images  read by the step, in the order of its bindings
+/// @param parts  of the step's image, which it draws
 void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens, std::span<const vk::ImageView> images,
               std::span<const PictureRect> parts);
 /// Requests the pipeline.

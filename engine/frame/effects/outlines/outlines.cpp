@@ -9,8 +9,8 @@
 namespace nacre {
 namespace {
 
-/// Per pixel whether there is an outline, how free of fog it is, and the density of a halo; both depend on the surface
-/// behind. @param reads  `nearest` holds numbers and distances, as an input attachment or a texture
+/// Draws outline, its freedom from fog, and halo density per pixel; both depend on the surface behind. @param reads
+/// `nearest` holds numbers and distances, as an input attachment or a texture
 passes::GeometryPass rims(const passes::SceneView& view, const passes::Reads& reads) {
     static const passes::PrimitiveShaders kInput = NACRE_SHADERS(number, Reads, rims, Input),
                                           kTexture = NACRE_SHADERS(number, Reads, rims, Sampled);

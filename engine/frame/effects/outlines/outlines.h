@@ -1,5 +1,5 @@
 #pragma once
-// Outlines by groups of atoms, drawn with halos by one pass over the primitives: at each pixel the densest rim stays.
+// Outlines by groups of atoms. One pass over the primitives draws them and halos: the densest rim of a pixel stays.
 // Plain outlines are a few instructions of the shading (ViewConstants::contourWidth).
 
 #include "engine/frame/frame.h"
@@ -17,7 +17,7 @@ graph::Image declareRims(Frame& frame, const FrameShape& shape);
 /// Widths of outlines by groups and of halos, Å at z = 0.
 passes::Rims rimsOf(const RenderSettings& settings);
 
-/// Outlines of a view, for shaders: `view` may have more pixels than the picture.
+/// Adds the outlines of a view for shaders; `view` may have more pixels than the picture.
 void addOutlines(layout::ViewConstants& constants, const RenderSettings& settings);
 void addOutlines(layout::EffectConstants& constants, const RenderSettings& settings);
 

@@ -11,7 +11,7 @@
 namespace nacre {
 namespace {
 
-/// The scene from the light: the frame in which +z points to it.
+/// The light's view: +z points to the light.
 View lightView(const RenderSettings& settings, const View& view) {
     const glm::dvec3 w = glm::normalize(glm::dvec3(layout::kLightX, layout::kLightY, layout::kLightZ));
     const glm::dvec3 u = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), w)), v = glm::cross(w, u);
@@ -26,7 +26,7 @@ View lightView(const RenderSettings& settings, const View& view) {
 
 void placeInLight(passes::PlacedCopies& copies, const Representation& r, const RenderSettings& settings,
                   const View& view, const View& light, const TranslucentParts& translucent) {
-    // As the view does, so that nothing shades itself.
+    // Same levels as in the view, so that nothing shades itself.
     passes::placeCopies(copies, r, light, nullptr, 0, meshErrorOf(settings, view));
     // Translucent parts cast no shadow.
     passes::select(copies, translucent, passes::Opacity::opaque);

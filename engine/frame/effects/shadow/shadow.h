@@ -1,5 +1,5 @@
 #pragma once
-// Cast shadows: a depth map of what the light sees, which shading passes sample.
+// Cast shadows: a depth map from the light, which shading passes sample.
 
 #include "engine/frame/effects/shadow/choice.h"
 #include "engine/frame/frame.h"
@@ -10,7 +10,7 @@ namespace nacre {
 /// Declares the map, Frame::shadow, if the choice has one.
 void declareShadow(Frame& frame, const FrameChoice& choice);
 
-/// The scene as the light sees it. With clipping, primitives whose centre is in front of the near plane are left out.
+/// The scene as the light sees it. Clipping drops primitives whose centre is in front of the near plane.
 std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSettings& settings, const View& view,
                                               SceneViews& views);
 
@@ -18,7 +18,7 @@ std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSe
 passes::PrimitiveCounts countsInLight(const Representation& representation, const RenderSettings& settings,
                                       const TranslucentParts& translucent);
 
-/// Where a point of view space is in the map, for shaders.
+/// Adds the transform from view space to the map, for shaders.
 void addShadow(layout::EffectConstants& constants, const RenderSettings& settings);
 
 }  // namespace nacre

@@ -1,7 +1,6 @@
 #pragma once
-// Translucent primitives: layers of the nearest ones, composited over the path's opaque picture, which is identical
-// with and without them, in one piece. Layers are found before opaque visibility; hidden ones are dropped when they are
-// composited.
+// Translucent primitives: layers of the nearest ones, composited over the path's opaque picture, which they do not
+// change. Layers are found before opaque visibility; hidden ones are dropped in compositing.
 
 #include "engine/frame/frame.h"
 #include "engine/passes/scene_view.h"
@@ -9,12 +8,12 @@
 
 namespace nacre {
 
-/// Draw translucent primitives; numbered from the nearest layer.
+/// Name of passes that draw translucent primitives; numbered from the nearest layer.
 constexpr const char* kTranslucentLayer = "translucent layer ";
 constexpr const char* kTranslucentColor = "translucent colour ";
 
-/// Declares the passes that find the numbers of the nearest translucent primitives of each pixel, and of the next ones
-/// behind; none for a choice without layers.
+/// Declares passes that find the numbers of each pixel's nearest translucent primitives, one pass per layer from the
+/// nearest on.
 void declareTranslucentLayers(Frame& frame, const FrameShape& shape);
 
 /// Composites a layer over the picture so far. Call for the farthest first. @param layer  0 is the nearest

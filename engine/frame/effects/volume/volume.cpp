@@ -49,7 +49,7 @@ passes::FullScreenPass passOf(const SceneView& view, NearestFrom from, const Lim
     return pass;
 }
 
-/// The viewer in nodes of the volume, as VolumeTextures::farthestFirst() takes it.
+/// The viewer, in nodes of the volume, for VolumeTextures::farthestFirst().
 glm::dvec4 eyeOf(const SceneView& view, const Volume& volume) {
     const auto rows = std::array{glm::dvec4(view.still[0]), glm::dvec4(view.still[1]), glm::dvec4(view.still[2])};
     const auto turnBack = [&](const glm::dvec3& v) {
@@ -70,7 +70,7 @@ void bindBrick(gpu::PassContext& c, const SceneView& view, const gpu::Layout& la
     const bool texture = from == NearestFrom::texture;
     const vk::DescriptorImageInfo nodes(c.pipelines.sampler(vk::Filter::eLinear), *brick.texture.view, kRead),
         opaque(texture ? nearestTexel : vk::Sampler(), c.view(limits.opaque), texture ? kRead : c.inputLayout);
-    // Always written: a binding that the shader does not read has any texture.
+    // Always written: a binding that the shader does not read takes any texture.
     const auto layerOf = [&](const std::optional<graph::Image>& layer) {
         return layer ? vk::DescriptorImageInfo(nearestTexel, c.view(*layer), kRead)
                      : vk::DescriptorImageInfo(nearestTexel, *view.volume->flat().view, kRead);
@@ -106,7 +106,7 @@ void drawVolume(gpu::PassContext& c, const SceneView& view, NearestFrom from, co
 
 void declareVolume(Frame& f, const FrameChoice& choice, std::uint32_t layer) {
     if (!choice.has(Effect::Kind::volume)) return;
-    // Where encoded depth is coarse, as where it is the depth buffer's, that has the exact one.
+    // Coarse encoded depth is settled by the depth buffer, which holds the exact depth.
     const bool encoded = f.encoding && !f.encoding->settles();
     Limits limits{encoded ? f.nearest : f.depth, {}, {}};
     if (layer > 0) limits.behind = f.layerDepths[layer - 1];

@@ -22,9 +22,9 @@ public:
     VolumeTextures(const gpu::Device& device, gpu::Executor& executor, std::shared_ptr<const Volume> volume);
 
     const Volume& volume() const { return *volume_; }
-    /// A texture for bindings that are not read.
+    /// A texture for unused bindings.
     const gpu::Image& flat() const { return flat_; }
-    /// The bricks, each after those that it may hide. @param eye  in nodes of the volume; w = 0: its direction
+    /// The bricks from back to front. @param eye  in nodes of the volume; w = 0: its direction
     std::vector<const Brick*> farthestFirst(const glm::dvec4& eye) const;
 
 private:
@@ -43,7 +43,7 @@ public:
     /// Both outlive this.
     Volumes(const gpu::Device& device, gpu::Executor& executor) : device_(device), executor_(executor) {}
 
-    /// Null for none.
+    /// Null for no volume.
     std::shared_ptr<const passes::VolumeTextures> texturesOf(const std::shared_ptr<const Volume>& volume);
 
 private:
