@@ -13,7 +13,7 @@ CodedPicture coded(const Picture& picture, bool alpha) {
     const float* from = picture.rgba.data();
     std::uint8_t* to = codes.bytes.data();
     for (std::size_t i = 0; i < pixels; ++i, from += 4, to += channels) {
-        // Backgrounds are long runs of one colour, and coding one takes up to six powers.
+        // Backgrounds have long runs of one colour, and coding a colour takes up to six powers.
         if (i > 0 && std::memcmp(from, from - 4, 4 * sizeof(float)) == 0)
             std::memcpy(to, to - channels, channels);
         else

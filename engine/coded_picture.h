@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-/// As files and screens have it: sRGB code values, 4 bytes per pixel with straight alpha, or 3 over white.
+/// A picture for files and screens: sRGB code values, 4 bytes per pixel with straight alpha, or 3 over white.
 struct CodedPicture {
     std::uint32_t width = 0, height = 0;
     bool alpha = false;
@@ -17,7 +17,7 @@ struct CodedPicture {
     std::size_t channels() const { return alpha ? 4 : 3; }
 };
 
-/// @param alpha  whether to keep it
+/// @param alpha  whether to keep alpha
 CodedPicture coded(const Picture& picture, bool alpha);
 
 }  // namespace nacre

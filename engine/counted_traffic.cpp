@@ -27,13 +27,13 @@ bool speaksOf(const std::string& text, std::initializer_list<std::string_view> w
     return std::ranges::any_of(words, [&](std::string_view word) { return text.find(word) != std::string::npos; });
 }
 
-/// By which of both a text speaks of, if of one alone.
+/// The direction in the text; `neither` unless it names exactly one.
 TrafficWay wayOf(const std::string& text) {
     const bool reads = speaksOf(text, {"read", "load"}), writes = speaksOf(text, {"writ", "stor"});
     return reads == writes ? TrafficWay::neither : reads ? TrafficWay::read : TrafficWay::written;
 }
 
-/// A frame that can be recorded again and again.
+/// A frame that can be recorded repeatedly.
 class CountedFrame {
 public:
     explicit CountedFrame(const gpu::Device& device)
@@ -75,7 +75,7 @@ private:
     std::shared_ptr<DeclaredFrame> frame_;
 };
 
-/// Draws as pictures of this device do.
+/// Draws by the path that a self-test chose, like this device's pictures.
 void takeTestedPath(gpu::Device& device, const std::string& selfTests) {
     const std::optional<SelfTest> test = keptSelfTest(selfTests, device.caps().driverKey);
     if (!test || !isAutomatic(device.caps().visibility)) return;
@@ -114,7 +114,7 @@ CountedTraffic countTraffic(const DeviceOptions& options) {
     CountedFrame frame(device);
     frame.tellPlan(traffic, device.caps().plan.geometry);
     const auto record = [&](gpu::CommandBuffer& c) { frame.record(c); };
-    device.submitAndWait(record);  // pipelines and images are made
+    device.submitAndWait(record);  // makes pipelines and images
     for (const gpu::ByteCounter& counter : counters.counters()) {
         const std::optional<std::uint64_t> bytes = counters.count(counter, record);
         if (!bytes) continue;

@@ -1,6 +1,6 @@
 #pragma once
-// Bytes that a frame reads from memory and writes to it, as the device counts them (VK_KHR_performance_query), beside
-// those of its plan.
+// Bytes that a frame reads and writes in memory, as the device counts them (VK_KHR_performance_query), and as its plan
+// has them.
 
 #include <cstdint>
 #include <optional>
@@ -12,24 +12,24 @@
 namespace nacre {
 
 struct CountedBytes {
-    std::string name, category;  ///< as the driver has them
+    std::string name, category;  ///< from the driver
     std::uint64_t bytes = 0;
 };
 
 struct CountedTraffic {
-    std::string lacks;         ///< why nothing was counted; empty: it was
+    std::string lacks;         ///< why nothing was counted; empty: bytes were counted
     std::string visibility;    ///< path of the frame
     std::uint32_t pixels = 0;  ///< per side
-    /// Of counters of memory outside the chip; none: the driver has none.
+    /// Counters of memory outside the chip; none: the driver has none.
     std::optional<std::uint64_t> read, written;
     std::uint64_t plannedRead = 0, plannedWritten = 0;  ///< attachments, and vertex outputs that go through memory
-    std::vector<CountedBytes> counters;                 ///< all that count bytes
+    std::vector<CountedBytes> counters;                 ///< every counter of bytes
 };
 
 /// Draws a frame of the self-test's largest scene and counts. @throws Error if the device cannot draw it
 CountedTraffic countTraffic(const DeviceOptions& options);
 
-/// Which way a counter of memory outside the chip counts.
+/// The direction that a counter of memory outside the chip counts.
 enum class TrafficWay : std::uint8_t { neither, read, written };
 TrafficWay wayOf(const std::string& name, const std::string& category, const std::string& description);
 

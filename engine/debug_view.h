@@ -9,7 +9,7 @@ enum class DebugView {
     none,
     depth,      ///< of the nearest surface: white near, black far (Figure 4 of the paper)
     encoded,    ///< first three channels of the encoded depth attachment, as stored
-    plates,     ///< full colour where the opaque prepass covers, pale elsewhere (Figure 8)
+    plates,     ///< full colour where the opaque prepass draws, pale elsewhere (Figure 8)
     overdraw,   ///< impostor fragments that pass the early depth test: one colour per doubling
     occlusion,  ///< ambient occlusion alone, in linear light (Figure 7)
     patches,    ///< the occlusion atlas (Figure 6); pans and zooms with the view

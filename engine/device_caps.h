@@ -1,5 +1,5 @@
 #pragma once
-// What a real device can do, for tools that plan its frames.
+// Capabilities of a real device, for tools that plan its frames.
 
 #include "engine/device_options.h"
 #include "engine/graph/frame_caps.h"

@@ -18,7 +18,7 @@ struct VkDeviceCreateInfo;
 
 namespace nacre {
 
-/// How a pixel's nearest surface is found. Every path draws the same picture.
+/// How the renderer finds a pixel's nearest surface. Every path draws the same picture.
 enum class Visibility {
     automatic,    ///< chosen by the device's capabilities
     encoded,      ///< as in the paper: encoded depth in a colour attachment, three subpasses
@@ -42,16 +42,15 @@ enum class ImpostorShape {
     automatic,
     square,
     octagon,
-    pyramid,  ///< eight facets that lean against the sphere, so that early tests reject more (orthographic)
+    pyramid,  ///< eight facets tilted towards the sphere, so that early tests reject more (orthographic)
 };
 
 /// The formats that can hold encoded depth, finest first (engine/graph/encoded_format.h).
 enum class EncodedDepth { automatic, r32f, rgba16f, rg16f, a2b10g10r10, rgba8 };
 
-/// Samples per pixel of a frame in motion, averaged before they leave the tile. A window at rest always has more,
-/// whatever this says.
+/// Samples per pixel of a frame in motion, averaged before they leave the tile. A window at rest always has more.
 enum class Multisampling {
-    automatic,  ///< of frames in motion, where the device's capabilities make it cheap
+    automatic,  ///< only frames in motion, where the device's capabilities make it cheap
     off,
     four,  ///< also in pictures without supersampling
 };
@@ -62,8 +61,8 @@ struct SurfaceSource {
     std::function<VkSurfaceKHR(VkInstance)> create;  ///< called again after the surface was lost. @throws Error
 };
 
-/// Makes the Vulkan objects in place of the renderer, as a headset's runtime wants them made. The renderer owns and
-/// destroys them. All three or none. @throws Error
+/// Lets a headset's runtime make the Vulkan objects. The renderer owns and destroys them. All three or none. @throws
+/// Error
 struct HeadsetSource {
     using EntryPoint = void (*(*)(VkInstance, const char*))();  ///< vkGetInstanceProcAddr
     std::function<VkInstance(const VkInstanceCreateInfo&, EntryPoint)> instance = {};
@@ -89,7 +88,8 @@ struct DeviceOptions {
     HeadsetSource headset = {};                              ///< no functions: no headset
     std::vector<std::byte> pipelineCache = {};  ///< from Renderer::pipelineCache(); ignored if from another device
     /// Folder for results of self-tests (self_test.h), which decide if `visibility` is automatic. Empty: no self-test.
-    /// Without a window, a missing test runs first. Software devices need none: the program's tests cover their paths.
+    /// Without a window, a missing test runs first. Software devices need none: the program's own tests cover their
+    /// paths.
     std::string selfTests = {};
     /// Called before a self-test, which takes seconds, once per device and driver; may be empty.
     std::function<void()> onSelfTest = {};

@@ -1,5 +1,5 @@
 #pragma once
-// Light, outlines, fog and clipping of a scene. An effect that is off costs nothing.
+// Light, outlines, fog and clipping of a scene. A disabled effect costs nothing.
 
 #include <array>
 #include <limits>
@@ -7,15 +7,15 @@
 
 namespace nacre {
 
-/// How surfaces answer light (shaders/common/shading.glsl).
+/// How surfaces reflect light (shaders/common/shading.glsl).
 enum class Material {
     matte,    ///< no highlight
     plastic,  ///< a white highlight
-    metal,    ///< a broad one in the surface's colour, and less of other light
-    glow      ///< light of its own, without shadow
+    metal,    ///< a broad highlight in the surface's colour, and less other light
+    glow      ///< emits light, without shadow
 };
 
-/// Light that stays with the viewer. Factors are 1 by default.
+/// Light that moves with the viewer. Factors are 1 by default.
 struct Light {
     Material material = Material::plastic;  ///< where no rule sets one (Representation::ownMaterials)
     double ambient = 1;                     ///< from all directions
@@ -56,24 +56,24 @@ struct Fog {
     friend bool operator==(const Fog&, const Fog&) = default;
 };
 
-/// Clipping planes: everything before `near` or behind `far` is cut away. The near plane shows flat caps.
+/// Clipping planes: cut everything before `near` or behind `far`. Flat caps close the near plane's cuts.
 struct Clip {
     enum class Cap { plain, dark, hatched };
     static constexpr double kNone = std::numeric_limits<double>::infinity();
     double near = -kNone, far = kNone;  ///< Å from the centre, away from the viewer
     Cap cap = Cap::plain;
-    std::optional<std::array<float, 3>> capColor = {};  ///< sRGB-coded; empty: those of the atoms
+    std::optional<std::array<float, 3>> capColor = {};  ///< sRGB-coded; empty: the atoms' colours
     bool on() const { return near > -kNone || far < kNone; }
     friend bool operator==(const Clip&, const Clip&) = default;
 };
 
 /// Cast shadow of the direct light: one depth map per frame.
 struct Shadow {
-    double strength = 0;  ///< share of the direct light that is taken away, 0..1; 0: no map is drawn
+    double strength = 0;  ///< share of the direct light that shadows remove, 0..1; 0: no map is drawn
     friend bool operator==(const Shadow&, const Shadow&) = default;
 };
 
-/// Blur of what lies before or behind the focus, as a lens shows it.
+/// Blur before and behind the focus, as through a lens.
 struct DepthOfField {
     double strength = 0;          ///< width of a point's blur per distance from the focus, 0..1; 0: all is sharp
     std::optional<double> focus;  ///< Å from the centre, away from the viewer; none: the centre

@@ -12,8 +12,8 @@ struct OverlayVertex {
     std::uint32_t color;  ///< sRGB-coded, straight alpha, red in the lowest byte
 };
 
-/// Whom an overlay's triangles are for. Behind red and cyan glasses the left eye sees red, the right one green and
-/// blue.
+/// The eye that sees an overlay's triangles. With red and cyan glasses, the left eye sees red, and the right one green
+/// and blue.
 enum class OverlayEye : std::uint8_t { both, left, right };
 
 /// Triangles clipped to a rectangle of the window, in pixels.

@@ -31,7 +31,7 @@ occlusion::SceneToBake toBake(const std::shared_ptr<const Scene>& scene) {
     return {{scene, &scene->representation}, {scene, &scene->buffers}};
 }
 
-/// @throws Error unless it has pixels, and numbers that show something
+/// @throws Error unless the view has pixels and usable numbers
 void checkView(const View& view) {
     if (view.width == 0 || view.height == 0) throw Error("cannot draw", "", "the view has no pixels");
     double sum = view.radius + view.eyeDistance + view.pixelsPerAngstrom + view.pan.x + view.pan.y;
@@ -53,7 +53,7 @@ void checkOcclusion(const OcclusionSettings& occlusion) {
                         std::to_string(occlusion.directions));
 }
 
-/// @throws Error unless a picture can have them
+/// @throws Error unless a picture can have these settings
 void checkSettings(const RenderSettings& settings) {
     checkView(settings.view);
     checkOcclusion(settings.occlusion);
@@ -79,14 +79,14 @@ struct Renderer::Impl {
     gpu::LossGuard guarded{device};
     gpu::Executor executor{device};
     FrameStats stats;
-    std::shared_ptr<Scene> own = std::make_shared<Scene>();  // whose colours may change while nobody reads them
+    std::shared_ptr<Scene> own = std::make_shared<Scene>();  // its colours may change while nobody else reads it
     std::shared_ptr<const Scene> scene = own;
     occlusion::SceneOcclusion occlusion{device, executor};
     SceneFrames frames = guarded([&] { return SceneFrames(device, executor, scene); });
     PictureFrames pictures{device, executor, frames};
     std::unique_ptr<WindowFrames> window;
     std::unique_ptr<HeadsetFrames> headset;
-    /// Decides the bake that pictures that are started read.
+    /// Inputs of the bake that started pictures read.
     std::tuple<const Scene*, int, std::uint64_t, OcclusionMaps, std::uint32_t> startedWith{};
 
     explicit Impl(const DeviceOptions& options)
@@ -102,8 +102,8 @@ struct Renderer::Impl {
     }
     ~Impl() { device.settle(); }
 
-    /// Finds the correct and fastest path, if a self-test decides. A window does not wait for a test: it draws by the
-    /// path of the device's capabilities until somebody has tested (lacksSelfTest()).
+    /// Finds the fastest correct path, if a self-test decides. A window does not wait for a test: it draws by the path
+    /// of the device's capabilities until somebody has tested (lacksSelfTest()).
     /// @returns the test's result as text @throws Error if no path is right
     std::string testPath(const DeviceOptions& options, const DeviceInfo& info) {
         const gpu::Caps& caps = device.caps();
@@ -125,7 +125,7 @@ struct Renderer::Impl {
         return describe(*test);
     }
 
-    /// @throws Error if there is none
+    /// @throws Error if there is no window
     WindowFrames& shownIn() const {
         if (!window) throw Error("cannot present", "", "the renderer has no window (DeviceOptions::surface)");
         return *window;
@@ -150,7 +150,7 @@ struct Renderer::Impl {
         stats.pipelines = executor.pipelines();
     }
 
-    /// Draws something that shows all of the occlusion that it asks for.
+    /// Draws with complete occlusion, if the settings ask for occlusion.
     template <typename Draw>
     auto drawFinished(const RenderSettings& settings, const Draw& draw) {
         checkSettings(settings);
@@ -163,14 +163,14 @@ struct Renderer::Impl {
         });
     }
 
-    /// Pictures that are started read the bake, which may only change after them.
+    /// Waits for started pictures if their bake would change: they read it.
     void waitUnlessBaked(const OcclusionSettings& wanted) {
         std::tuple now(scene.get(), wanted.directions, wanted.bytes, wanted.maps, wanted.detail);
         if (wanted.once || now != startedWith) pictures.settle();
         startedWith = std::move(now);
     }
 
-    /// Runs a call of pictures that are started, and gives them up if it fails.
+    /// Runs a call for started pictures, and cancels them if it fails.
     template <typename Call>
     auto dropOnError(const Call& call) {
         try {
@@ -206,7 +206,7 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 
 bool Renderer::setScene(Representation representation) {
     const bool colorsAlone = impl_->guarded([&] {
-        impl_->device->waitIdle();  // frames for the window may still read the streams
+        impl_->device->waitIdle();  // a window's frames may still read the streams
         const bool kept = !impl_->occlusion.readsScene() && recolor(*impl_->own, representation);
         if (!kept) {
             auto scene = std::make_shared<Scene>(makeScene(impl_->device, std::move(representation)));
@@ -222,7 +222,7 @@ bool Renderer::setScene(Representation representation) {
 
 void Renderer::moveScene(Representation representation) {
     if (!isMoved(*impl_->scene, representation)) return void(setScene(std::move(representation)));
-    impl_->guarded([&] {  // frames in flight hold the scene before
+    impl_->guarded([&] {  // frames in flight keep the previous scene
         auto scene = std::make_shared<Scene>(makeMovedScene(impl_->device, std::move(representation), *impl_->scene));
         impl_->occlusion.moveScene(toBake(scene));
         impl_->scene = impl_->own = std::move(scene);

@@ -33,10 +33,10 @@ public:
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
-    /// Uploads a scene and drops the occlusion of the previous one. Keeps both where only colours are new.
-    /// @returns whether it uploaded colours alone @throws Error and keeps the previous scene
+    /// Uploads a scene and drops the occlusion of the previous one. Keeps both if only colours change.
+    /// @returns whether it uploaded only colours @throws Error and keeps the previous scene
     bool setScene(Representation representation);
-    /// Moves the primitives of the scene, which must come in the same order; otherwise this is setScene(). Does not
+    /// Moves the primitives of the scene. If they are not the same ones in the same order, acts as setScene(). Does not
     /// wait for the device. Frames show the previous occlusion until advanceOcclusion() has finished the new one;
     /// pictures and layers always show the new one. @throws Error and keeps the previous scene
     void moveScene(Representation representation);
@@ -55,24 +55,24 @@ public:
     /// pass needs the pipeline.
     void makePipelinesAhead();
 
-    /// @throws Error if the view has no pixels, if settings have a number that is not finite or out of its range, if
-    /// the picture exceeds the device's limits, or if memory runs out
+    /// @throws Error if the view has no pixels, if a setting is not finite or out of range, if the picture exceeds the
+    /// device's limits, or if memory runs out
     Picture render(const RenderSettings& settings);
-    /// As coded(render(settings), alpha), with `fine` off; takes less time where it draws one frame. @throws Error
+    /// Equals coded(render(settings), alpha) with `fine` off; faster if one frame draws the picture. @throws Error
     CodedPicture renderCoded(const RenderSettings& settings, bool alpha);
-    /// Starts a picture of renderCoded(), while the device draws those started before it; two at a time keep it busy.
-    /// Until all are finished, call no other function that draws. After an Error nothing is started.
+    /// Starts a picture like renderCoded()'s while the device draws earlier ones; two at a time keep it busy. Until all
+    /// are finished, call no other function that draws. After an Error nothing is started.
     void startCoded(const RenderSettings& settings, bool alpha);
-    /// The picture started first. @throws Error, also if none is started
+    /// The oldest started picture. @throws Error, also if none is started
     CodedPicture finishCoded();
-    /// Pictures that are started and not finished.
+    /// Number of pictures started and not finished.
     std::size_t started() const;
-    /// A rectangle of render()'s picture, equal to the byte. The whole picture may exceed the device's limits.
+    /// A rectangle of render()'s picture, byte for byte. The whole picture may exceed the device's limits.
     /// @param part  its x and y are multiples of PictureRect::kStep; View::quarterTurns is 0 @throws Error
     Picture renderPart(const RenderSettings& settings, const PictureRect& part);
-    /// The pictures of both eyes, left and right: render() of the view and of its other one (View::other), to the byte.
+    /// The pictures of both eyes, left and right: render() of the view and of View::other, byte for byte.
     std::array<Picture, 2> renderEyes(const RenderSettings& settings);
-    /// Likewise of layers().
+    /// layers() of both eyes, left and right.
     std::array<LayerPicture, 2> layersOfEyes(const RenderSettings& settings);
     /// One sample per pixel, without anti-aliasing; `supersample` is ignored.
     LayerPicture layers(const RenderSettings& settings);
@@ -91,8 +91,8 @@ public:
     /// @throws Error if there is no such window
     FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame);
     /// Draws both eyes, left and right, into the layers of a headset's image, with the occlusion baked so far, and
-    /// submits that to the queue: in one frame where the eyes look in parallel. Waits for the device only if two frames
-    /// are in flight. @param settings  their view is not used @param eyes  of the image's size
+    /// submits them: in one frame if the eyes look in parallel. Waits for the device only if two frames are in flight.
+    /// @param settings  their view is not used @param eyes  of the image's size
     FrameOutcome presentEyes(const RenderSettings& settings, const std::array<View, 2>& eyes, const HeadsetImage& into);
     /// Announces a scene, for example while its file is read: a worker thread compiles the pipelines of a window's
     /// frame. Nothing is drawn, and errors are reported when the scene is drawn.
@@ -111,7 +111,7 @@ public:
     /// For each pixel of the view, row by row, the atom that is visible there, as atomAt() counts. @throws Error
     std::vector<std::uint32_t> atoms(const RenderSettings& settings);
 
-    /// Whether frames can be captured: by DeviceOptions::capture, or because RenderDoc started this program.
+    /// Whether frames can be captured: if DeviceOptions::capture is set, or RenderDoc started this program.
     bool captures() const;
     /// Whether RenderDoc started this program, and so decides where captures go.
     bool startedByRenderDoc() const;
@@ -124,7 +124,7 @@ public:
     /// The driver's compiled pipelines, for DeviceOptions::pipelineCache of a later run.
     std::vector<std::byte> pipelineCache() const;
 
-    /// Waits until the device has done everything that was submitted, at most so long. @returns whether it has
+    /// Waits until the device has finished everything submitted, or the time is over. @returns whether it has finished
     bool awaitSubmitted(double seconds) const;
 
     /// One line about the loss of the device; empty while it works.

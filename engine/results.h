@@ -16,7 +16,7 @@ struct Picture {
 /// A rectangle of a picture, from the top left.
 struct PictureRect {
     std::uint32_t x = 0, y = 0, width = 0, height = 0;
-    static constexpr std::uint32_t kStep = 16;  ///< x and y of parts are multiples of it
+    static constexpr std::uint32_t kStep = 16;  ///< x and y of parts are multiples of this
 };
 
 struct LayerPicture {
@@ -31,7 +31,7 @@ struct LayerPicture {
 struct DeviceInfo {
     std::string name, driver, type;   ///< type: "discrete", "integrated", "virtual", "software", "other"
     std::string apiVersion;           ///< "1.3.230"
-    bool bundled = false;             ///< of the driver in nacre's package, as the system's drivers have no device
+    bool bundled = false;             ///< from the driver in nacre's package, since the system's drivers have no device
     std::string visibility, why;      ///< the path of `automatic` on this device, and the reason
     std::uint32_t motionSamples = 1;  ///< per pixel of a window's frames in motion
     std::string motionWhy;            ///< the reason
@@ -45,7 +45,7 @@ struct DeviceInfo {
     std::string driverKey;         ///< identifies device and driver in names of files
     std::string selfTest;          ///< "encoded 1.20 ms, fragdepth wrong"; empty: not tested
     std::string capabilitySet;     ///< base of its plans: "turnip"
-    std::string knownAs, knownBy;  ///< known facts about its driver, and their source; or empty
+    std::string knownAs, knownBy;  ///< known facts about the driver, and their source; or empty
     // As reported by Vulkan
     std::uint32_t vendorId = 0, deviceId = 0, driverVersion = 0;  ///< Vulkan's numbers
     /// Device memory: total, and this program's current budget (VK_EXT_memory_budget; 0: unknown).
@@ -81,13 +81,13 @@ struct MergedSubpasses {
     std::string why;                         ///< the driver's reason for keeping some apart
 };
 
-/// An image that should never leave the tile. Committed bytes are those that the driver needed in memory anyway.
+/// An image that should never leave the tile. Committed bytes: the memory that the driver nevertheless needed.
 struct TransientImage {
     std::string name;
     std::uint64_t bytes = 0, committedBytes = 0;
 };
 
-/// The driver's feedback on drawn frames, as far as it gives any.
+/// The driver's feedback on drawn frames; empty where it gives none.
 struct DriverFeedback {
     std::vector<MergedSubpasses> merges;
     std::vector<TransientImage> transients;
@@ -127,7 +127,7 @@ struct MeshLevelCount {
 struct CopyLevelCount {
     double error = 0;           ///< Å; 0: atoms
     std::uint64_t copies = 0;   ///< drawn by the level, for the last frame
-    std::uint64_t spheres = 0;  ///< of those, seen
+    std::uint64_t spheres = 0;  ///< visible ones
 };
 
 /// Statistics of the last picture and its frames.

@@ -76,7 +76,7 @@ void write(const std::string& folder, const std::string& key, const SelfTest& te
 
 struct Stopped {};
 
-/// Ends the test, if somebody wants that.
+/// Ends the test on request.
 void check(const std::atomic<bool>* stop) {
     if (stop && *stop) throw Stopped();
 }
@@ -89,7 +89,7 @@ double frameOf(Renderer& renderer, const RenderSettings& settings) {
     return sum > 0 ? sum : waited;
 }
 
-/// Least time of several frames behind a warm-up, in which pipelines are compiled and the device raises its frequency.
+/// Minimum time of several frames after a warm-up, in which pipelines are compiled and the device raises its frequency.
 double timed(Renderer& renderer, const TimedScene& scene, const std::atomic<bool>* stop) {
     constexpr double kWarmUp = 60, kMeasured = 60;  // ms
     constexpr int kLeastFrames = 2;
@@ -108,7 +108,7 @@ double timed(Renderer& renderer, const TimedScene& scene, const std::atomic<bool
     return least;
 }
 
-/// Whether a renderer draws the scene as it is to look.
+/// Whether a renderer draws the scene correctly.
 bool draws(Renderer& renderer, const TestScene& scene) {
     const Representation& r = scene.representation;
     renderer.setScene(r);
@@ -152,7 +152,7 @@ PathResult tested(const DeviceOptions& options, Visibility path, const std::atom
         }
         addFeedback(result, renderer.driverFeedback());
     } catch (const Error&) {
-        check(stop);  // a system that stops the program's work fails its calls
+        check(stop);  // after a stop request, calls may fail because the system stops the program's work
         result.outcome = PathResult::Outcome::failed;
     }
     return result;
@@ -172,7 +172,7 @@ SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, Teste
         if (it->known()) continue;
         const SelfTest before = test;
         ++it->tries;
-        write(options.selfTests, key, test);  // should the driver take the program with it
+        write(options.selfTests, key, test);  // written first, in case the driver ends the program
         try {
             check(stop);
             *it = tested(options, path, stop);
@@ -232,7 +232,7 @@ std::string describe(const SelfTest& test) {
 
 namespace {
 
-/// The time of a path as part of another one's, for scenes of the size in which it is slowest beside that.
+/// Time of a path relative to another one's, for the scene size with the largest ratio.
 double slowestShare(const PathResult& path, const PathResult& other) {
     double share = 0;
     for (std::size_t i = 0; i < path.milliseconds.size(); ++i)

@@ -1,7 +1,7 @@
 #pragma once
 // Self-test of a device: drivers can draw wrongly in ways that no feature flag reports. Each path draws spheres, sticks
-// and triangles, which are compared with the expected picture. Correct paths are timed, and the result is kept for each
-// device and driver. Pictures without a window wait for it. A window opens without it, and tests while it is idle.
+// and triangles, whose pictures are compared with the expected ones. Correct paths are timed, and the result is kept
+// for each device and driver. Pictures without a window wait for it. A window opens without it, and tests while idle.
 
 #include <array>
 #include <atomic>
@@ -37,20 +37,20 @@ struct PathResult {
 using SelfTest = std::vector<PathResult>;
 
 enum class TestedPaths {
-    automatic,  ///< those that a test decides between
+    automatic,  ///< paths that a test decides between
     every,      ///< also those that `automatic` takes by capabilities alone: tiles
 };
 
-/// Tests each path of a device without a known result, and keeps the results. A path that is being tested is noted
-/// before its device is made.
+/// Tests each path of a device without a known result, and keeps the results. Before a path's device is made, a note is
+/// written that it is being tested.
 /// @param options  name the device; their window is ignored
-/// @param stop  set by another thread: returns early, without the path that is being tested; may be null
+/// @param stop  set by another thread: returns early, without the current path's result; may be null
 SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, TestedPaths paths = TestedPaths::automatic,
                    const std::atomic<bool>* stop = nullptr);
 /// Whether a device's paths are tested before one is chosen. Software devices need no test: the program's own tests
 /// cover their paths.
 bool wantsSelfTest(const DeviceOptions& options, const DeviceInfo& device);
-/// Whether it is not tested yet, and wants to be.
+/// Whether the device needs a test that has not run yet.
 bool lacksSelfTest(const DeviceOptions& options, const DeviceInfo& device);
 /// The kept results of a device; nothing if any path is missing. @param folder  DeviceOptions::selfTests
 std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::string& key);

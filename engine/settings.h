@@ -28,14 +28,14 @@ struct OcclusionSettings {
     /// of depth maps grow with the square.
     std::uint32_t detail = 32;
     std::string cache;  ///< folder for finished bakes; empty: none are kept
-    /// One view's pictures are all that it is for: without a cache, what they show from behind is left out.
+    /// The bake serves one view: without a cache, it skips texels that face away.
     bool once = false;
     double worthKeeping = 50;  ///< milliseconds; shorter bakes are not kept
     /// Called between batches of the bake with the finished share, above 0 and at most 1.
     std::function<void(double)> onProgress;
 };
 
-/// Device time for a bake beside a window's frames.
+/// Device time for a bake during a window's frames.
 struct OcclusionPace {
     double sliceMilliseconds = 4;  ///< per submission: the longest that a frame waits for it
     double showMilliseconds = 0;   ///< least work between two updates of the shown occlusion
@@ -50,20 +50,20 @@ struct FrameTuning {
     bool timePasses = false;      ///< fill FrameStats::passTimes; software devices finish each pass for it
     bool transient = true;        ///< attachments that stay on the tile get no memory, if the device supports it
     bool merge = true;            ///< neighbouring passes share a render pass
-    bool cull = true;             ///< leave out primitives that are certainly invisible
-    /// Number of spheres from which the host draws them first, or looks for hidden ones, on the `tiles` path. Below, it
-    /// costs more than it saves.
+    bool cull = true;             ///< leave out primitives that are known to be invisible
+    /// Number of spheres from which the host first draws them, or finds hidden ones, on the `tiles` path. With fewer,
+    /// that costs more than it saves.
     std::uint32_t hideFrom = 1'500'000;
     /// Limit of vertex outputs per render pass, bytes; 0: the device's (GeometryCaps).
     std::uint64_t mostVertexBytes = 0;
 };
 
 struct RenderSettings {
-    /// Pictures have kEdgeSamples where a pixel shows an edge, and one elsewhere. Debug views have one everywhere.
+    /// Pictures have kEdgeSamples samples at pixels with an edge, and one elsewhere. Debug views have one everywhere.
     static constexpr std::uint32_t kEdges = 0;
     static constexpr std::uint32_t kEdgeSamples = 16;
-    /// Samples per side and pixel where a frame cannot do that: other paths than `tiles`, translucent meshes, halos,
-    /// weighted outlines, lists that are too long.
+    /// Samples per pixel side where one frame cannot do that: on paths other than `tiles`, for translucent meshes,
+    /// halos and weighted outlines, and if lists are too long.
     static constexpr std::uint32_t kBlockSamples = 4;
     static_assert(kBlockSamples * kBlockSamples == kEdgeSamples);
 
@@ -73,13 +73,13 @@ struct RenderSettings {
     bool fine = false;                            ///< pictures: 32 bits per channel, linear, instead of 8, sRGB-coded
     bool lighting = true;                         ///< off: base colour times occlusion
     Effects effects;                              ///< layers and picks have no contours
-    /// Largest error of a mesh's outline, in distances between samples (a quarter of a pixel at edges). Meshes are
-    /// drawn by the coarsest level within it. 0: the finest level.
+    /// Largest error of a mesh's outline, in distances between samples (a quarter of a pixel at edges). The coarsest
+    /// level within it is drawn. 0: the finest level.
     double meshError = 0.25;
-    /// Largest error of an outline where a cluster stands for its atoms, in pixels.
+    /// Largest error of an outline where a cluster replaces its atoms, in pixels.
     double levelError = 0.5;
     /// Number of spheres in all copies from which a view's levels and hidden spheres are found first (seen_copies.h).
-    /// For scenes of spheres alone.
+    /// Only for scenes without other primitives.
     std::uint64_t levelsFrom = std::uint64_t{1} << 25;
     DebugView debug = DebugView::none;  ///< for pictures and window frames, not for layers and picks
     OcclusionSettings occlusion;
@@ -94,7 +94,7 @@ struct RenderSettings {
     }
 };
 
-/// What one of two eyes sees in a window. The left one's view has View::other.
+/// The picture of one eye in a window. The left one's view has View::other.
 struct WindowEye {
     View view;
     std::int32_t x = 0, y = 0;  ///< its top left corner in the upright window, which may be outside
@@ -102,8 +102,8 @@ struct WindowEye {
     std::array<std::array<float, 3>, 3> channels{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 };
 
-/// An image with a layer for each eye, left and right, that a headset's runtime lends for a frame. It is in the layout
-/// of a colour attachment before and after. Its format codes sRGB.
+/// An image with a layer per eye, left and right, that a headset's runtime lends for a frame. Its layout is that of a
+/// colour attachment before and after. Its format codes sRGB.
 struct HeadsetImage {
     VkImage image{};
     int format = 0;  ///< VkFormat

@@ -32,7 +32,7 @@ inline std::uint8_t toByte(float value) {
 class LinearBytes {
 public:
     LinearBytes() {
-        // Where each code begins, by halving the floats from 0 to 1, which are ordered as their bits are.
+        // Finds where each code begins by bisection over floats from 0 to 1, whose bits have the same order.
         std::uint32_t below = 0;
         for (std::uint32_t code = 1; code < 256; ++code) {
             std::uint32_t above = kOne;
@@ -51,7 +51,7 @@ public:
         }
     }
     std::uint8_t operator()(float linear) const {
-        // No branches, which a picture's colours would mislead. NaN is dark; a cell holds at most one beginning.
+        // No branches: a picture's colours would mispredict them. NaN maps to 0; a cell holds at most one beginning.
         const float within = std::min(std::max(kDark, linear), kBelowOne);
         const std::uint32_t code = codes_[(std::bit_cast<std::uint32_t>(within) >> kShift) - kFirstCell];
         return static_cast<std::uint8_t>(code + (within >= begins_[code + 1] ? 1 : 0));

@@ -20,14 +20,14 @@ inline std::atomic<unsigned> threadsPerTask{0};
 }
 
 /// Sets the number of threads per task, for the whole process from the next task on. The calling thread is one of them,
-/// so 1 starts none. Tasks that run at the same time have this number each. @param count  0: one per core, the default
+/// so 1 starts none. Concurrent tasks have this number each. @param count  0: one per core, the default
 inline void setThreadsPerTask(unsigned count) { detail::threadsPerTask = count; }
 inline unsigned threadsPerTask() {
     const unsigned set = detail::threadsPerTask;
     return set > 0 ? set : std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// Starts a thread, unless the system has none left. @returns whether it runs
+/// Starts a thread, if the system allows one. @returns whether it runs
 template <typename Run>
 bool mayStart(std::thread& thread, Run&& run) {
     try {
@@ -38,7 +38,7 @@ bool mayStart(std::thread& thread, Run&& run) {
     }
 }
 
-/// As above. @throws Error if there is none left
+/// As above. @throws Error if the system allows none
 template <typename Run>
 std::thread startThread(Run&& run) {
     std::thread thread;
@@ -47,8 +47,8 @@ std::thread startThread(Run&& run) {
     return thread;
 }
 
-/// Calls work(0) to work(count - 1) in any order, on at most threadsPerTask() threads; on those that the system has
-/// left.
+/// Calls work(0) to work(count - 1) in any order, on at most threadsPerTask() threads, fewer if the system allows
+/// fewer.
 /// @throws the exception of the first call that failed
 template <typename Work>
 void inParallel(std::size_t count, const Work& work) {

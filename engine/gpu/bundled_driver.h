@@ -9,8 +9,8 @@ namespace nacre::gpu {
 /// Whether a package put a software driver beside the program, for machines without a Vulkan device.
 bool hasBundledDriver();
 
-/// While it lives, the loader knows the bundled driver alone: instances of this time have its devices. By the
-/// environment, which is afterwards as before: loaders before 1.3.240 ignore VK_LUNARG_direct_driver_loading.
+/// While it exists, the loader knows only the bundled driver, and new instances have its devices. Sets the environment,
+/// and restores it afterwards: loaders before 1.3.240 ignore VK_LUNARG_direct_driver_loading.
 class BundledDriver {
 public:
     BundledDriver();
@@ -18,7 +18,7 @@ public:
     BundledDriver(const BundledDriver&) = delete;
     BundledDriver& operator=(const BundledDriver&) = delete;
 
-    /// Whether there was one.
+    /// Whether a bundled driver was used.
     static bool taken();
 
 private:

@@ -61,7 +61,7 @@ graph::EncodedFormat blendedFormatOf(const vk::raii::PhysicalDevice& device, Enc
     throw Error("unsuitable device", device.getProperties().deviceName.data(), "it blends no format for encoded depth");
 }
 
-/// Where R32F does not blend, it is written in raster order, if the device can.
+/// Where R32F does not blend, it is written in raster order if possible.
 graph::EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device, EncodedDepth wanted, bool rasterOrder) {
     const bool finest = wanted == EncodedDepth::automatic || wanted == EncodedDepth::r32f;
     if (finest && rasterOrder && !blends(device, vk::Format::eR32Sfloat)) return graph::encodedInOrder();
@@ -238,7 +238,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.quirks = graph::quirksOf(identity);
     caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);
     caps.plan.maxInputAttachments = std::min(properties.limits.maxPerStageDescriptorInputAttachments, 8u);
-    // lavapipe 22.3 draws what it clips in the first view alone (tests/renderer/eyes_test.cpp).
+    // lavapipe 22.3 draws clipped primitives in the first view alone (tests/renderer/eyes_test.cpp).
     const bool losesViews = identity.driver == VK_DRIVER_ID_MESA_LLVMPIPE && !set("NACRE_MULTIVIEW");
     caps.plan.maxViews = losesViews ? 1 : viewsAtOnce(device);
     caps.plan.placesSamples = properties.limits.standardSampleLocations;
@@ -251,7 +251,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     if (identity.software) {
         constexpr double kNever = std::numeric_limits<double>::infinity();
         caps.plan.geometry = {false, kNever, kNever, kNever};  // a triangle costs a hundred fragments
-        caps.plan.conservativeDepth = false;                   // none of them tests early what writes depth
+        caps.plan.conservativeDepth = false;                   // none tests early if the shader writes depth
         caps.tiles.shade = caps.tiles.texels;
         caps.fastPowers = caps.asynchronous = false;
     }

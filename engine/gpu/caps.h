@@ -26,15 +26,15 @@ struct Caps : graph::FrameCaps {
     double nanosecondsPerTick = 1;    ///< per timestamp tick
     std::uint64_t maxStorageBufferBytes = 1u << 27;
     std::uint64_t maxBufferBytes = UINT64_MAX;  ///< per buffer, where the device reports it (VK_KHR_maintenance4)
-    graph::EncodedFormat encodedMaps;           ///< for maps of a bake, which blends
+    graph::EncodedFormat encodedMaps;           ///< for the bake's maps, which are blended
     std::uint32_t quirks = 0;                   ///< of the driver, a bit each
     bool has(graph::Quirk quirk) const { return (quirks >> static_cast<unsigned>(quirk) & 1) != 0; }
     bool fastPowers = true;  ///< powers take a few instructions
     /// Submissions return at once, and timestamps cost nothing: bakes are cut into short, timed submissions.
     bool asynchronous = true;
     std::string driverKey;      ///< device, driver and driver version as hexadecimal digits
-    std::string capabilitySet;  ///< what the plan's caps started from
-    graph::Fact knownAs{};      ///< what the table of drivers says of it; null where it has no row
+    std::string capabilitySet;  ///< base of the plan's caps
+    graph::Fact knownAs{};      ///< its row in the table of known drivers; null where it has none
 };
 
 /// The identity that a device reports, for the tables of known drivers.
@@ -53,7 +53,7 @@ bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name);
 /// what it does not know as an error.
 bool validationKnows(std::uint32_t version);
 
-/// Whether submissions can mark the end of a frame that is not presented. @param validate  under validation
+/// Whether submissions can mark the end of a frame that is not presented. @param validate  whether validation is on
 bool marksFrames(const vk::raii::PhysicalDevice& device, bool validate);
 
 /// Whether the device reports when a presented image is free, and takes back images that were not drawn into. Its
@@ -63,7 +63,7 @@ bool maintainsSwapchains(const vk::raii::PhysicalDevice& device);
 /// Whether the driver reports how it merges subpasses.
 bool tellsOfMerges(const vk::raii::PhysicalDevice& device);
 
-/// Views that a pass can draw at once; 1: the device has no multiview.
+/// Number of views that a pass can draw at once; 1: the device has no multiview.
 std::uint32_t viewsAtOnce(const vk::raii::PhysicalDevice& device);
 
 /// Whether fragments can read their own attachment in raster order.

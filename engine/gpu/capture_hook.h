@@ -10,7 +10,7 @@ class CaptureHook {
 public:
     CaptureHook() = default;
     CaptureHook(const CaptureHook&) = delete;
-    /// Discards a capture that was begun and not ended.
+    /// Discards an unfinished capture.
     ~CaptureHook();
 
     /// Whether this program was built with RenderDoc's header.

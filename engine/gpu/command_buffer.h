@@ -1,5 +1,5 @@
 #pragma once
-// A command buffer with its own pool. Its memory is freed by resetting the pool, which is faster than resetting single
+// A command buffer with its own pool. Resetting the pool frees its memory, which is faster than resetting single
 // buffers (VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT; Arm's and Khronos' best practices advise against that
 // flag).
 

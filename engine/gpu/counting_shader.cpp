@@ -12,7 +12,7 @@ namespace nacre::gpu {
 namespace {
 
 // Numbers of the SPIR-V specification, version 1.3.
-constexpr std::size_t kHeader = 5, kBound = 3;  // words; position of the least number that no id has
+constexpr std::size_t kHeader = 5, kBound = 3;  // in words; position of the bound, above all ids
 enum : std::uint32_t {
     kOpName = 5,
     kOpTypeVoid = 19,

@@ -1,5 +1,5 @@
 #pragma once
-// Fragment stages that count what they shade, made from those that do not.
+// Fragment stages that count the fragments that they shade, made from stages that do not.
 
 #include <cstdint>
 #include <span>

@@ -40,7 +40,7 @@ std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physic
 std::atomic<bool> heapIsOurs{false};
 
 /// For a driver that allocates heap memory per tile. glibc searches its lists of small free chunks at every large free,
-/// so it keeps none; and it keeps large chunks, since each new page costs the kernel 2 µs. Holds for the whole process.
+/// so they are disabled. Large chunks are kept, since each new page costs the kernel 2 µs. Holds for the whole process.
 void tuneHeap() {
 #ifdef M_MXFAST
     mallopt(M_MXFAST, 0);
@@ -68,7 +68,7 @@ Device::Device(const DeviceOptions& options, Caching caching) {
 }
 
 void Device::nameOwn() const {
-    // Neither the instance nor the physical device: RenderDoc 1.24 aborts on both. Nor a surface: lavapipe 22.3
+    // Names neither the instance nor the physical device: RenderDoc 1.24 aborts on both. Nor a surface: lavapipe 22.3
     // crashes.
     name(*device_, "device");
     name(*queue_, "queue");
@@ -165,7 +165,7 @@ Device::Allocation Device::allocate(const vk::MemoryRequirements& requirements,
 
 void Device::name(vk::ObjectType type, std::uint64_t handle, std::string_view name) const {
     if (!debugUtils_) return;
-    std::array<char, 512> text;  // fixed size, longer names are cut: a string would allocate in every frame
+    std::array<char, 512> text;  // fixed size, cuts longer names: a string would allocate in every frame
     text[name.copy(text.data(), text.size() - 1)] = '\0';
     try {
         device_.setDebugUtilsObjectNameEXT({type, handle, text.data()});
@@ -219,7 +219,7 @@ void Device::finish(Single& single, Ends ends) const {
 }
 
 bool Device::awaitSubmitted(double seconds) const {
-    // A fence of an empty submission signals behind all earlier ones. One that did not may still be pending.
+    // An empty submission's fence signals after all earlier ones. A fence that timed out may still be pending.
     if (**drained_ && device_.waitForFences(**drained_, true, 0) != vk::Result::eSuccess) return false;
     if (!**drained_) *drained_ = vk::raii::Fence(device_, vk::FenceCreateInfo());
     device_.resetFences(**drained_);

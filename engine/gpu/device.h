@@ -19,7 +19,7 @@
 
 namespace nacre::gpu {
 
-/// Whether pipelines are kept in the driver's cache, where the driver has no quirk against it.
+/// Whether pipelines are kept in the driver's cache. Quirks of a driver may still forbid it.
 enum class Caching { usual, none };
 
 /// Instance, device and its single queue (graphics and compute).
@@ -33,7 +33,7 @@ public:
     const vk::raii::Device* operator->() const { return &device_; }
     const vk::raii::Instance& instance() const { return instance_; }
     const vk::raii::PhysicalDevice& physical() const { return physical_; }
-    /// Null where the driver has none that works.
+    /// Null where the driver has no working cache.
     const vk::raii::PipelineCache* pipelineCache() const { return *pipelineCache_ ? &pipelineCache_ : nullptr; }
     const vk::raii::Queue& queue() const { return queue_; }
     std::uint32_t queueFamily() const { return queueFamily_; }
@@ -73,11 +73,11 @@ public:
 
     /// Log of submissions, to explain a device loss. Filled while commands are recorded.
     SubmissionLog& log() const { return *log_; }
-    /// A Vulkan failure as an error message: what ran out, or what is known of a loss. Names the call at its end.
+    /// A Vulkan failure as an error message: what ran out, or what is known of a loss. Ends with the call's name.
     Error errorOf(const vk::SystemError& failure) const;
     /// Waits until nothing is in flight, or the device is lost.
     void settle() const noexcept;
-    /// Waits until everything that was submitted is done, at most so long. @returns whether it is
+    /// Waits until all submitted work is done, or the time is over. @returns whether it is done
     bool awaitSubmitted(double seconds) const;
 
     /// The swapchain reports when a presented image is free, and takes back images that were not presented.
@@ -86,7 +86,7 @@ public:
     /// End marker of a submission: nothing, or a frame that is not presented, for capture tools (if supported).
     enum class Ends { nothing, frame };
     /// Records a command buffer by the given function, submits it and waits for it. The function takes a CommandBuffer
-    /// if it may split it, else a vk::raii::CommandBuffer. After a failure nothing of it is in flight.
+    /// if it may split it, else a vk::raii::CommandBuffer. After a failure, none of it is in flight.
     template <typename RecordCommands>
     void submitAndWait(RecordCommands&& record, Ends ends = Ends::nothing) const {
         Single single = begin();

@@ -81,7 +81,7 @@ DynamicRendering::DynamicRendering(const Device& device, const graph::RenderPass
 
 bool DynamicRendering::takes(const Device& device, const graph::RenderPassPlan& plan) {
     if (!device.caps().localRead || plan.samples > 1) return false;
-    // Without inputs a VkRenderPass does as well.
+    // Without inputs, a VkRenderPass works as well.
     const bool reads = plan.subpasses.size() > 1 ||
                        std::ranges::any_of(plan.subpasses, [](const graph::Subpass& s) { return !s.inputs.empty(); });
     if (!reads) return false;
@@ -92,7 +92,7 @@ bool DynamicRendering::takes(const Device& device, const graph::RenderPassPlan& 
     return depths <= 1 && plan.attachments.size() - static_cast<std::size_t>(depths) <= most;
 }
 
-/// Unlike in the plan, one layout from beginning to end.
+/// One layout from beginning to end, unlike in the plan.
 vk::ImageLayout DynamicRendering::layoutOf(std::uint32_t a) const {
     bool read = false;
     for (const graph::Subpass& subpass : plan_.subpasses) {

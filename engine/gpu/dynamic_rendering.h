@@ -1,7 +1,7 @@
 #pragma once
-// Carries out a plan's render pass by dynamic rendering whose subpasses read what earlier ones wrote at the same pixel
+// Executes a plan's render pass by dynamic rendering whose subpasses read what earlier ones wrote at the same pixel
 // (VK_KHR_dynamic_rendering_local_read, core in Vulkan 1.4). All colour attachments are bound for the whole render
-// pass; each subpass selects those that it draws to and reads.
+// pass; each subpass selects the ones that it draws to and reads.
 
 #include <array>
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace nacre::gpu {
 
-/// Attachment formats that a pipeline needs without a VkRenderPass. No colours and no depth: there is a VkRenderPass.
+/// Attachment formats that a pipeline needs without a VkRenderPass. Empty if there is a VkRenderPass.
 struct RenderingFormats {
     static constexpr std::uint32_t kMost = 8;
     std::uint32_t colorCount = 0;  ///< in the whole render pass
@@ -40,7 +40,7 @@ public:
     /// @param images  by graph index; all outlive this
     DynamicRendering(const Device& device, const graph::RenderPassPlan& plan, std::span<const ImageRef> images,
                      const vk::raii::CommandBuffer& commands);
-    /// Whether the device uses this for a render pass: it needs several subpasses, or inputs.
+    /// Whether the device executes a render pass this way: one with several subpasses, or inputs.
     static bool takes(const Device& device, const graph::RenderPassPlan& plan);
 
     RenderingFormats formatsOf(std::uint32_t subpass) const;

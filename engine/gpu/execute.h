@@ -21,10 +21,10 @@ struct PipelineContext {
     std::string_view pass{};      ///< name in the graph
     vk::RenderPass renderPass{};  ///< for graphics pipelines; null with dynamic rendering
     std::uint32_t subpass = 0;
-    RenderingFormats rendering{};  ///< of these
+    RenderingFormats rendering{};  ///< without a render pass
     std::uint32_t colorCount = 0;  ///< colour attachments of the subpass
-    std::uint32_t samples = 1;     ///< of them
-    std::uint32_t views = 1;       ///< that each draw call draws
+    std::uint32_t samples = 1;     ///< per pixel of the attachments
+    std::uint32_t views = 1;       ///< per draw call
     graph::Extent extent{};
     bool inputIsSampled = false;  ///< inputs are read as textures
 
@@ -74,7 +74,7 @@ public:
     explicit Executor(const Device& device);
     ~Executor() { pipelines_.endAhead(); }  // the worker uses these render passes
 
-    /// From now on a worker thread makes pipelines that coming frames are likely to need.
+    /// Starts a worker thread that makes pipelines that coming frames are likely to need.
     void makePipelinesAhead() { pipelines_.makeAhead(); }
 
     /// Pipelines made so far; they are kept.
@@ -83,7 +83,7 @@ public:
     /// Whether the worker thread still has work.
     bool makesPipelines() const { return pipelines_.busyAhead(); }
 
-    /// Has the worker thread make the pipelines that a graph's passes want (graph::Work).
+    /// Queues the pipelines that a graph's passes want (graph::Work) for the worker thread.
     void prepare(const graph::Graph& graph, const graph::Plan& plan);
     /// As above for compute pipelines outside a graph.
     template <typename Want>

@@ -1,6 +1,6 @@
 #pragma once
-// VK_EXT_frame_boundary, for headers that are older than it (1.3.259; bookworm has 1.3.239). Names, numbers and members
-// are the specification's. It tells capture tools where a frame ends that is not presented.
+// VK_EXT_frame_boundary, for older headers (the extension is in 1.3.259; bookworm has 1.3.239). Names, numbers and
+// members are the specification's. It marks the end of a frame that is not presented, for capture tools.
 
 #include <vulkan/vulkan_core.h>
 

@@ -32,7 +32,7 @@ FrameSlot& FrameRing::next() {
 
 void FrameRing::submit(FrameSlot& slot, std::span<const vk::CommandBuffer> commands,
                        std::span<const vk::Semaphore> waits, std::span<const vk::Semaphore> signals) {
-    // A fence that was reset and not submitted is never signalled: nobody may wait for it.
+    // A fence that was reset and not submitted is never signalled: do not wait for it.
     slot.submitted = false;
     device_->resetFences(*slot.done);
     const vk::PipelineStageFlags stage = vk::PipelineStageFlagBits::eColorAttachmentOutput;

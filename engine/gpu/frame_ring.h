@@ -42,7 +42,7 @@ public:
     /// Submits the slot's commands: they wait for `acquired` where colour is written, and signal `drawn`. After a
     /// failure next() returns the same slot with its image, for another try.
     void submit(FrameSlot& slot, vk::Semaphore drawn);
-    /// As above without a window's image: waits for nothing and signals nothing but its end.
+    /// As above without a window's image: no semaphores.
     void submit(FrameSlot& slot);
     /// Gives up an acquired window image that was not drawn into. Waits only for an earlier frame that drew into it.
     /// @returns its index, to be given back to the swapchain

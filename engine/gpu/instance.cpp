@@ -76,8 +76,8 @@ vk::raii::Instance instanceWith(const vk::raii::Context& context, const Instance
     }
 }
 
-/// An instance created without asking the loader first: it would load and unload every driver to answer. @returns
-/// nothing if the loader lacks something
+/// Creates an instance without querying the loader first: a query loads and unloads every driver. @returns nothing if
+/// the loader lacks something
 std::optional<vk::raii::Instance> usualInstance(const vk::raii::Context& context, InstanceExtensions& found) {
     const InstanceExtensions usual{true, true, false};
     try {
@@ -124,7 +124,7 @@ vk::raii::Instance instanceOf(const vk::raii::Context& context, bool validate, I
     return instanceWith(context, found, extensions, layers, headset);
 }
 
-/// Whether the system's drivers have a device. @param instance  receives theirs
+/// Whether the system's drivers have a device. @param instance  receives their instance
 bool findsDevice(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
                  const std::vector<std::string>& wanted, vk::raii::Instance& instance) {
     try {

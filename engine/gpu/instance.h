@@ -11,17 +11,17 @@ namespace nacre::gpu {
 
 struct InstanceExtensions {
     bool debugUtils = false, portability = false;
-    bool surfaceMaintenance = false;  ///< whether the window extensions asked for include it
+    bool surfaceMaintenance = false;  ///< whether the requested window extensions include it
 };
 
-/// How a headset's runtime makes objects gets at Vulkan.
+/// Vulkan's entry point, for a headset's runtime that makes objects.
 HeadsetSource::EntryPoint entryPoint(const vk::raii::Context& context);
 
-/// An instance of the system's drivers, or of the bundled one where those have no device.
+/// An instance of the system's drivers, or of the bundled one if those have no device.
 /// @param wanted extensions besides the engine's own
-/// @throws Error without a loader or driver, if an extension is missing, or if validation is asked for and not
+/// @throws Error without a loader or driver, if an extension is missing, or if validation is requested and not
 /// installed
-/// @param headset  not null: makes it of the system's drivers
+/// @param headset  if not null, makes the instance, of the system's drivers
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
                                 const std::vector<std::string>& wanted = {}, const HeadsetSource* headset = nullptr);
 

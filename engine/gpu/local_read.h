@@ -1,5 +1,5 @@
 #pragma once
-// VK_KHR_dynamic_rendering_local_read, for headers that are older than it (1.3.272; bookworm has 1.3.239). Names,
+// VK_KHR_dynamic_rendering_local_read, for older headers (the extension is in 1.3.272; bookworm has 1.3.239). Names,
 // numbers and members are the specification's.
 
 #include <vulkan/vulkan_core.h>

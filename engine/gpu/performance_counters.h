@@ -19,7 +19,7 @@ struct ByteCounter {
     std::string name, category, description;
 };
 
-/// Counts the bytes of submissions. Nobody else counts meanwhile.
+/// Counts the bytes of submissions, with exclusive use of the counters.
 class ByteCounters {
 public:
     /// @throws Error if another program holds the counters
@@ -29,13 +29,13 @@ public:
 
     const std::vector<ByteCounter>& counters() const { return counters_; }
 
-    /// Bytes of the commands that are recorded; none for a counter that takes several runs.
+    /// Bytes of the recorded commands; none for a counter that takes several runs.
     template <typename Record>
     std::optional<std::uint64_t> count(const ByteCounter& counter, const Record& record) const {
         const vk::raii::QueryPool pool = poolOf(counter);
         if (!*pool) return {};
-        // A query is reset by other commands than those it counts, of which its begin is the first and its end the
-        // last.
+        // A query needs its reset in other commands than those it counts. Its begin is the first of those, and its end
+        // the last.
         device_.submitAndWait([&](CommandBuffer& c) { c->resetQueryPool(*pool, 0, 1); });
         device_.submitAndWait([&](CommandBuffer& c) {
             c->beginQuery(*pool, 0, {});

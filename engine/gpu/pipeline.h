@@ -46,9 +46,9 @@ enum class Blend : std::uint8_t {
     minimum,
     maximum,
     add,
-    over,           ///< straight alpha over an opaque picture
-    overRed,        ///< the same in the red channel alone
-    overCyan,       ///< in the other two
+    over,           ///< straight alpha, over an opaque picture
+    overRed,        ///< like over, in the red channel alone
+    overCyan,       ///< like over, in green and blue
     premultiplied,  ///< over any picture
 };
 
@@ -72,7 +72,7 @@ struct GraphicsPipeline {
     std::uint32_t colorsWritten = 0;  ///< by the pass; others are masked
     DepthUse depth = DepthUse::none;
     Blend blend = Blend::replace;
-    bool ordered = false;  ///< reads attachments in raster order
+    bool ordered = false;  ///< it reads attachments in raster order
     bool strip = true;     ///< triangle strip, else list
 };
 
@@ -90,8 +90,8 @@ struct LayoutDescription {
     vk::ShaderStageFlags stages;
     std::uint32_t pushConstantBytes = 0;
     bool counter = false;          ///< set 1 has one storage buffer
-    std::uint32_t ofVertices = 0;  ///< the vertex stage reads this many bindings, counted from the last
-    bool shared = false;           ///< the fragment stage reads those too
+    std::uint32_t ofVertices = 0;  ///< the vertex stage reads this many bindings, the last ones
+    bool shared = false;           ///< the fragment stage also reads those
 };
 struct Layout {
     vk::raii::DescriptorSetLayout set{nullptr};
@@ -128,7 +128,7 @@ public:
     void want(const ComputePipeline& description);
 
     vk::Pipeline graphics(const GraphicsPipeline& description);
-    /// @param next  returns likely next pipelines; called when this one is new and there is a worker
+    /// @param next  returns likely next pipelines; called if this one is new and there is a worker
     template <typename Next>
     vk::Pipeline graphics(const GraphicsPipeline& description, const Next& next) {
         const std::size_t before = graphics_.size();

@@ -21,7 +21,7 @@ std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass)
     return name;
 }
 
-/// Values of the attachments up to the last that is cleared.
+/// Clear values of the attachments, up to the last cleared one.
 std::vector<vk::ClearValue> clearsOf(const graph::RenderPassPlan& pass) {
     std::vector<vk::ClearValue> clears;
     std::size_t count = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// A graph and its plan, prepared for recording every frame: what depends on them alone is computed once.
+// A graph and its plan, prepared for recording every frame: everything that depends on them alone is computed once.
 
 #include <string>
 #include <utility>

@@ -11,7 +11,7 @@ vk::AttachmentReference2 reference(std::uint32_t attachment, graph::Verb verb, V
     return {attachment, static_cast<vk::ImageLayout>(graph::stateOf(verb, graph::PassKind::graphics).layout), aspect};
 }
 
-/// A view reads what the same view wrote.
+/// A view reads only what it wrote itself.
 vk::DependencyFlags dependencyFlags(const graph::Dependency& d, const graph::RenderPassPlan& plan) {
     vk::DependencyFlags flags;
     if (d.byRegion) flags |= vk::DependencyFlagBits::eByRegion;

@@ -39,7 +39,7 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-/// A buffer that the host reads and writes through `mapped`. Also device-local where memory is shared.
+/// A buffer that the host reads and writes through `mapped`; also device-local where memory is shared.
 struct Buffer {
     Memory memory;
     vk::raii::Buffer handle{nullptr};
@@ -53,7 +53,7 @@ struct Buffer {
     void flush() const;
 };
 
-/// Which side reads. Reading uncached memory is slow for the host, particularly on Arm. Memory that the host only
+/// The side that reads. Reading uncached memory is slow for the host, particularly on Arm. Memory that the host only
 /// writes is best uncached.
 enum class Access {
     upload,    ///< device: coherent

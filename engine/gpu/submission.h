@@ -14,7 +14,7 @@ public:
     ~Submission();
     Submission(const Submission&) = delete;
 
-    /// Records by the given function and submits. Nothing may be pending; after a failure nothing is.
+    /// Records by the given function and submits. Nothing may be pending, and nothing is after a failure.
     template <typename RecordCommands>
     void submit(RecordCommands&& record) {
         begin();

@@ -27,7 +27,7 @@ public:
     bool retires() const { return device_.maintainsSwapchains() && whole_; }
     /// If images retire: hold this while drawing into the current ones.
     std::shared_ptr<const void> drawnInto() const { return drawnInto_; }
-    /// Takes back an image that was acquired and never drawn into, before recreate(). Only if images retire.
+    /// Gives back an image that was acquired and never drawn into, before recreate(). Only if images retire.
     void giveBack(std::uint32_t index);
     /// Releases the surface, as an app must when its window goes; recreate() asks for another.
     void release();

@@ -30,7 +30,7 @@ void orderNearFirst(const ScreenView& view, const std::vector<T>& things, std::v
     for (std::uint32_t i = 0; i < things.size(); ++i) order[at[depthOf(things[i])]++] = i;
 }
 
-/// The things themselves in this order, of several lists: for more than caches hold.
+/// The things themselves in this order, from several lists: for lists larger than caches.
 template <std::uint32_t kDepths, typename T>
 void sortNearFirst(const ScreenView& view, std::span<std::vector<T>> lists, std::vector<T>& sorted) {
     const auto depthOf = [&](const T& thing) { return depthStep<kDepths>(view, thing.near); };
@@ -48,7 +48,7 @@ struct RowBand {
     std::uint32_t first = 0, end = 0;
 };
 
-/// Bands of rows for threads, with equally many things each. @param rowOf  row of a thing, below `rows`
+/// Bands of rows for threads, with equal numbers of things. @param rowOf  row of a thing, below `rows`
 template <typename T, typename RowOf>
 void partRows(std::uint32_t rows, std::size_t parts, const std::vector<T>& things, const RowOf& rowOf,
               std::vector<std::uint32_t>& inRow, std::vector<RowBand>& bands) {

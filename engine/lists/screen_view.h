@@ -1,5 +1,5 @@
 #pragma once
-// The camera as the host's visibility tests use it: the arithmetic of shaders, rounded differently.
+// The camera for the host's visibility tests: the arithmetic of shaders, rounded differently.
 
 #include <cmath>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace nacre {
 
-/// The camera in the numbers that shaders get (ViewConstants in shaders/common/layout.h): Å, pixels.
+/// The camera, in the shaders' numbers (ViewConstants in shaders/common/layout.h): Å, pixels.
 struct ScreenView {
     std::uint32_t width = 0, height = 0;  ///< of the image, pixels
     bool perspective = false;

@@ -59,7 +59,7 @@ std::size_t levelOf(const LeveledPart& part, float error) {
 
 }  // namespace
 
-/// Lists what is not beside the picture, from near to far.
+/// Lists the parts inside the picture, from near to far.
 void SeenCopies::placeAll(const ScreenView& view, const Scenery& s) {
     constexpr std::size_t kSlice = 16384;
     struct Slice {
@@ -199,7 +199,7 @@ void SeenCopies::drawPlaced(const ScreenView& view, const Scenery& s, const Plac
     }
 }
 
-/// Keeps what is nearest somewhere in the band.
+/// Writes the spheres that are nearest somewhere in the band.
 void SeenCopies::write(const Scenery& s, Band& band) {
     for (std::size_t i = std::size_t{band.first} * width_; i < std::size_t{band.end} * width_; ++i)
         if (z_[i] != kNoDepth) band.seen[nearest_[i]] = 1;
@@ -223,7 +223,7 @@ void SeenCopies::write(const Scenery& s, Band& band) {
 }
 
 void SeenCopies::draw(const ScreenView& asked, const Scenery& s, float error, std::uint32_t grid, bool between) {
-    constexpr std::size_t kWorth = 4096;  // places that are worth another thread
+    constexpr std::size_t kWorth = 4096;  // places per additional thread
     const ScreenView view = finer(asked, grid);
     between_ = between;
     width_ = view.width;

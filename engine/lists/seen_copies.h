@@ -1,5 +1,5 @@
 #pragma once
-// For scenes with more copies than a device could hold: writes out the few spheres that a view shows.
+// For scenes with more copies than a device can hold: writes the few spheres that a view shows.
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -13,8 +13,8 @@
 
 namespace nacre {
 
-/// Draws copies on the host from near to far, each by the coarsest level whose error is small enough, and leaves out
-/// those beside the picture and those behind others. Several threads take a band of rows each. Keeps its memory.
+/// Draws copies on the host from near to far, each by the coarsest level whose error is small enough. Omits those
+/// outside the picture and behind others. Threads take a band of rows each. Keeps its memory.
 class SeenCopies {
 public:
     struct Scenery {
@@ -25,25 +25,25 @@ public:
     };
     struct LevelCount {
         float error = 0;            ///< Å
-        std::uint64_t copies = 0;   ///< parts in their places, drawn by this level; at the borders of bands twice
-        std::uint64_t spheres = 0;  ///< that are seen
+        std::uint64_t copies = 0;   ///< placed parts drawn by this level; twice at the borders of bands
+        std::uint64_t spheres = 0;  ///< visible ones
     };
 
-    /// Finds the spheres that are nearest at some place of a grid, and, if asked, those that may be nearest between the
-    /// places.
+    /// Finds the spheres that are nearest at some place of the grid and, if requested, those that may be nearest
+    /// between places.
     /// @param view   without outlines
     /// @param error  of outlines, pixels of the view
-    /// @param grid   places per pixel and side
+    /// @param grid   places per pixel side
     /// @param between  whether pixels are also sampled between the places
     void draw(const ScreenView& view, const Scenery& scenery, float error, std::uint32_t grid, bool between);
 
-    /// Without those that are hidden, relative to the representation's centre.
+    /// The spheres without hidden ones, relative to the representation's centre.
     std::span<const Sphere> spheres() const { return spheres_; }
     std::span<const SphereLook> looks() const { return looks_; }
     std::span<const LevelCount> levels() const { return levelCounts_; }  ///< finest first, without empty ones
 
 private:
-    /// A part in its place, whose ball may show.
+    /// A placed part whose ball may be visible.
     struct Placed {
         float near = 0;                 // Z
         float x = 0, y = 0, reach = 0;  // of the ball, pixels
@@ -52,7 +52,7 @@ private:
     struct Found {
         std::uint32_t copy = 0, sphere = 0, step = 0;
     };
-    /// Where a sphere shows.
+    /// Where a sphere is drawn.
     struct Reach {
         float near = 0;  // Z
         float left = 0, top = 0, right = 0, bottom = 0;

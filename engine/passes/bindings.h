@@ -1,5 +1,5 @@
 #pragma once
-// Short names for what passes bind and the stages that read it.
+// Short names for bindings of passes and the stages that read them.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ constexpr Type kSampled = Type::eCombinedImageSampler, kStorage = Type::eStorage
 constexpr vk::ShaderStageFlags kDraw = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
 
-/// As above where the device reads streams from storage buffers, not texel buffers.
+/// As above, for devices that read streams from storage buffers instead of texel buffers.
 template <std::size_t N>
 constexpr std::array<Type, N> asStorage(std::array<Type, N> types) {
     std::replace(types.begin(), types.end(), kTexel, kStorage);

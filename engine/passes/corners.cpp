@@ -12,7 +12,7 @@ namespace {
 constexpr float kLean = 0.6f;
 constexpr float kSquareInset = 0.70710678f, kOctagonInset = 0.92387953f;  // cosine of half a side's angle
 
-/// Strip order: the left pair, then pairs of rising x, of which the second has the positive y.
+/// Strip order: the left pair, then pairs by rising x, with positive y second.
 void addSquare(glm::vec3*& at, float reach) {
     for (const float x : {-reach, reach})
         for (const float y : {-reach, reach}) *at++ = {x, y, 1.001f};

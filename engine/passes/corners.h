@@ -1,6 +1,6 @@
 #pragma once
-// The polygons that spheres are drawn as, in a stream that the vertex stage fetches: computing a corner costs a shader
-// a third of its instructions otherwise.
+// Polygons that draw spheres, in a stream that the vertex stage fetches: computing a corner in the shader would cost a
+// third of its instructions.
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// Hides the pixels of a frame that do not matter, for paths that test depth.
+// Covers pixels of a frame that are not wanted, for paths that test depth.
 
 #include <glm/vec4.hpp>
 #include <vector>

@@ -12,7 +12,7 @@ struct DeferredRims {
     vk::ImageView image;  ///< output of rims()
     graph::Clear clear;   ///< of the picture
 };
-/// For a translucent layer: decides which of its pixels an opaque surface hides.
+/// For a translucent layer: finds its pixels that an opaque surface hides.
 struct LayerOver {
     NearestFrom from = NearestFrom::depthBuffer;
     vk::ImageView nearest{};  ///< null: the depth test decides

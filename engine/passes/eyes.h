@@ -17,7 +17,7 @@ inline gpu::ShaderWords forEyes(gpu::ShaderWords plain, std::string_view name) {
     return found->eyes;
 }
 
-/// The stage for the views that a draw call of the pass draws.
+/// The stage for the number of views in a draw call of the pass.
 inline gpu::ShaderWords forViews(const gpu::PipelineContext& context, gpu::ShaderWords plain) {
     return context.views == 1 ? plain : forEyes(plain, context.pass);
 }

@@ -21,7 +21,7 @@ gpu::GraphicsPipeline pipelineOf(const gpu::PipelineContext& context, const Full
     d.colorsWritten = context.colorCount;
     d.blend = pass.blend;
     d.depth = pass.depth;
-    // A driver may lose the view of what it clips, as of the corners of a larger triangle.
+    // A driver may lose the view of clipped primitives. A larger triangle would be clipped at its corners.
     if (context.views > 1) d.constants.set(layout::kCornersId, 4);
     d.strip = context.views > 1;
     return d;

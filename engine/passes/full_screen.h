@@ -1,5 +1,5 @@
 #pragma once
-// Shared by passes that draw over the whole screen; and the simplest of them.
+// Shared by passes over the whole screen, and the simplest such passes.
 
 #include <array>
 #include <optional>

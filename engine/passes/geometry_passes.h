@@ -5,7 +5,7 @@
 #include "engine/passes/primitives.h"
 
 /// Shaders of a pass by their names (shaders/shaders.cmake). Users include "shaders.h".
-/// @param reads  of the vertex stage of triangles, where the fragment stage reads: "Reads"
+/// @param reads  variant of the triangles' vertex stage: "Reads" if the fragment stage reads
 #define NACRE_SHADERS(vertex, reads, fragment, variant)                                        \
     {                                                                                          \
         {shaders::vertex##SphereVertex, NACRE_STAGE(fragment##Sphere##variant)},               \
@@ -19,7 +19,7 @@
         NACRE_SHADERS(look, , color, variant), NACRE_SHADERS(look, , surface, variant), \
             NACRE_SHADERS(atom, , identity, variant)                                    \
     }
-/// Shaders of colour that fetch what varyings would carry.
+/// Shaders of colour that fetch attributes instead of taking them from varyings.
 #define NACRE_FETCHED(variant)                                                            \
     nacre::passes::FetchedShaders {                                                       \
         {shaders::lookSphereFetchedVertex, {shaders::colorSphereFetched##variant, {}}}, { \
@@ -32,17 +32,17 @@
 namespace nacre::passes {
 
 /// The opaque prepass (paper section 5): depth of flat plates that lie fully inside their primitives.
-/// @param triangles  draw them as well; in a bake they cost more than they save
+/// @param triangles  also draw triangles; in a bake they cost more than they save
 GeometryPass opaquePrepass(bool triangles);
 
 /// Depth encoding (paper section 3): the nearest depth of every pixel as a colour, by MIN blending.
 GeometryPass depthEncoding(const Encoding& encoding);
 /// As above without blending: each fragment reads the pixel's value, in raster order.
 GeometryPass orderedDepth(const Reads& reads);
-/// The nearest depth of every pixel in the depth buffer, by gl_FragDepth: depth maps of the bake, and the shadow map.
+/// The nearest depth of every pixel in the depth buffer, by gl_FragDepth, for shadow maps and the bake's depth maps.
 GeometryPass nearestDepth();
 
-/// Impostor colour (paper sections 2 to 4), or a layer, by shaders of that output: depth is only tested.
+/// Impostor colour (paper sections 2 to 4) or a layer, by shaders of that output. Depth is tested, not written.
 GeometryPass shadingPass(const PrimitiveShaders& shaders, const Reads& reads);
 
 }  // namespace nacre::passes

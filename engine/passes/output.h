@@ -15,7 +15,7 @@ enum class Output : std::uint8_t {
 enum class NearestFrom : std::uint8_t {
     depthBuffer,      ///< the depth test alone
     inputAttachment,  ///< output of an earlier subpass
-    texture,          ///< the same output as a texture, off tile
+    texture,          ///< output of an earlier subpass, as a texture in memory
     ownAttachment,    ///< the pass's own attachment, in raster order
 };
 

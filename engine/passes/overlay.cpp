@@ -20,7 +20,7 @@ constexpr vk::VertexInputBindingDescription kStreams[] = {{0, sizeof(OverlayVert
 constexpr vk::VertexInputAttributeDescription kAttributes[] = {
     {0, 0, vk::Format::eR32G32Sfloat, 0}, {1, 0, vk::Format::eR32G32Sfloat, 8}, {2, 0, vk::Format::eR8G8B8A8Unorm, 16}};
 
-/// Makes room and copies; buffers grow by half, so that they seldom do.
+/// Copies after making room; buffers grow by half, so that this is rare.
 template <typename T>
 void put(const gpu::Device& device, gpu::Buffer& buffer, const std::vector<T>& contents, vk::BufferUsageFlags usage,
          const char* name) {

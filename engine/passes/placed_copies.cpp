@@ -131,7 +131,7 @@ std::uint64_t PlacedCopies::cylinderCount() const { return total(cylinders); }
 std::uint64_t PlacedCopies::triangleCount() const { return total(triangles); }
 
 std::vector<MeshLevelCount> PlacedCopies::triangleLevels(const Representation& r) const {
-    if (r.meshes.empty()) return {};  // as in each frame of most scenes
+    if (r.meshes.empty()) return {};  // true in each frame of most scenes
     std::vector<TriangleCall> calls;
     for (const Call& call : triangles) calls.push_back({call.first, call.count});
     return levelsOf(r, calls);

@@ -32,11 +32,11 @@ struct PlacedCopies {
 };
 
 /// Composes rotations and shifts in double precision. Culls runs of copies whose bounding sphere lies outside the
-/// picture, and chunks likewise; the rest keeps the order of the streams. Of two views, what either shows.
+/// picture, and such chunks; the rest keeps the order of the streams. With two views, keeps what either shows.
 /// @param chunks  of the representation; null: whole runs only
 /// @param room    margin around a primitive in which it still shows, pixels
 /// @param error   allowed error of meshes, Å (drawnRuns())
-/// @param wires   add them after the cylinders, once, whatever the copies
+/// @param wires   add them after the cylinders, once for all copies
 PlacedCopies placeCopies(const Representation& representation, const View& view, const Chunks* chunks = nullptr,
                          double room = 0, double error = 0, bool wires = false);
 /// As above, reusing the memory of an earlier view.

@@ -15,9 +15,9 @@ struct Plate {
     float rim = 0.98516f;       ///< the original app's octagon: 0.91017 of the circumscribed one
 };
 
-/// Resolves `automatic`. On a software rasteriser a triangle costs as much as some hundred fragments: squares. On a GPU
-/// fragments dominate if spheres cover enough of them: domes and pyramids; else octagons, or squares where vertex
-/// outputs go through memory.
+/// Resolves `automatic`. On a software rasteriser a triangle costs some hundred fragments: squares. On a GPU, fragments
+/// dominate if spheres cover enough of them: domes and pyramids; else octagons, or squares where vertex outputs go
+/// through memory.
 /// @param radiusPixels  mean radius of a sphere in the picture @param flat  no pyramid (SceneView::flat())
 PlateShape choosePlates(PlateShape wanted, const graph::GeometryCaps& caps, double radiusPixels);
 ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& caps, double radiusPixels, bool flat);

@@ -25,7 +25,7 @@ constexpr vk::VertexInputBindingDescription kCylinderBindings[] = {{0, sizeof(Cy
 constexpr vk::VertexInputAttributeDescription kCylinderAttributes[] = {
     {0, 0, kVec4, 0}, {1, 0, kVec4, 16}, {2, 1, vk::Format::eR32G32B32A32Uint, 0}};
 
-/// Streams A and B, or A alone. Those of triangles are fetched by their numbers, as are the looks of fetched spheres.
+/// Streams A and B, or A alone. Triangles, and looks of fetched spheres, are fetched by number instead.
 gpu::VertexStreams streamsOf(Primitive primitive, bool looks) {
     if (primitive == Primitive::triangle) return {};
     if (primitive == Primitive::sphere)
@@ -50,7 +50,7 @@ std::span<const Type> bindingsOf(const std::optional<Reads>& reads) {
     }
     return kInput;
 }
-/// As above with the streams for the vertex stage of triangles. Binding numbers do not depend on what is read.
+/// As above, with the streams for the vertex stage of triangles. Binding numbers are independent of what is read.
 std::span<const Type> triangleBindingsOf(const std::optional<Reads>& reads) {
     static constexpr Type kAlone[] = {kStorage, kStorage};
     static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage,
@@ -61,7 +61,7 @@ std::span<const Type> triangleBindingsOf(const std::optional<Reads>& reads) {
     return input ? kInput : kTexture;
 }
 
-/// Primitives of one kind, in one polygon each.
+/// Primitives of one kind, drawn as one polygon each.
 struct Draw {
     Primitive primitive;
     const Shaders& shaders;
@@ -134,7 +134,7 @@ const char* nameOf(const Draw& drawn) {
     return (drawn.fetched ? kFetchedNames : kNames)[static_cast<std::size_t>(drawn.primitive)];
 }
 
-/// Pipelines of spheres by the shapes that a zoom goes over to, as no bake does: they differ by the polygon.
+/// Pipelines for the other sphere shapes that a zoom uses (a bake uses none): they differ in the polygon.
 std::vector<gpu::GraphicsPipeline> otherShapes(gpu::PipelineContext& context, const SceneView& view,
                                                const GeometryPass& pass, const Draw& drawn,
                                                const gpu::GraphicsPipeline& of) {
@@ -173,7 +173,7 @@ gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView&
     d.constants.set(layout::kDepthStepsId, pass.encoding.steps);
     d.constants.set(layout::kCornersId, drawn.corners.count);
     if (drawn.plate) d.constants.set(layout::kRimId, drawn.plate->rim);
-    // A fragment's one hit is not where all of its samples are.
+    // A fragment finds one hit, which may differ from those of its samples.
     if (drawn.plate) d.constants.set(layout::kPlateRoomId, view.samples > 1 ? 0.6f : 0.0f);
     d.streams = streamsOf(drawn.primitive, pass.looks && !drawn.fetched);
     d.layout = *layoutOf(context, view, pass, drawn).pipeline;
@@ -188,7 +188,7 @@ gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView&
 void writeReads(gpu::PassContext& context, const SceneView& view, vk::DescriptorSet set, const Reads& reads,
                 bool complete) {
     constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
-    // A set of triangles has the fourth binding even where nothing is read there.
+    // The set of triangles has the fourth binding even if nothing reads it.
     const bool texture = reads.from == NearestFrom::texture || (complete && reads.from == NearestFrom::depthBuffer);
     const vk::DescriptorImageInfo atlas(context.pipelines.sampler(vk::Filter::eLinear), reads.atlas, kRead);
     const vk::DescriptorImageInfo nearest(texture ? context.pipelines.sampler(vk::Filter::eNearest) : vk::Sampler(),
@@ -253,7 +253,7 @@ void record(gpu::PassContext& context, const SceneView& view, const GeometryPass
     if (sphere) commands.bindVertexBuffers(2, *scene.corners.handle, vk::DeviceSize{0});
     if (pyramid) commands.bindIndexBuffer(*scene.pyramid.handle, 0, vk::IndexType::eUint16);
     layout::ViewConstants constants = view.constants;
-    // The vertex stage finds the triangles by these, for a viewer, a light or a bake.
+    // The vertex stage finds triangles by these counts, for a viewer, a light or a bake.
     constants.spheres = scene.sphereCount;
     constants.cylinders = scene.cylinderCount;
     constants.primitives = scene.primitives();

@@ -15,7 +15,7 @@ namespace nacre::passes {
 /// A fragment stage, and its variant that counts fragments.
 struct Stage {
     gpu::ShaderWords plain;
-    gpu::ShaderWords counting = {};  ///< empty: made from the other one
+    gpu::ShaderWords counting = {};  ///< empty: made from the other stage
     gpu::ShaderWords of(const SceneView& view) const {
         if (!view.fragments) return plain;
         return counting.empty() ? gpu::countingShader(plain) : counting;
@@ -48,8 +48,8 @@ struct PrimitiveShaders {
     Shaders sphere, cylinder, triangle;
 };
 
-/// Variants whose vertex stage passes a primitive's number, with which the fragment stage fetches the rest, in at most
-/// 16 bytes: for GPUs whose vertex outputs go through memory. None where a pass has no such variant.
+/// Variants for GPUs whose vertex outputs go through memory. The vertex stage passes a primitive's number, at most 16
+/// bytes in all, and the fragment stage fetches the rest. None where a pass has no such variant.
 struct FetchedShaders {
     Shaders sphere, triangle;
 };
@@ -73,7 +73,7 @@ enum class Primitive : std::uint8_t { sphere, cylinder, triangle };
 
 /// Draws the scene's primitives, all copies.
 void draw(gpu::PassContext& context, const SceneView& view, const GeometryPass& pass);
-/// Requests the pipelines, and those that a zoom changes to.
+/// Requests the pipelines, and those for the next shapes of a zoom.
 void want(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass);
 
 /// Maximum of instances per call: more can cause device loss on Mali-G71 and some PowerVR (others measured 2^14 to

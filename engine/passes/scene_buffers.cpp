@@ -49,7 +49,7 @@ void checkFits(const gpu::Device& device, const Representation& r) {
 
 std::size_t cylindersOf(const Representation& r) { return r.cylinders.size() + r.wires.size(); }
 
-/// Cylinders in device form, followed by wires: with 1 / length, Å, which each pixel would have to compute otherwise.
+/// Cylinders in device form, followed by wires. Adds 1 / length, Å, to save each pixel a division.
 std::vector<Cylinder> placedCylinders(const Representation& r) {
     std::vector<Cylinder> cylinders = r.cylinders;
     cylinders.insert(cylinders.end(), r.wires.begin(), r.wires.end());
@@ -57,7 +57,7 @@ std::vector<Cylinder> placedCylinders(const Representation& r) {
     return cylinders;
 }
 
-/// Triangles and vertices as the device has them: they name places in the joined streams.
+/// Triangles and vertices in device form: their indices are places in the joined streams.
 std::vector<Triangle> placedTriangles(const Representation& r) {
     std::vector<Triangle> triangles = r.triangles;
     triangles.insert(triangles.end(), r.coarseTriangles.begin(), r.coarseTriangles.end());
@@ -72,8 +72,8 @@ std::vector<MeshVertex> placedVertices(const Representation& r) {
     return vertices;
 }
 
-/// Linear values of sRGB bytes: linearFromSrgb() of shaders/common/srgb.glsl in the steps of lavapipe, for the same
-/// bits. GPUs that fuse products and sums may differ in the last bit.
+/// Linear values of sRGB bytes: linearFromSrgb() of shaders/common/srgb.glsl in lavapipe's steps, for equal bits. GPUs
+/// that fuse products and sums may differ in the last bit.
 std::array<float, 256> linearBytes() {
     std::array<float, 256> linear;
     for (std::size_t i = 0; i < linear.size(); ++i) {
@@ -104,7 +104,7 @@ std::vector<glm::vec4> ballsOf(const Representation& r) {
     return balls;
 }
 
-/// Groups of the atoms that looks name, in the order of the looks.
+/// Groups of the atoms of looks, in the order of the looks.
 std::vector<std::uint32_t> groupsOf(const Representation& r) {
     std::vector<std::uint32_t> groups;
     groups.reserve(r.spheres.size() + 2 * cylindersOf(r) + r.meshLooks.size());

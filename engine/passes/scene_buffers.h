@@ -9,7 +9,7 @@ namespace nacre::passes {
 struct SceneBuffers {
     gpu::Buffer shapes;            ///< stream A: spheres, cylinders, triangles, and the triangles' vertices
     gpu::Buffer looks;             ///< stream B: of spheres, cylinders and vertices; then the groups of their atoms
-    gpu::Buffer balls;             ///< stream C, where fragments fetch spheres: linear colour; radius, below 0 of tints
+    gpu::Buffer balls;             ///< stream C, if fragments fetch spheres: linear colour; radius, negative for tints
     gpu::Buffer corners, pyramid;  ///< from passes/corners.h: stream, indices
     vk::raii::BufferView shapeTexels{nullptr}, lookTexels{nullptr};  ///< where texel buffers can hold whole streams
     std::uint32_t sphereCount = 0, cylinderCount = 0, triangleCount = 0;
@@ -17,7 +17,7 @@ struct SceneBuffers {
     vk::DeviceSize cylinderOffset = 0, cylinderLookOffset = 0;  ///< byte offsets into shapes and looks
 
     std::uint32_t primitives() const { return sphereCount + cylinderCount + triangleCount; }
-    bool empty() const { return primitives() == 0; }  ///< then it has no buffers
+    bool empty() const { return primitives() == 0; }  ///< an empty scene has no buffers
 };
 
 /// Maximum size of shapes that a device's shaders can read, bytes. Texel buffers, where used, hold at least as many

@@ -15,7 +15,7 @@
 
 namespace nacre::passes {
 
-/// The occlusion atlas of a scene, and the arrangement of its patches: in rows, first those of spheres, then those of
+/// The occlusion atlas of a scene, and the arrangement of its patches in rows: first those of spheres, then those of
 /// cylinders.
 struct Atlas {
     const gpu::Image* image = nullptr;  ///< null: no occlusion
@@ -42,7 +42,7 @@ struct SceneView {
     std::shared_ptr<const void> owner;  ///< keeps the buffers alive while a frame is in flight
     layout::ViewConstants constants{};  ///< those of a copy stay 0
     PlacedCopies copies;
-    std::array<glm::vec4, 3> still{};              ///< rows of what no copy's transform moves
+    std::array<glm::vec4, 3> still{};              ///< rows of primitives that no copy moves
     std::shared_ptr<const VolumeTextures> volume;  ///< null: the scene has none
     float otherAxis = 0;                           ///< of two views: the other's axisPixel, along the picture's rows
     std::shared_ptr<const TileFrame> tiles;        ///< for the `tiles` path
@@ -51,7 +51,7 @@ struct SceneView {
     bool powers = false;                           ///< the device computes powers in a few instructions
     bool perspective = false;
     bool frontsOnly = false;    ///< triangles are invisible from behind
-    std::uint32_t samples = 1;  ///< of a pixel, which a fragment tells it covers
+    std::uint32_t samples = 1;  ///< per pixel; fragments state which they cover
     int quarterTurns = 0;       ///< as in View
     float wireScale = 1;        ///< this picture's pixels per pixel of the requested picture; 0: no wires
     bool wholeImage = true;     ///< the viewport is the whole image; false: it is centred on the view axis
@@ -59,14 +59,14 @@ struct SceneView {
     vk::BufferView occlusionCells;           ///< Atlas::cells
     std::shared_ptr<const void> atlasOwner;  ///< Atlas::owner: keeps both alive while a frame is in flight
     Effects effects;
-    Rims rims;                               ///< lines by groups and halos
-    bool blendsColors = false;               ///< Representation has it
-    bool ownMaterials = false;               ///< Representation has it
-    int copyColors = 0;                      ///< that copies take in turn
-    bool cut = false;                        ///< of a light's view: its planes' numbers are one plane, which cuts off
-    std::shared_ptr<SceneView> light;        ///< what the shadow map shows; null: there is none
-    std::shared_ptr<SceneView> translucent;  ///< its translucent triangles, over the others; null: it has none
-    std::optional<graph::Image> shadow;      ///< it
+    Rims rims;                               ///< outlines by groups, and halos
+    bool blendsColors = false;               ///< of the Representation
+    bool ownMaterials = false;               ///< of the Representation
+    int copyColors = 0;                      ///< number of colours that copies take in turn
+    bool cut = false;                        ///< a light's view: its planes' numbers describe one clipping plane
+    std::shared_ptr<SceneView> light;        ///< the view of the shadow map; null: there is none
+    std::shared_ptr<SceneView> translucent;  ///< the view of its translucent triangles; null: it has none
+    std::optional<graph::Image> shadow;      ///< the shadow map
     std::shared_ptr<const gpu::Buffer> effectConstants;  ///< layout::EffectConstants; of passes that shade
     std::shared_ptr<const gpu::Buffer> covers;  ///< rectangles over pixels that do not matter; null: all matter
     std::uint32_t coverCount = 0;
@@ -76,11 +76,11 @@ struct SceneView {
     double smallestPixels = 0;                   ///< half the width of the narrowest primitive or line in the picture
     std::shared_ptr<FragmentCounter> fragments;  ///< null: count none
 
-    /// Whether facets must not lean: they are planes of depth only where parallel lines stay parallel, and behind one
-    /// sample of a pixel they may stand before the hit of another.
+    /// Whether impostors must not have tilted facets. Facets are planes of depth only in parallel projection. With
+    /// several samples, a facet behind one sample may lie before the hit of another.
     bool flat() const { return perspective || samples > 1; }
 
-    /// Lets go of all that it holds, but for the room of its lists.
+    /// Releases everything except the memory of its lists.
     void clear() {
         PlacedCopies room = std::move(copies);
         room.clear();

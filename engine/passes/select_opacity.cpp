@@ -21,7 +21,7 @@ void selectRuns(std::vector<Call>& calls, const TranslucentRuns& runs, Opacity w
     std::vector<Call> list;
     for (const Call& call : calls) {
         std::uint32_t at = call.first;
-        // Most calls meet few of the runs.
+        // Most calls overlap few of the runs.
         const auto from = std::ranges::partition_point(
             runs, [&](const TranslucentRun& run) { return run.first + run.count <= call.first; });
         for (auto run = from; run != runs.end() && run->first < call.first + call.count; ++run) {

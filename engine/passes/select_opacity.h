@@ -10,7 +10,7 @@ namespace nacre::passes {
 enum class Opacity : std::uint8_t {
     opaque,
     translucent,
-    solid,  ///< all but faint ones: those that picking reports
+    solid,  ///< all except faint ones: picking reports these
 };
 /// Keeps the selected primitives of some copies, in order. Wires are opaque.
 void select(PlacedCopies& copies, const TranslucentParts& parts, Opacity which);

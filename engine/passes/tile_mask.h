@@ -1,12 +1,12 @@
 #pragma once
-// Which pixels of a frame matter.
+// The wanted pixels of a frame.
 
 #include <cstdint>
 #include <vector>
 
 namespace nacre {
 
-/// Which quarters of a picture's tiles are wanted: squares of 4 x 4 pixels, row by row.
+/// The wanted quarters of a picture's tiles: squares of 4 x 4 pixels, row by row.
 struct TileMask {
     static constexpr std::uint32_t kSide = 4;  ///< of a quarter, pixels
     std::uint32_t across = 0;

@@ -11,7 +11,7 @@ constexpr std::uint32_t kSphere = kPosition + kFour, kCylinder = kPosition + 2 *
                         kTriangle = kPosition + 3 * kThree + kNumber, kFetched = kPosition + kNumber;
 constexpr std::uint32_t kSphereLook = kThree + kTwo, kCylinderLook = 3 * kThree + kTwo, kTriangleLook = 3 * kThree;
 
-/// A polygon of so many corners, or of several polygons.
+/// A polygon of so many corners, or several polygons.
 VertexCost polygon(std::uint32_t corners, std::uint32_t bytesOfCorner) {
     return {corners, corners - 2, corners * bytesOfCorner};
 }

@@ -13,16 +13,16 @@ namespace nacre::passes {
 struct PrimitiveCounts {
     std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
     double radiusPixels = 0;  ///< mean radius of the spheres
-    bool flat = false;        ///< no impostor leans
+    bool flat = false;        ///< no tilted facets (SceneView::flat())
 };
 
 /// Outputs of the vertex stage of a pass.
 enum class Handed : std::uint8_t {
     plates,          ///< positions
-    depth,           ///< what its fragments find depth by
-    number,          ///< the same, and the primitive's number
-    shading,         ///< what its fragments are shaded by
-    shadingFetched,  ///< a number by which they fetch that
+    depth,           ///< inputs of the fragments' depth
+    number,          ///< inputs of depth, and the primitive's number
+    shading,         ///< inputs of shading
+    shadingFetched,  ///< a number by which fragments fetch the inputs of shading
 };
 
 /// Shapes of spheres, resolved.

@@ -30,7 +30,7 @@ inline layout::ViewConstants viewConstants(const View& view, double centerX, dou
     c.wirePixel = c.pixel;
     c.depthStart = static_cast<float>(origin - view.radius - kRoom);
     c.perRange = static_cast<float>(1.0 / range);
-    c.patchesInRow = 1u << 15 | 1u << 16;  // without an atlas, too: cells of all numbers of spheres
+    c.patchesInRow = 1u << 15 | 1u << 16;  // also without an atlas: for cells of all sphere numbers
     return c;
 }
 

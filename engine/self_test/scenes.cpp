@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kOpaque = 0xff000000, kColor = ~kOpaque;
 
-/// A colour for each of 63 atoms, far from the next; never black.
+/// A colour for each of 63 atoms, all far apart; never black.
 std::uint32_t colorOf(std::uint32_t atom) {
     constexpr std::uint32_t kLevels[] = {0x20, 0x60, 0xa0, 0xe0};
     return kOpaque | kLevels[atom & 3] | kLevels[atom >> 2 & 3] << 8 | kLevels[atom >> 4 & 3] << 16;
@@ -64,7 +64,7 @@ Representation octahedra(Representation r) {
     return r;
 }
 
-/// A cube of copies, as spheres of their own.
+/// A cube of copies, as separate spheres.
 Representation repeated(Representation r, int side) {
     const Representation one = r;
     r.spheres.clear();
@@ -193,7 +193,7 @@ double opennessAt(const Representation& r, const Rays& rays, const View& view, c
             const glm::dvec3 to = rays.centers()[i] - seen.at;
             const double radius = r.spheres[i].radius, along = glm::dot(to, w),
                          under = radius * radius - glm::dot(to, to) + along * along;
-            hidden = under > 0 && along > 0 && glm::dot(to, to) > 1.001 * radius * radius;  // not its own
+            hidden = under > 0 && along > 0 && glm::dot(to, to) > 1.001 * radius * radius;  // not by its own sphere
         }
         all += share;
         if (!hidden) open += share;
@@ -207,7 +207,7 @@ std::vector<TestScene> selfTestScenes() {
     using Shows = TestScene::Shows;
     constexpr auto kParallel = Projection::orthographic, kPerspective = Projection::perspective;
     Representation all = colored(Style::ballAndStick);
-    addOctahedra(all, 2.0f);  // beyond their spheres, so that all three kinds are seen
+    addOctahedra(all, 2.0f);  // larger than their spheres, so that all three kinds are visible
     return {{colored(Style::ballAndStick), kParallel, Shows::colors},
             {colored(Style::spacefill), kParallel, Shows::occlusion},
             {octahedra(colored(Style::spacefill)), kParallel, Shows::colors},
@@ -271,7 +271,7 @@ bool showsOcclusion(const Picture& picture, const Representation& r, const View&
             error += std::abs(double{green} / base - opennessAt(r, rays, view, seen, directions));
             ++looked;
         }
-    // Texels and edges cause 0.05; a bake that is all light or all dark, 0.3 and more.
+    // Texels and edges cause an error of 0.05; an entirely light or dark bake, 0.3 and more.
     return error < 0.15 * looked;
 }
 

@@ -9,7 +9,7 @@
 
 namespace nacre {
 
-/// A scene that a correct path draws as its rays say.
+/// A scene whose picture by a correct path matches its rays.
 struct TestScene {
     enum class Shows {
         colors,     ///< the colour of the nearest surface
@@ -20,8 +20,8 @@ struct TestScene {
     Shows shows{};
 };
 
-/// Spheres and sticks; spheres that cut into each other, which no plate in front of one settles; triangles that cut
-/// into each other; and all kinds in perspective. Each atom has a colour of its own.
+/// Spheres and sticks; intersecting spheres, which plates alone cannot settle; intersecting triangles; and all kinds in
+/// perspective. Each atom has its own colour.
 std::vector<TestScene> selfTestScenes();
 
 /// A scene to time: its first frames are a warm-up.
@@ -29,16 +29,16 @@ struct TimedScene {
     Representation representation;
     Projection projection{};
 };
-/// Of three sizes: a few large spheres, some thousand triangles in perspective, and many small spheres.
+/// Scenes of three sizes: a few large spheres, some thousand triangles in perspective, and many small spheres.
 std::vector<TimedScene> timedScenes();
 
-/// Settings by which a scene is tested: the colours themselves.
+/// Settings to test a scene: they show unshaded colours.
 RenderSettings testSettings(const Representation& representation, Projection projection, std::uint32_t pixels);
 
 /// Whether a picture shows the scene. Pixels near an edge may show either side.
 bool shows(const Picture& picture, const Representation& representation, const View& view);
 
-/// Whether a picture of spheres is as dark as its occlusion is to make it: the bake draws, dispatches and copies.
+/// Whether a picture of spheres is as dark as its occlusion requires. Tests a bake: draws, dispatches and copies.
 /// Orthographic. @param directions  of the bake
 bool showsOcclusion(const Picture& picture, const Representation& representation, const View& view, int directions);
 

@@ -25,7 +25,7 @@ struct Note {
     std::string driverKey = "-";           ///< of the last start that showed frames
     std::array<int, kStartModes> ended{};  ///< starts of each mode that ended the program, the open one among them
     int open = -1;                         ///< mode of a start that shows no frame yet
-    long process = 0;                      ///< its process
+    long process = 0;                      ///< its process ID
     int good = 0;  ///< starts in modes other than the usual one that worked, since modes were last forgiven
 };
 
@@ -39,7 +39,7 @@ Note readNote(const std::string& folder) {
     lines >> note.driverKey;
     for (int& count : note.ended) lines >> count;
     if (!(lines >> note.open >> note.process) || note.open < -1 || note.open >= kStartModes) return {};
-    if (!(lines >> note.good)) note.good = 0;  // as earlier versions write it
+    if (!(lines >> note.good)) note.good = 0;  // notes of earlier versions lack this
     return note;
 }
 
@@ -61,11 +61,11 @@ bool isAlive(long process) { return process > 0 && kill(static_cast<pid_t>(proce
 StartGuard::StartGuard(std::string folder) : folder_(std::move(folder)) {
     if (folder_.empty()) return;
     Note note = readNote(folder_);
-    if (note.open >= 0 && isAlive(note.process)) return;  // it guards its own start
-    int mode = note.open + 1;                             // riskier ones wait until one has worked
+    if (note.open >= 0 && isAlive(note.process)) return;  // that process guards its own start
+    int mode = note.open + 1;                             // riskier modes wait until one has worked
     while (mode < kStartModes && note.ended[static_cast<std::size_t>(mode)] >= kBlamed) ++mode;
     if (mode == kStartModes) {
-        writeNote(folder_, {});  // the next start tries all of them again
+        writeNote(folder_, {});  // the next start tries all modes again
         throw Error("cannot start drawing", "the graphics driver ended the program at each of the last starts",
                     "an update of the system may bring another driver");
     }

@@ -1,7 +1,7 @@
 #pragma once
-// Survives a driver that ends the program while a window starts: each start is noted in a file before the first device
-// is made, and the note is removed after the first frames. A start that finds a note of one that died takes fewer
-// risks. After a number of good starts it tries the riskier ways again.
+// Survives a driver that ends the program while a window starts. Each start is noted in a file before the first device
+// is made, and the note is removed after the first frames. If the note of a dead start is found, the next start takes
+// fewer risks. After a number of good starts it tries the riskier modes again.
 
 #include <string>
 
@@ -11,11 +11,11 @@ namespace nacre {
 enum class StartMode {
     usual,
     withoutCache,  ///< no pipeline cache
-    plainPath,     ///< also by the path that asks least of a driver
+    plainPath,     ///< also by the path with the lowest demands on a driver
 };
 constexpr int kStartModes = 3;
 
-/// One start. Destroyed before done(): the start was given up, but the program lives.
+/// One start. If destroyed before done(), the start was cancelled, but the program lives.
 class StartGuard {
 public:
     /// @param folder  DeviceOptions::selfTests; empty: guards nothing @throws Error if every mode ended the program
@@ -24,7 +24,7 @@ public:
     ~StartGuard() { end(false, {}); }
 
     StartMode mode() const { return mode_; }
-    /// Frames were shown. @param driverKey  another than that of earlier starts clears what they have found out
+    /// Call once frames were shown. @param driverKey  if it differs from earlier starts, their findings are cleared
     void done(const std::string& driverKey) { end(true, driverKey); }
 
 private:

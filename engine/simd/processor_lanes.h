@@ -1,5 +1,5 @@
 #pragma once
-// How many numbers this processor calculates at once, of the ways that each_lanes.inc compiles.
+// The number of lanes that this processor supports, among those that each_lanes.inc compiles.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ inline std::uint32_t processorLanes() {
     return 4;
 }
 
-/// The ways that this processor can use. @param all  with their `lanes`, the fewest first
+/// The variants that this processor supports. @param all  with their `lanes`, in ascending order
 template <typename Way>
 std::span<const Way> usableLanes(std::span<const Way> all) {
     static const std::uint32_t most = processorLanes();

@@ -10,11 +10,11 @@
 
 namespace nacre {
 
-/// An entry is a file that appears complete, by rename, once it is on the disk. When the folder exceeds its limit, the
+/// An entry is a file. It is renamed into place once it is completely on disk. When the folder exceeds its limit, the
 /// least recently used entries are removed. Never throws: a cache that cannot be read or written behaves as empty.
 /// Callers choose safe names: letters, digits, '-', '_' and '.', not at the start.
 ///
-/// The folder may hold other people's files. So a cache writes and removes only in a folder that it made itself, or
+/// The folder may hold other programs' files. So a cache writes and removes only in a folder that it made itself, or
 /// found empty or with nothing but its own kind of files (marked by CACHEDIR.TAG, which backup programs know); and only
 /// regular files with its own names. It follows no links.
 class DiskCache {
@@ -40,7 +40,7 @@ public:
     /// Makes the folder, for callers that write an entry themselves. @returns false if it fails, or the folder is not
     /// ours
     bool makeFolder() const;
-    /// A name for a file that will become an entry.
+    /// A temporary name for a file that will become an entry.
     static std::string temporaryName();
     /// Removes the least recently used entries until the limit holds. Files still being written (temporary names, and
     /// names ending in ".part", changed within the last day) stay, but count.
