@@ -88,8 +88,7 @@ struct DeviceOptions {
     HeadsetSource headset = {};                              ///< no functions: no headset
     std::vector<std::byte> pipelineCache = {};  ///< from Renderer::pipelineCache(); ignored if from another device
     /// Folder for results of self-tests (self_test.h), which decide if `visibility` is automatic. Empty: no self-test.
-    /// Without a window, a missing test runs first. Software devices need none: the program's own tests cover their
-    /// paths.
+    /// Without a window, a missing test runs first. Software devices need none: the program's tests cover their paths.
     std::string selfTests = {};
     /// Called before a self-test, which takes seconds, once per device and driver; may be empty.
     std::function<void()> onSelfTest = {};

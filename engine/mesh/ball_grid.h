@@ -15,7 +15,7 @@ class BallGrid {
 public:
     /// @param margin  Å, added to every radius
     /// @throws Error if there are more pairs of neighbours than 32 million, and 256 per ball: a protein's atoms have
-    /// some eighty each, and a crowd at one place the square of its number
+    /// about eighty each; for a crowd at one place, pairs grow with the square of its number
     BallGrid(const std::vector<SurfaceBall>& balls, double margin);
 
     /// Balls that overlap this one, nearest first.

@@ -86,7 +86,7 @@ public:
         drawCoil(done, frames_.size() - 1);
     }
 
-    /// Where the ribbon passes each drawn residue. For a nucleotide, the middle of its stretch, where its sugar is.
+    /// Adds the ribbon's position at each drawn residue; for a nucleotide, the middle of its stretch, near its sugar.
     void addPlaces(std::vector<RibbonPlace>& places) const {
         for (std::size_t i = 0; i < trace_.residues.size(); ++i) {
             if (!trace_.shown[i]) continue;
@@ -126,7 +126,7 @@ private:
         return {radius, radius};
     }
 
-    /// Sections of a coil; where a helix is, those of its ribbon, which tapers within its first and last residue.
+    /// Sections of a coil; in a helix, those of its ribbon, which tapers within its first and last residue.
     std::vector<Section> coilSections(std::size_t first, std::size_t last) const {
         std::vector<Section> sections;
         for (std::size_t k = first; k <= last; ++k) sections.push_back(coil(k));

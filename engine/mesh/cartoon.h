@@ -29,8 +29,8 @@ enum class BaseForm : std::uint8_t {
 struct CartoonOptions {
     HelixForm helices = HelixForm::ribbon;
     BaseForm bases = BaseForm::plates;
-    /// Tube whose radius grows with the B factor: 0.4 Å times ((z + 2) / 2)^1.5, clamped to factors of 0.6 to 4, where
-    /// z is the B factor's distance from the mean over everything drawn, in standard deviations. PyMOL's numbers.
+    /// Tube whose radius grows with the B factor: 0.4 Å times ((z + 2) / 2)^1.5, clamped to factors of 0.6 to 4. z is
+    /// the B factor's distance from the mean of all drawn residues, in standard deviations. PyMOL's numbers.
     bool putty = false;
     bool disulfides = true;  ///< disulphide bonds as sticks from ribbon to ribbon
     /// Vertex rings per residue, even, and vertices per ring. 0: 8 and 12 up to 20,000 residues, 6 and 10 up to 60,000,
@@ -38,8 +38,8 @@ struct CartoonOptions {
     int segments = 0, sides = 0;
     double scale = 1;  ///< of all widths and thicknesses
     double tube = 0;   ///< Å: radius of the putty's tube everywhere; 0: by the B factor
-    /// How far helices and strands reach beyond the alpha carbons of their first and last residue, in residues: 0, or
-    /// 0.5 as in Mol*, where every residue's own stretch has its form.
+    /// How far helices and strands extend beyond the alpha carbons of their first and last residue, in residues: 0, or
+    /// 0.5 as in Mol*, where the whole stretch of each residue has its form.
     double overhang = 0;
     friend bool operator==(const CartoonOptions&, const CartoonOptions&) = default;
 };
@@ -63,12 +63,12 @@ struct CartoonOptions {
 Mesh cartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
              std::span<const SecondaryStructure> secondary, const CartoonOptions& options, const glm::dvec3& origin);
 
-/// With numbers for the rings and vertices that options leave open. @param residues  that are drawn, in all copies
+/// Fills in the numbers of rings and vertices that options leave open. @param residues  drawn ones, in all copies
 CartoonOptions settledCartoon(const CartoonOptions& options, std::size_t residues);
 
 /// An unbroken stretch of a chain.
 struct GuideTrace {
-    std::vector<std::uint32_t> atoms;  ///< guide atoms (CA, P), whatever is drawn of it
+    std::vector<std::uint32_t> atoms;  ///< guide atoms (CA, P), drawn or not
     std::uint32_t end = 0;             ///< where its ribbon ends: O3' of nucleic acids, if there is one
 };
 std::vector<GuideTrace> guideTraces(const ResidueFacts& facts);
@@ -77,7 +77,7 @@ struct CartoonAtoms {
     /// All atoms of the residues that cartoon() draws, with side chains and hydrogens, ascending. The rest (ligands,
     /// ions, waters) needs another style.
     std::vector<std::uint32_t> drawn;
-    /// Some of these that need another style as well: those of fused residues, such as GFP's chromophore, whose shape
+    /// Those of `drawn` that also need another style: atoms of fused residues, such as GFP's chromophore, whose shape
     /// the ribbon does not show.
     std::vector<std::uint32_t> beside;
 };

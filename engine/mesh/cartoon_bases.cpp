@@ -107,7 +107,7 @@ public:
 
     void draw(const Base& base, const RibbonPlace& ribbon) {
         const bool purine = base.has(kBaseN9);
-        // Pseudouridine hangs by its C5.
+        // Pseudouridine is attached by its C5.
         const BaseAtom root = purine ? kBaseN9 : nearestToSugar(base);
         const BaseAtom end = purine ? kBaseN1 : kBaseN3;
         const glm::dvec3 from = ribbon.place - origin_;
@@ -135,7 +135,7 @@ private:
                                                                                                        : kBaseN1;
     }
 
-    /// The carbon of the backbone in a sugar's ring that is nearer to the ribbon.
+    /// The backbone carbon of a sugar's ring that is nearer to the ribbon.
     BaseAtom nearestOfSugar(const Base& base, const glm::dvec3& ribbon) const {
         return glm::distance(place(base, kSugarC3), ribbon) < glm::distance(place(base, kSugarC4), ribbon) ? kSugarC3
                                                                                                            : kSugarC4;

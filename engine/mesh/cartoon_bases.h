@@ -1,5 +1,5 @@
 #pragma once
-// Parts of a cartoon beside the ribbon: bases of nucleic acids, and disulphide bonds.
+// Parts of a cartoon besides the ribbon: bases of nucleic acids, and disulphide bonds.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -17,7 +17,7 @@ struct RibbonPlace {
     glm::dvec3 place{};         ///< Å, in the file's frame
 };
 
-/// Adds a base for each nucleotide: plates for its rings if these are complete, else a stick as far as atoms exist.
+/// Adds a base for each nucleotide: plates for its rings if they are complete, else a stick to the last existing atom.
 /// @param places  of nucleotides, by ascending residue @param options  with a resolved number of sides
 void addBases(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, const CartoonOptions& options,
               const glm::dvec3& origin);

@@ -79,7 +79,7 @@ std::vector<dvec3> axisPoints(const std::vector<dvec3>& points, const FoldRun& r
     };
     for (const std::size_t i : {std::size_t{1}, std::size_t{0}}) extend(i, 2);
     for (const std::size_t i : {length - 2, length - 1}) extend(i, length - 3);
-    // Smooths what the weights leave.
+    // Smooths the remaining turn.
     std::vector<dvec3> smooth = axis;
     for (std::size_t i = 1; i + 1 < length; ++i) smooth[i] = (axis[i - 1] + 2.0 * axis[i] + axis[i + 1]) / 4.0;
     return smooth;
@@ -207,8 +207,9 @@ dvec3 transported(const dvec3& side, const Frame& to) {
     return unitOr(across(side, to.tangent), anyAcross(to.tangent));
 }
 
-/// Sides of the frames between two fixed ones: carried from the first, with the remaining angle to the second spread
-/// evenly. A band is symmetric upside down, so the second may be reversed to be nearer; true if it is.
+/// Sides of the frames between two fixed ones: transported from the first, with the remaining angle to the second
+/// spread evenly. A band is symmetric upside down, so the second may be reversed to reduce the angle. @returns whether
+/// it was
 bool settleBetween(std::vector<Frame>& frames, std::size_t a, std::size_t b) {
     for (std::size_t k = a + 1; k < b; ++k) frames[k].side = transported(frames[k - 1].side, frames[k]);
     const dvec3 arrived = transported(frames[b - 1].side, frames[b]);

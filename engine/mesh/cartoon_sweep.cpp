@@ -108,7 +108,7 @@ private:
     }
 
     /// Whether the part between two rings deviates from straight polygons by more than an error. Everything is linear
-    /// between rings and points, so the maximum is at a point. Includes the fold of a non-planar quad.
+    /// between rings and points, so the maximum is at a point. Includes folds of non-planar quads.
     bool bends(std::size_t from, std::size_t to, const std::vector<glm::dvec2>& nearest,
                const std::vector<glm::dvec2>& edges, double error) const {
         const glm::dvec3 turnX = sides_[to] - sides_[from], turnY = normals_[to] - normals_[from];
@@ -139,7 +139,7 @@ private:
         return edges;
     }
 
-    /// A coarser form: points per ring, its rings, and the error that its ends may add.
+    /// A coarser form: points per ring, its rings, and the additional error of its ends.
     struct Form {
         Picks picks;
         std::vector<std::size_t> rings;  // indices into rings_
@@ -158,7 +158,7 @@ private:
         return form;
     }
 
-    /// Fewer sides need more rings: picks the polygon with the fewest triangles.
+    /// Fewer sides need more rings: picks the polygon that gives the fewest triangles.
     Form fewest(double error) const {
         if (piece_.shape == SectionShape::rectangle) return formOf(allPicks(outline_.size()), error, error);
         std::optional<Form> best;

@@ -27,7 +27,7 @@ struct SweepPiece {
     std::vector<Section> sections;              ///< per frame, from first to last
 };
 
-/// Adds a closed piece, also closed in each of the mesh's levels, which omit sides, and rings within a residue.
+/// Adds a closed piece. It is also closed in each of the mesh's levels, which omit sides, and rings within a residue.
 /// @param owners  atom of the stretch from each frame to the next: vertices are duplicated where it changes
 /// @param origin  of the mesh's positions
 /// @param sides  vertices around an oval

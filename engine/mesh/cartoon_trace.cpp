@@ -65,7 +65,7 @@ int guideNameOf(const Name& name) {
     return static_cast<int>(found - kGuideAtoms.begin());
 }
 
-/// Backbones of amino acids without an atom CA that are bonded into a chain: several for the chromophore of GFP, which
+/// Backbones of amino acids that have no atom CA and are bonded into a chain: several for the chromophore of GFP, which
 /// three residues formed. Found by elements along the bonds from N to C.
 class FusedBackbones {
 public:
@@ -90,7 +90,7 @@ public:
             }
     }
 
-    /// In the order of the chain; empty if none joins both neighbours.
+    /// Backbones in the order of the chain; empty if none joins both neighbours.
     std::vector<Guided> of(std::uint32_t residue) {
         path_.clear(), longest_.clear();
         steps_ = 0;
@@ -209,7 +209,7 @@ public:
                distance(a.end(), b.begin()) <= kLongestChainBond;
     }
 
-    /// Whether the guides of two residues are as near as those of neighbours.
+    /// Whether the guides of two residues are near enough for neighbours in a chain.
     bool near(const Guided& a, const Guided& b) const {
         const double guides = distance(a.guide, b.guide);
         return inOneChain(a, b) && guides >= kNearestGuides &&
@@ -230,8 +230,8 @@ private:
 
 using Stretch = std::vector<Guided>;
 
-/// Finds unbroken stretches of chains: a residue is followed by the one that it is bonded to, whatever the order of the
-/// file. Where atoms of that bond are missing it is followed by the next in the file.
+/// Finds unbroken stretches of chains. A residue is followed by the one that it is bonded to, whatever the order of the
+/// file; if atoms of that bond are missing, by the next one in the file.
 class Stretches {
 public:
     Stretches(const Molecule& molecule, std::vector<Guided> guided)
@@ -308,15 +308,15 @@ std::vector<Stretch> stretchesOf(const ResidueFacts& facts) {
     return Stretches(facts.molecule(), guidedResidues(facts)).find();
 }
 
-/// From C to O; 0 if one is missing.
+/// Vector from C to O; 0 if one is missing.
 glm::dvec3 carbonylOf(const Molecule& molecule, const Guided& residue) {
     const std::uint32_t c = residue.atoms[kGuideC], o = residue.atoms[kGuideO];
     if (c == kNoAtom || o == kNoAtom) return {};
     return glm::dvec3(molecule.atoms[o].position) - glm::dvec3(molecule.atoms[c].position);
 }
 
-/// A point after the last phosphate, so that the last nucleotide has a piece of the curve. A lone amino acid runs from
-/// its N to its C.
+/// Adds a point after the last phosphate, so that the last nucleotide has a piece of the curve. A lone amino acid runs
+/// from its N to its C.
 void addEnds(const Molecule& molecule, const Guided& last, Trace& trace) {
     const auto place = [&](GuideName name) { return glm::dvec3(molecule.atoms[last.atoms[name]].position); };
     if (trace.nucleic) {

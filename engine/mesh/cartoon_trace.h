@@ -22,8 +22,8 @@ struct FoldRun {
 /// An unbroken stretch of a chain. Parameter u of its curve is i at point i.
 struct Trace {
     bool nucleic = false;
-    /// Residue i owns the curve from i - shift to i + 1 - shift: half of the way to both neighbours, or, if points are
-    /// phosphates, the way to the next.
+    /// Residue i owns the curve from i - shift to i + 1 - shift: half of the way to both neighbours or, if points are
+    /// phosphates, all of the way to the next.
     double shift = 0.5;
     std::vector<glm::dvec3> points;    ///< Å, in the file's frame; for a nucleic acid one more, at its 3' end
     std::vector<std::uint32_t> atoms;  ///< per residue: CA or C4', for colour and number

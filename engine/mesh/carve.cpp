@@ -63,7 +63,7 @@ public:
             const int count = int{inside_[t.x]} + int{inside_[t.y]} + int{inside_[t.z]};
             if (count == 3) kept.push_back(t);
             if (count == 0 || count == 3) continue;
-            // The corner that is alone on its side first, in the same order.
+            // Rotates the corners so that the one alone on its side comes first.
             glm::uvec3 turned = t;
             const std::uint8_t lone = count == 1;
             while (inside_[turned.x] != lone) turned = {turned.y, turned.z, turned.x};
@@ -88,7 +88,7 @@ public:
         surface_.lines = std::move(kept);
     }
 
-    /// Drops the original vertices out of reach, and renumbers. Vertices on cuts stay.
+    /// Drops original vertices out of reach, and renumbers the others. Vertices on cuts stay.
     void dropVertices() {
         std::vector<std::uint32_t> places(surface_.positions.size());
         std::uint32_t count = 0;

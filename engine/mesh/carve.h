@@ -1,5 +1,5 @@
 #pragma once
-// Limits an isosurface to a distance from some places.
+// Limits an isosurface to a distance from given places.
 
 #include <glm/vec3.hpp>
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace nacre {
 
-/// Removes what is farther than `reach` from all places, and cuts triangles and lines there: where they cross that
-/// distance they end, to a thousandth of an ångström. @param places  Å, about the surface's origin
+/// Removes parts farther than `reach` from all places. Triangles and lines that cross that distance are cut there, to a
+/// thousandth of an ångström. @param places  Å, about the surface's origin
 void carve(Isosurface& surface, std::span<const glm::dvec3> places, double reach);
 
 }  // namespace nacre

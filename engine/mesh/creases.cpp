@@ -65,8 +65,8 @@ private:
         return Circle{one.center + axis * along, axis, std::sqrt(squared)};
     }
 
-    /// A point on a crease, if it is open and near enough to the start. If another ball covers it: the point in that
-    /// direction on that ball.
+    /// A point on a crease, if the crease is open and near enough to the start. If another ball covers the point: the
+    /// point in that direction on that ball.
     struct Place {
         dvec3 at{};
         std::uint32_t ball = kNone;  ///< the ball that covers it; none: on the crease
@@ -80,7 +80,7 @@ private:
         return Place{place + way * exit.share, exit.ball};
     }
 
-    /// A vertex there that belongs to a ball: each side of a crease has its own normal and atom.
+    /// A vertex at a place, for one ball: each side of a crease has its own normal and atom.
     std::uint32_t vertexOf(const Place& place, std::uint32_t ball) {
         const SurfaceBall& of = balls_[place.ball == kNone ? ball : place.ball];
         mesh_.positions.emplace_back(place.at + shift_);
@@ -121,7 +121,7 @@ private:
     std::optional<Place> onCorner(const glm::uvec3& t) const {
         const std::optional<Circle> circle = circleOf(ballOf(t.x), ballOf(t.y));
         if (!circle) return std::nullopt;
-        // Points of the circle that are on the third sphere: by how far they go towards its centre.
+        // Finds the points of the circle on the third sphere by their distance towards its centre.
         const SurfaceBall& third = balls_[ballOf(t.z)];
         const dvec3 way = third.center - circle->center, aside = across(way, circle->axis);
         const double length = glm::length(aside);
@@ -141,7 +141,7 @@ private:
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh_.triangles.emplace_back(a, b, c); }
 
     void split(const glm::uvec3& t) {
-        // Opposite of each corner.
+        // Cuts opposite of each corner.
         const Cut cuts[3] = {onEdge(t.y, t.z), onEdge(t.z, t.x), onEdge(t.x, t.y)};
         const auto isCut = [&](int i) { return cuts[i].low != kNone; };
         // The vertex on the edge opposite of corner i, on the side of corner j.

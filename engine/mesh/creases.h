@@ -9,10 +9,10 @@
 
 namespace nacre {
 
-/// Moves vertices onto the creases: on each edge between two balls' vertices to where their spheres meet, and in each
-/// triangle between three balls to where all three meet, unless another ball covers that point or it is farther than a
-/// cell. Each side gets its own vertices there, so that normals and colours change at the crease; closed meshes stay
-/// closed, if vertices at one position count as one.
+/// Moves vertices onto the creases: on each edge between vertices of two balls, to where the spheres meet; in each
+/// triangle between three balls, to where all three meet. Skips points that another ball covers or that are farther
+/// than a cell. Each side gets its own vertices there, so that normals and colours change at the crease. Closed meshes
+/// stay closed if vertices at one position count as one.
 /// @param mesh  of the balls' union; each vertex names the atom of its ball
 /// @param balls  at most one per atom
 /// @param shift  from the balls' positions to the mesh's, Å

@@ -76,7 +76,7 @@ private:
     static void put(std::vector<glm::uvec3>& to, const glm::uvec3& face, bool outward) {
         to.push_back(outward ? face : glm::uvec3(face.x, face.z, face.y));
     }
-    /// Calls add(triangles, step) for the mesh and each level, with the step between the vertices that it has.
+    /// Calls add(triangles, step) for the mesh and each level, with its step between vertices.
     template <typename Add>
     void eachLevel(const Add& add) {
         add(mesh_.triangles, 1);

@@ -19,15 +19,15 @@ struct Ellipsoid {
 /// Of a band: Mesh::atoms names its atom with this.
 constexpr std::uint32_t kEllipsoidBand = 0x80000000u;
 
-/// About two million triangles together, as far as the steps allow: an octant's sides have 32 pieces in up to 222
-/// ellipsoids, 16 in 818, 8 in 2793, 4 beyond. Triangles lie inside by up to ellipsoidMeshError() of the longest axis.
+/// Pieces per side of an octant. Gives up to about two million triangles in all: 32 for up to 222 ellipsoids, 16 up to
+/// 818, 8 up to 2793, 4 beyond. Triangles lie up to ellipsoidMeshError() of the longest axis inside.
 int ellipsoidPieces(std::size_t count);
 double ellipsoidMeshError(int pieces);
 
 /// More would take over 2 GB.
 constexpr std::size_t kMostEllipsoids = 200'000;
 
-/// Vertices and their normals lie on the ellipsoids. @throws Error beyond kMostEllipsoids
+/// Makes a mesh whose vertices and normals are those of the ellipsoids. @throws Error beyond kMostEllipsoids
 Mesh ellipsoidMesh(std::span<const Ellipsoid> ellipsoids, const glm::dvec3& origin);
 
 }  // namespace nacre

@@ -50,8 +50,8 @@ public:
         }
     }
 
-    /// The logarithm of a sum of Gaussians is nearly a parabola: a first place by its values at the nodes, and a step
-    /// of Newton's from there.
+    /// The logarithm of a sum of Gaussians is nearly a parabola: takes a first place from the values at the nodes, and
+    /// one Newton step from there.
     SurfacePoint cross(const Node& inside, const Node& outside) const override {
         constexpr double kLeastSum = 1e-4;
         const glm::dvec3 edge = outside.place - inside.place;
@@ -68,7 +68,7 @@ private:
     static constexpr float kShareOfReach = static_cast<float>(kGaussianReach * kGaussianReach);
     static inline const float kPeak = static_cast<float>(std::exp(kSmoothness));
 
-    /// A ball's Gaussian along one axis: its parts multiply, and its shares of the squared radius add up.
+    /// A ball's Gaussian along one axis. Factors of the axes multiply, and their shares of the squared radius add up.
     struct Profile {
         int first;
         std::array<float, kMostNodes> shares, parts;

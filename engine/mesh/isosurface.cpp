@@ -19,7 +19,7 @@ namespace {
 constexpr int kBlock = MapRegion::kBlock;
 constexpr double kMostNodes = 1e9;  // of a region
 
-/// An edge of a cell as its lower end and its direction.
+/// An edge of a cell: its lower end and its direction.
 struct PlacedEdge {
     int direction = 0, x = 0, y = 0, z = 0;
 };
@@ -271,7 +271,7 @@ MapRegion::MapRegion(const DensityMap& map, std::span<const glm::dvec3> places, 
     if (places.empty()) return;
     // All nodes of a cell that the surface may cross within reach.
     const double reach = carved + glm::length(glm::abs(map.step[0]) + glm::abs(map.step[1]) + glm::abs(map.step[2]));
-    // A ball's extent along an axis of the grid depends on the distance of the grid's planes.
+    // The extent of a ball along a grid axis depends on the distance between the grid's planes.
     const glm::dmat3 toNodes = glm::transpose(glm::inverse(map.step));  // columns: normals of the grid planes
     const glm::dvec3 ball(glm::length(toNodes[0]) * reach, glm::length(toNodes[1]) * reach,
                           glm::length(toNodes[2]) * reach);

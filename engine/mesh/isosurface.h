@@ -25,10 +25,10 @@ constexpr std::size_t kMostIsoTriangles = 20'000'000, kMostIsoLines = 10'000'000
 /// A box of a map's nodes (of any unit cell of a crystal), prepared for many levels. The map outlives it.
 class MapRegion {
 public:
-    /// Nodes from `first` to `last`, inclusive; clamped to the map unless it is periodic. @throws Error if it is too
-    /// large
+    /// The nodes from `first` to `last`, inclusive; clamped to the map unless it is periodic. @throws Error if it is
+    /// too large
     MapRegion(const DensityMap& map, glm::ivec3 first, glm::ivec3 last);
-    /// Limited to `reach` (Å) around these positions (Å): surfaces are cut there (carve.h).
+    /// The nodes within `reach` (Å) of these positions (Å); surfaces are cut at that distance (carve.h).
     MapRegion(const DensityMap& map, std::span<const glm::dvec3> places, double reach);
 
     /// The isosurface of a level, which encloses higher or lower values. Marching cubes (marching_cubes.h) with linear
@@ -40,7 +40,7 @@ public:
 
     /// Values of the nodes, along a first.
     const float* values() const { return own_.empty() ? map_.values.data() : own_.data(); }
-    /// Lowest and highest known value of a block of cells, with the nodes on its border; low > high: none is known.
+    /// Lowest and highest known value of a block of cells and the nodes on its border; low > high: none is known.
     struct Range {
         float low, high;
     };
@@ -49,7 +49,7 @@ public:
         return ranges_[(static_cast<std::size_t>(block.z) * blocks_.y + block.y) * blocks_.x + block.x];
     }
     const glm::ivec3& blocks() const { return blocks_; }
-    /// Positions (Å) that the region is limited to, and how far from them; none: it is a box.
+    /// Positions (Å) that the region is limited to, within `reach`; none: the region is a box.
     std::span<const glm::dvec3> places() const { return places_; }
     double reach() const { return reach_; }
 
@@ -69,7 +69,7 @@ private:
     std::vector<float> own_;     ///< copied values; empty: the map's own
     std::vector<Range> ranges_;  ///< per block
     std::vector<glm::dvec3> places_;
-    double reach_ = 0;  ///< of surfaces from the places, if there are any
+    double reach_ = 0;  ///< largest distance of surfaces from the places, if there are any
 };
 
 }  // namespace nacre

@@ -19,13 +19,13 @@ struct MeshLevel {
 struct Mesh {
     std::vector<glm::vec3> positions;  ///< Å, relative to an origin that the maker states
     std::vector<glm::vec3> normals;    ///< unit vectors, outward; same length as positions
-    /// Index into the molecule's atoms, for colour and number. A point of a triangle takes that of the vertex with the
-    /// largest barycentric weight times its margin. Same length as positions.
+    /// Index into the molecule's atoms, for colour and number. A point of a triangle takes the atom of the vertex with
+    /// the largest product of barycentric weight and margin. Same length as positions.
     std::vector<std::uint32_t> atoms;
     std::vector<glm::uvec3> triangles;  ///< indices of vertices, counter-clockwise seen from outside
     std::vector<MeshLevel> coarser{};   ///< by increasing error
-    /// Å by which a vertex is nearer to its own atom than to the nearest atom of its neighbours, so that borders run
-    /// where two atoms are equally near. Empty: all equal.
+    /// Å by which a vertex is nearer to its own atom than to its neighbours' nearest one. Puts borders where two atoms
+    /// are equally near. Empty: all equal.
     std::vector<float> margins{};
 };
 

@@ -9,7 +9,7 @@
 namespace nacre {
 
 std::vector<MeshLevel> cartoonLevels() {
-    // The finest is a tenth of a coil's width. From the last but one, bases are thin and a coil has three sides.
+    // The finest is a tenth of a coil's width. The last two make bases thin, and coils triangular.
     constexpr float kErrors[] = {0.0475f, 0.095f, 0.19f, 0.38f, 0.76f};
     std::vector<MeshLevel> levels;
     for (const float error : kErrors) levels.push_back({error, {}});

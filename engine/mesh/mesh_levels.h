@@ -1,5 +1,5 @@
 #pragma once
-// Selects the points of outlines that a mesh's coarser levels keep, and bounds the error.
+// Selects the outline points that a mesh's coarser levels keep, and bounds the error.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -13,7 +13,7 @@ namespace nacre {
 /// The levels of a cartoon, without triangles yet.
 std::vector<MeshLevel> cartoonLevels();
 
-/// Drops the finest levels, until all together have no more triangles than the mesh itself.
+/// Drops the finest levels until all together have no more triangles than the mesh.
 void dropFineLevels(Mesh& mesh);
 
 /// Indices of the outline points that a coarser outline keeps, ascending.
@@ -22,7 +22,7 @@ using Picks = std::vector<std::uint32_t>;
 /// All points of an outline. @param count  their number
 Picks allPicks(std::size_t count);
 
-/// Polygons of 3 to 8 corners and one of all points, spread as evenly over an outline as its points allow.
+/// Polygons of 3 to 8 corners and one of all points, with corners spread as evenly as the outline's points allow.
 std::vector<Picks> polygonsOf(std::size_t count);
 
 /// Largest distance of omitted points from the polygon of the remaining ones.

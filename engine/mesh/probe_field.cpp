@@ -93,14 +93,14 @@ private:
         double distance = kNowhere;  ///< Å; negative outside of the balls
     };
 
-    /// Inside, the nearer of two. A source whose ball does not contain the node says nothing about the inside.
+    /// The nearer of two inside. A source whose ball does not contain the node tells nothing about the inside.
     static const Nearest& nearer(const Nearest& a, const Nearest& b) {
         if (a.distance == kNowhere || b.distance == kNowhere) return a.distance == kNowhere ? b : a;
         const bool first = a.distance < b.distance;
         return first == (std::min(a.distance, b.distance) >= 0) ? a : b;
     }
 
-    /// The nearest probe position of one source, open or not.
+    /// The nearest probe position on one source, open or not.
     Nearest nearestOf(std::uint32_t source, const dvec3& place) const {
         if (source == kNoSource) return {};
         dvec3 found;
@@ -136,7 +136,7 @@ private:
             .atom;
     }
 
-    /// Without a probe: the distance to where a line leaves the balls, which is exact.
+    /// Without a probe: the point where a line leaves the balls, which is exact.
     SurfacePoint leave(const dvec3& from, const dvec3& to) const {
         const dvec3 way = to - from;
         const BallExit exit = exitOf(balls_, places_.grid(), widest_, from, way);
@@ -148,8 +148,8 @@ private:
         return point;
     }
 
-    /// Boxes of the nodes whose nearest probe position is on a ball's sphere or on a circle. Such nodes lie between
-    /// that position and a ball's centre, and within reach_ of the position.
+    /// Finds boxes of the nodes whose nearest probe position is on a ball's sphere or on a circle. Such nodes lie
+    /// between that position and a ball's centre, and within reach_ of the position.
     void findBoxes() {
         ofBalls_ = places_.openBoxes();
         for (std::uint32_t i = 0; i < balls_.size(); ++i) {
@@ -233,7 +233,7 @@ private:
         });
     }
 
-    /// Keeps the smallest distance.
+    /// Keeps the smaller distance.
     void take(std::size_t i, double distance, std::uint32_t source, std::vector<float>& values,
               std::vector<std::uint32_t>& origins) const {
         const float value = static_cast<float>(distance - probe_);
@@ -292,7 +292,7 @@ private:
             const double out = std::sqrt(std::max(glm::dot(way, way) - height * height, 0.0));
             const double inwards = circle.radius - out;
             const double squared = inwards * inwards + height * height;
-            // The wedge's sides, from (radius, 0) to (0, heightA) and (0, heightB), A being below.
+            // Tests the wedge's sides, from (radius, 0) to (0, heightA) and (0, heightB); A is below.
             if (inwards < 0 || squared > reach_ * reach_ || height * circle.radius < heightA * inwards - kSlack ||
                 height * circle.radius > heightB * inwards + kSlack)
                 return;

@@ -14,7 +14,7 @@ namespace nacre {
 /// circle, or such a point; each candidate is tested only where it can be the nearest.
 std::unique_ptr<SurfaceField> probeField(const std::vector<SurfaceBall>& balls, double probe, double step);
 
-/// sum exp(-s d^2 / r^2) / exp(-s) - 1.
+/// The field sum exp(-s d^2 / r^2) / exp(-s) - 1.
 std::unique_ptr<SurfaceField> gaussianField(const std::vector<SurfaceBall>& balls);
 
 }  // namespace nacre

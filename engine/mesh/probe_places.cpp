@@ -98,7 +98,7 @@ void ProbePlaces::dropRepeated() {
     points_.resize(kept);
 }
 
-/// For a ball without open circles: whether it is fully open rather than fully covered.
+/// Whether a ball without open circles is fully open rather than fully covered.
 bool ProbePlaces::isAlone(std::uint32_t ball) const {
     return !isCovered(ball, balls_[ball].center + dvec3(0, 0, reachOf(ball)));
 }
@@ -140,7 +140,7 @@ std::vector<ProbeBox> ProbePlaces::openBoxes() const {
     return boxes;
 }
 
-/// False if the spheres do not meet.
+/// The circle where two spheres meet. @returns false if they do not
 bool ProbePlaces::circleOf(std::uint32_t a, std::uint32_t b, ProbeCircle& circle) const {
     const dvec3 way = balls_[b].center - balls_[a].center;
     const double distance = glm::length(way), ra = reachOf(a), rb = reachOf(b);
@@ -171,7 +171,7 @@ bool ProbePlaces::coveredArcs(const ProbeCircle& circle, std::vector<CoveredArc>
         const double squared = glm::dot(towards, towards);
         if (least + kTouch > 0 && (least + kTouch) * (least + kTouch) >= squared) continue;
         if (least <= 0 && least * least >= squared) return false;
-        // Directions at half the covered angle on either side of the ball's direction.
+        // The ends: directions at half the covered angle on either side of the ball's direction.
         const double most = std::sqrt(squared), cosine = least / most;
         const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
         const glm::dvec2 along = towards * (cosine / most), aside = glm::dvec2(-towards.y, towards.x) * (sine / most);
@@ -187,8 +187,8 @@ bool ProbePlaces::coveredArcs(const ProbeCircle& circle, std::vector<CoveredArc>
     return true;
 }
 
-/// Arcs that no third ball covers. Adds their ends; each is found on all three circles, or on fewer if more than three
-/// spheres meet numerically. @param covered  scratch @return false if nothing is open
+/// Finds arcs that no third ball covers, and adds their ends. Each end is found on all three circles, or on fewer if
+/// more than three spheres meet numerically. @param covered  scratch @return false if nothing is open
 bool ProbePlaces::openArcs(ProbeCircle& circle, std::vector<CoveredArc>& covered,
                            std::vector<ProbePoint>& points) const {
     if (!coveredArcs(circle, covered)) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// The boundary of the possible centres of a probe that touches balls: that of a union of larger balls.
+// Boundary of the possible centres of a probe that touches balls: the boundary of a union of larger balls.
 
 #include <array>
 #include <cstdint>
@@ -14,9 +14,9 @@
 
 namespace nacre {
 
-/// Arc of a circle that no other ball covers, between two directions in the circle's plane.
+/// Arc of a circle, between two directions in the circle's plane, that no other ball covers.
 struct OpenArc {
-    static constexpr double kTurn = 4;  ///< a turn as turnTo() has it
+    static constexpr double kTurn = 4;  ///< a full turn, in the measure of turnTo()
     glm::dvec2 begin{1, 0}, end{1, 0};  ///< unit vectors, counter-clockwise
     double span = kTurn;
 
@@ -49,7 +49,7 @@ struct ProbeCircle {
 
 using ProbeBox = std::array<glm::dvec3, 2>;  ///< low, high
 
-/// An open point of three spheres.
+/// An open point where three spheres meet.
 struct ProbePoint {
     std::uint32_t a = 0, b = 0, c = 0;  ///< indices of balls
     glm::dvec3 place{};
@@ -80,7 +80,7 @@ public:
 
     const BallGrid& grid() const { return grid_; }
 
-    /// Radius of the sphere around a ball. Å
+    /// Radius of the sphere around a ball, Å.
     double reachOf(std::uint32_t ball) const { return balls_[ball].radius + probe_; }
     /// Whether a position is inside that sphere.
     bool covers(std::uint32_t ball, const glm::dvec3& place) const {

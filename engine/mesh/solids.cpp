@@ -83,8 +83,8 @@ private:
     }
 
     /// If the error allows it, a round end becomes flat, or a cone from its widest ring; else it keeps all rings. Parts
-    /// narrower than the error become one cone, from the first wide ring to the tip, unless the atom changes on the
-    /// way.
+    /// narrower than the error become one cone, from the first wide ring to the tip, unless the atom changes in
+    /// between.
     void addCoarser(MeshLevel& level, std::uint32_t tip) {
         double widest = 0;
         for (const Ring& ring : rings_) widest = std::max(widest, ring.radius);
@@ -187,8 +187,8 @@ Picks thinCorners(const std::vector<std::uint32_t>& fan) {
     return corners;
 }
 
-/// Largest distance of a convex plate from the result of addThinPlate(): of a dropped corner from the edge between its
-/// neighbours and from the same corner on the other side.
+/// Largest distance of a convex plate from the result of addThinPlate(): between a dropped corner and the edge of its
+/// neighbours, or the same corner on the other side.
 double thinError(std::span<const glm::dvec3> outline, const Picks& corners, double thickness) {
     double most = 0;
     const std::size_t n = corners.size();

@@ -1,6 +1,5 @@
 #pragma once
-// Closed solids of triangles: rods, balls and prisms, in one frame relative to one origin. They belong to every level
-// of a mesh.
+// Closed solids of triangles: rods, balls and prisms, relative to one origin. They are part of every level of a mesh.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -27,8 +26,7 @@ void addCylinder(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, double ra
 /// A ball of rings of latitude. @param sides  vertices around it, at least 4, even
 void addBall(Mesh& mesh, const glm::dvec3& center, double radius, std::uint32_t atom, int sides);
 
-/// A plate: an outline thickened to both sides along a unit normal, counter-clockwise around it.
-/// @param fans  the outline as convex polygons: indices of its points, counter-clockwise
+/// A plate: an outline, counter-clockwise around a unit normal, thickened to both sides along it.
 void addPlate(Mesh& mesh, std::span<const glm::dvec3> outline, const glm::dvec3& normal, double halfThickness,
               std::span<const std::vector<std::uint32_t>> fans, std::uint32_t atom);
 

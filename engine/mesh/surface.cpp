@@ -110,10 +110,9 @@ glm::dvec3 middleOf(const Molecule& molecule, std::span<const std::uint32_t> ato
                     std::to_string(kMostSurfaceTriangles / 1000000) + " (fewer atoms, or a coarser resolution)");
 }
 
-/// Refuses a surface that would be too large, or whose atoms are a crowd at one place, before it is made: estimated
-/// from its atoms.
+/// Refuses a surface that would be too large, or whose atoms crowd at one place, by an estimate from its atoms.
 void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
-    constexpr double kMostLayers = 10'000;  // as of any scene: engine/scene/build/crowd.h
+    constexpr double kMostLayers = 10'000;  // as in any scene: engine/scene/build/crowd.h
     double farthest = 0, apart = 0, reach = 0;
     for (const SurfaceBall& ball : balls) {
         farthest = std::max({farthest, std::abs(ball.center.x), std::abs(ball.center.y), std::abs(ball.center.z)});
@@ -192,13 +191,13 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
         for (std::size_t i = next++; i < list.size(); i = next++) {
             const glm::ivec3 first = list[i].first * kBlockCells;
             meshes[i] = cutter.cut({first, first + kBlockCells, step}, *list[i].second);
-            // The estimate assumes the surface per atom of a protein. Separate atoms have more.
+            // The estimate assumes a protein's surface per atom. Separate atoms have more.
             if ((triangles += meshes[i].mesh.triangles.size()) > kMostSurfaceTriangles)
                 refuseTriangles(triangles * list.size() / (i + 1) / 1'000'000);
         }
     });
     Mesh mesh = joined(meshes);
-    if (!options.cavities) dropCavities(mesh);  // by connectivity, which creases interrupt
+    if (!options.cavities) dropCavities(mesh);  // uses connectivity, which creases interrupt
     if (options.kind != SurfaceKind::gaussian && (accessible || probe == 0))
         putCreases(mesh, balls, middle - origin, step);  // along borders
     else

@@ -41,7 +41,7 @@ struct SurfacePoint {
     std::uint32_t atom = 0;
 };
 
-/// Positive inside. Its value at a node does not depend on the block.
+/// A field that is positive inside. Its value at a node does not depend on the block.
 class SurfaceField {
 public:
     virtual ~SurfaceField() = default;

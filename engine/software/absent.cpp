@@ -1,4 +1,4 @@
-// Stands for this folder in a build without NACRE_SOFTWARE: no device has the tile path there (engine/gpu/caps.cpp), so
+// Replaces this folder in a build without NACRE_SOFTWARE. No device has the tile path there (engine/gpu/caps.cpp), so
 // none of these passes is ever recorded.
 
 #include <stdexcept>

@@ -7,7 +7,7 @@
 namespace nacre {
 namespace {
 
-// For shaders' rounding: pixels at a disc's edge, and a fraction of its radius.
+// Margins for shaders' rounding: pixels at a disc's edge, and a fraction of its radius.
 constexpr float kRoomPixels = 1.0f / 32, kRoomShare = 1e-3f;
 
 }  // namespace
@@ -26,13 +26,13 @@ void Coverage::begin(const TileView& view, double radiusPixels) {
     depths_.assign(std::size_t{across_} * down_, std::numeric_limits<float>::max());
 }
 
-/// Visits the cells of some rows whose centres are inside a disc. @param work  called with neighbouring cells of a row;
-/// false stops @returns whether all were visited
+/// Visits cells whose centres are inside a disc, in some rows. @param work  takes neighbouring cells of a row; returns
+/// false to stop @returns whether all were visited
 template <typename Work>
 bool Coverage::eachRow(const CellDisc& disc, RowBand rows, const Work& work) {
     const glm::vec2 at = disc.at;
     const float right = static_cast<float>(across_), first = static_cast<float>(rows.first);
-    // The cell at its centre is the most decisive, and the only one of a small disc.
+    // The cell at its centre is most decisive, and the only one of a small disc.
     if (at.x >= 0 && at.x < right && at.y >= first && at.y < static_cast<float>(rows.end)) {
         const auto x = static_cast<std::uint32_t>(at.x), y = static_cast<std::uint32_t>(at.y);
         const float aside = at.x - static_cast<float>(x) - 0.5f, above = at.y - static_cast<float>(y) - 0.5f;
@@ -62,7 +62,7 @@ bool Coverage::eachRow(const CellDisc& disc, RowBand rows, const Work& work) {
 
 void Coverage::cover(const TileView& view, const glm::vec3& center, float radius, RowBand rows) {
     const float Z = view.origin - center.z;
-    // A sphere that a plane cuts has lost some of its picture.
+    // A clipping plane removes part of a sphere's picture.
     if (!(Z - radius > view.clipNear) || !(Z + radius < view.clipFar)) return;
     if (view.perspective && !(Z > radius)) return;
     const float scale = view.perspective ? view.origin / Z : 1.0f;

@@ -11,12 +11,12 @@
 namespace nacre {
 
 /// Square cells of pixels, each with a depth. A cell counts only if one sphere covers all of it, so cells are smaller
-/// than spheres. Keeps its memory between frames. Threads may work on separate bands of rows at the same time.
+/// than spheres. Keeps its memory between frames. Several threads may work on separate bands of rows.
 class Coverage {
 public:
     /// Clears all cells. @param radiusPixels  of a typical sphere
     void begin(const TileView& view, double radiusPixels);
-    /// Adds a sphere. Also in perspective its image contains that of the disc through its centre that faces along z,
+    /// Adds a sphere. Even in perspective, its image contains that of the disc through its centre perpendicular to z,
     /// and rays meet the sphere before the disc.
     /// @param center  in view space, Å
     void cover(const TileView& view, const glm::vec3& center, float radius, RowBand rows);
@@ -42,8 +42,7 @@ private:
         const float radius = (reach + outset_) * perSide_;
         return {at * perSide_, radius, radius * radius};
     }
-    /// For a disc that contains no cell centre except its own cell's: the case of nearly all of a million sub-pixel
-    /// spheres.
+    /// For a disc that contains at most the centre of its own cell, like nearly all of a million sub-pixel spheres.
     bool hidesSmall(const CellDisc& disc, float near, RowBand rows) const {
         if (!(disc.at.x >= 0) || !(disc.at.x < static_cast<float>(across_)) ||
             !(disc.at.y >= static_cast<float>(rows.first)) || !(disc.at.y < static_cast<float>(rows.end)))

@@ -1,6 +1,5 @@
 #pragma once
-// Spheres that one thread draws on the host into a band of rows, several at once: by as many lanes as the processor
-// has.
+// Draws spheres on the host into a band of rows, one thread per band, with as many lanes as the processor has.
 
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +27,7 @@ struct FrontGroup {
     std::uint32_t call = 0, group = 0;
 };
 
-/// Where a box or a sphere may show.
+/// Where a box or a sphere may be visible.
 struct FrontRectangle {
     float near = 0;  // Z
     float left = 0, top = 0, right = 0, bottom = 0;
@@ -42,13 +41,13 @@ struct FrontBand {
     std::uint32_t* number = nullptr;  ///< its number, if any
     std::vector<std::uint32_t>* ambiguous = nullptr;
     float pixels = 1, perPixel = 1;
-    float room = 0;    ///< pixels that rounding may move a sphere by
-    float margin = 0;  ///< as above in Z, Å
-    float edge = 0;    ///< as a fraction of the squared radius: hits nearer to the edge do not count
+    float room = 0;    ///< largest shift of a sphere by rounding, pixels
+    float margin = 0;  ///< likewise of Z, Å
+    float edge = 0;    ///< hits nearer than this to the sphere's edge do not count; fraction of the squared radius
 
-    /// Draws a sphere that may be hit at a pixel's centre, and is not certainly hidden.
+    /// Draws a sphere that may contain a pixel's centre, and is not certainly hidden.
     void meet(std::size_t at, float Z, bool certain, std::uint32_t sphere) const;
-    /// Whether things from a depth on are behind all that a rectangle shows: nothing without a pixel centre.
+    /// Whether everything from r.near on is hidden in all of a rectangle's pixels. True without a pixel centre.
     bool isHidden(const FrontRectangle& r) const;
 };
 
@@ -56,7 +55,7 @@ struct FrontBand {
 using DrawFrontGroup = void (*)(const FrontBand& band, std::span<const Sphere> spheres, const SphereBoxes& boxes,
                                 const TileCall& call, const FrontPlace& place, std::uint32_t group);
 
-/// Where boxes may show, as many as there are lanes. @param boxes  that many, next to each other
+/// Finds where boxes may be visible. @param boxes  consecutive ones, as many as there are lanes
 using FindFrontRectangles = void (*)(const FrontBand& band, const FrontPlace& place, const SphereBox* boxes,
                                      FrontRectangle* to);
 
@@ -66,7 +65,7 @@ struct FrontLanes {
     FindFrontRectangles rectangles = nullptr;
 };
 
-/// Lane counts that this processor can use, ascending: 4, then 8.
+/// Lane counts that this processor supports, ascending: 4, then 8.
 std::span<const FrontLanes> frontLanes();
 
 }  // namespace nacre

@@ -17,7 +17,7 @@ constexpr float kNoDepth = std::numeric_limits<float>::max();
 constexpr float kHidesAll = -kNoDepth;
 constexpr std::uint32_t kMostLanes = 16;
 
-/// Made anew wherever it is needed: copies of single atoms are millions.
+/// Computed anew wherever needed: there may be millions of copies of single atoms.
 FrontPlace placeOf(const TileView& view, const TileCall& call) {
     const glm::vec4* rows = call.rows;
     // As pixelOf().
@@ -46,7 +46,7 @@ void FrontSpheres::begin(const TileView& view, const Scenery& s) {
     float far = 0;  // Å from the origin, of anything
     for (const TileCall& call : s.calls)
         far = std::max({far, std::abs(call.rows[0].w), std::abs(call.rows[1].w), std::abs(call.rows[2].w)});
-    // Bound of the terms of a position: three products with a unit vector, and a shift; half the picture.
+    // Bound of a position's terms: three products with a unit vector, and a shift; half the picture.
     far += 1.75f * s.boxes.reach;
     const float wide = (static_cast<float>(std::max(width_, height_)) + std::abs(view.axis.x) + std::abs(view.axis.y)) *
                        0.5f * shared_.perPixel;
@@ -61,8 +61,8 @@ void FrontSpheres::begin(const TileView& view, const Scenery& s) {
     shared_.margin = room / kLeast + (6 * far + 4 * (std::abs(view.origin) + view.range)) * kStep;
 }
 
-/// The runs that contain the calls: in the order of the boxes, a part of a run is scattered. Spheres of a run that no
-/// call contains are beside the picture.
+/// Replaces calls by their whole runs: in the order of the boxes, a part of a run is scattered. Spheres of a run in no
+/// call lie outside the picture.
 std::span<const TileCall> FrontSpheres::wholeRuns(const SphereBoxes& boxes, std::span<const TileCall> calls) {
     const std::vector<std::uint32_t>& starts = boxes.starts;
     runs_.clear();
@@ -101,7 +101,7 @@ void FrontSpheres::list(const TileView& view, const Scenery& s) {
     }
 }
 
-/// @param drawn  of which the calls are parts
+/// @param drawn  contains the calls as parts
 void FrontSpheres::listDoubts(std::span<const TileCall> drawn, std::span<const TileCall> calls) {
     std::uint32_t most = 0;
     for (const TileCall& call : drawn) most = std::max(most, call.number + call.first + call.count);
@@ -127,7 +127,7 @@ void FrontSpheres::listDoubts(std::span<const TileCall> drawn, std::span<const T
     }
 }
 
-/// Marks a sphere, in several threads at once. @returns whether it is the first to do so
+/// Marks a sphere; thread-safe. @returns whether it was unmarked
 bool FrontSpheres::mark(std::uint32_t number) {
     std::uint64_t& word = marks_[number / 64];
     const std::uint64_t bit = std::uint64_t{1} << number % 64;
@@ -135,7 +135,7 @@ bool FrontSpheres::mark(std::uint32_t number) {
     return (__atomic_fetch_or(&word, bit, __ATOMIC_RELAXED) & bit) == 0;
 }
 
-/// Marks the spheres seen at pixels, beside the ambiguous ones.
+/// Marks and counts the spheres seen at pixels, in addition to the ambiguous ones.
 void FrontSpheres::countShown() {
     std::atomic<std::size_t> shown = 0;
     inParallel(bands_.size(), [&](std::size_t b) {
@@ -153,7 +153,7 @@ void FrontSpheres::countShown() {
 
 void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, const SphereBoxes& boxes,
                         std::span<const TileCall> calls) {
-    constexpr std::size_t kWorth = 512;  // groups that are worth another thread
+    constexpr std::size_t kWorth = 512;  // groups per additional thread
     const bool own = !boxes.spheres.empty();
     const Scenery s{own ? boxes.spheres : spheres, boxes, own ? wholeRuns(boxes, calls) : calls};
     begin(view, s);

@@ -1,5 +1,5 @@
 #pragma once
-// Finds the few of millions of sub-pixel spheres that may be nearest at a pixel's centre.
+// Finds the few spheres that may be nearest at a pixel's centre, among millions of sub-pixel ones.
 
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -13,15 +13,15 @@
 
 namespace nacre {
 
-/// Draws spheres on the host from near to far, in groups and boxes that are culled as a whole. Several threads take one
-/// band of rows each. Keeps its memory between frames, so that later frames allocate only the threads.
+/// Draws spheres on the host from near to far, and culls groups and boxes as a whole. Several threads take one band of
+/// rows each. Keeps its memory between frames, so that later frames allocate only the threads.
 /// Views are orthographic, sampled at pixel centres, in one layer, without clipping planes or outlines.
 class FrontSpheres {
 public:
-    /// @param lanes  spheres that are drawn at once
+    /// @param lanes  number of spheres drawn at once
     explicit FrontSpheres(const FrontLanes& lanes = frontLanes().back()) : lanes_(lanes) {}
 
-    /// Finds per pixel a sphere that may be nearest, and all others that may be, whatever a shader's rounding.
+    /// Finds, for each pixel, a sphere that may be nearest, and all others that may be, whatever a shader's rounding.
     void draw(const TileView& view, std::span<const Sphere> spheres, const SphereBoxes& boxes,
               std::span<const TileCall> calls);
 
@@ -31,7 +31,7 @@ public:
 
     /// Whether a rectangle of pixels shows any sphere. Ends are exclusive.
     bool isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const;
-    /// Numbers of the spheres found for some pixels of a row, 0: none; 0 beyond the picture as well.
+    /// Numbers of the spheres found for some pixels of a row; 0: none, or outside the picture.
     void write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const;
 
 private:
@@ -49,9 +49,9 @@ private:
     void countShown();
 
     std::uint32_t width_ = 0, height_ = 0;
-    std::uint32_t pitch_ = 0;  // pixels per row, including sentinels at its end that hide everything
+    std::uint32_t pitch_ = 0;  // pixels per row, including sentinels at its end that count as covered
     FrontLanes lanes_;
-    FrontBand shared_;  // what all bands have in common
+    FrontBand shared_;  // values common to all bands
     std::vector<TileCall> runs_;
     std::vector<FrontGroup> groups_, sorted_;
     std::vector<std::uint32_t> inRow_;

@@ -23,7 +23,7 @@ struct FrontTriangles::Box {
     std::int32_t left = std::numeric_limits<std::int32_t>::max(), right = 0;
     std::int32_t top = std::numeric_limits<std::int32_t>::max(), bottom = 0;
     float nearest = TriangleShapes::kNowhere;
-    std::uint32_t away = 0;  // a bit for each triangle that is invisible, since it turns away
+    std::uint32_t away = 0;  // a bit for each triangle that is invisible because it faces away
 
     void add(const TriangleShapes& s, std::uint32_t i) {
         left = std::min(left, s.left[i]), right = std::max(right, s.right[i]);
@@ -38,8 +38,8 @@ struct FrontTriangles::Picture {
     // Bounds of the key of the nearest triangle that certainly contains the centre.
     std::vector<float> behind, before;
     std::vector<std::uint32_t> index;
-    std::vector<std::uint8_t> rows;  // that hold anything
-    std::size_t pitch = 0;  // pixels per row: with room to read beyond it, since the next may be another thread's
+    std::vector<std::uint8_t> rows;  // rows that are not empty
+    std::size_t pitch = 0;           // pixels per row, with room for reads into another thread's row
 
     void begin(const TriangleLens& lens) {
         pitch = std::size_t{lens.width} + TriangleBand::kRoom;
@@ -65,7 +65,7 @@ struct FrontTriangles::Picture {
         return true;
     }
 
-    /// Whether all samples of the pixels that a box meets, and those of their neighbours' centres, show what is nearer.
+    /// Whether everything in a box is behind all samples of its pixels, and of the pixels around.
     bool covers(const TriangleLens& lens, Box box) const {
         box.left = std::max(box.left - kAround, 0);
         box.top = std::max(box.top - kAround, 0);
@@ -85,7 +85,7 @@ public:
         drawn_.clear();
     }
 
-    /// Draws the groups of some rows, in their order. @param corners  of all vertices @param keeps  whether to keep
+    /// Draws the groups of some rows, in their order. @param corners  of all vertices @param keeps  whether to keep the
     /// boxes
     void draw(const TriangleLens& lens, const RowBand& rows, std::span<const Group> groups,
               std::span<const Placed> sorted, const glm::vec4* corners, bool keeps) {
@@ -119,7 +119,7 @@ public:
     const std::vector<Drawn>& drawn() const { return drawn_; }
 
 private:
-    // Groups are apart in memory, and a thread goes through them in an order of its own.
+    // Groups are far apart in memory, and each thread visits them in its own order.
     static void fetch(const Group& group) {
         constexpr std::uint32_t kOfLine = 64 / sizeof(Triangle);
         for (std::uint32_t i = 0; i < group.count; i += kOfLine) __builtin_prefetch(group.triangles + i);
@@ -153,7 +153,7 @@ void FrontTriangles::begin(const TileView& view) {
     for (Band& band : bands_) band.begin();
 }
 
-/// Where a ball may show. Without one: anywhere.
+/// Where a ball may be visible; without one, anywhere.
 FrontTriangles::Placed FrontTriangles::place(const Group& group, std::uint32_t number) const {
     constexpr float kRoom = 1.0f / 16;  // pixels, for rounding
     const auto height = static_cast<float>(lens_.height);
@@ -184,7 +184,7 @@ void FrontTriangles::addGroups(const Run& run) {
 
 void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> corners) {
     constexpr std::size_t kGroupsOfThread = 512, kSlice = 2048;
-    constexpr std::uint32_t kDepths = 128;  // within one, neighbours in memory follow each other
+    constexpr std::uint32_t kDepths = 128;  // within one step, neighbours in memory follow each other
     const std::size_t before = groups_.size();
     for (const Run& run : runs) addGroups(run);
     const std::size_t count = groups_.size() - before;
@@ -207,7 +207,7 @@ void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> 
                [&](std::size_t b) { bands_[b].draw(lens_, rows_[b], groups_, sorted_, corners.data(), view_.edges); });
 }
 
-/// All triangles that samples between centres may see.
+/// Adds all triangles that samples between centres may see.
 void FrontTriangles::doubtUncovered(const Band& band) {
     constexpr std::size_t kSlice = 256;  // groups
     const auto& drawn = band.drawn();
@@ -248,7 +248,7 @@ bool FrontTriangles::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX
     for (; y < std::min(endY, lens_.height); ++y) {
         if (!picture_->rows[y]) continue;
         const std::uint32_t* row = &picture_->index[y * picture_->pitch];
-        std::uint32_t all = kNone;  // has all bits; compilers take many pixels at once
+        std::uint32_t all = kNone;  // has all bits: compilers can vectorise this
         for (std::uint32_t at = x; at < std::min(endX, lens_.width); ++at) all &= row[at];
         if (all != kNone) return true;
     }

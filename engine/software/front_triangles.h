@@ -23,7 +23,7 @@ public:
         const glm::vec4* rows = nullptr;     ///< three: into view space
         std::uint32_t number = 0;            ///< of the first primitive, not 0
         std::span<const Chunk> chunks = {};  ///< in which they lie; empty: unknown
-        std::uint32_t first = 0;             ///< of the triangles, in the first chunk
+        std::uint32_t first = 0;             ///< of the run's first triangle, in the first chunk
     };
 
     explicit FrontTriangles(const TriangleLanes& lanes);
@@ -35,7 +35,7 @@ public:
     /// @param corners  of all vertices, transformed for the runs: pixel and Z
     void draw(std::span<const Run> runs, std::span<const glm::vec4> corners);
     /// Finds per pixel the triangle that is certainly nearest, whatever a shader's rounding; doubtful ones are listed.
-    /// Where a view draws edges, those are all that are not behind what the centres around them show.
+    /// Where a view draws edges, these are all that the centres around them do not hide.
     void end();
 
     /// Number of further triangles that may be visible at some pixel, or at one of its samples.
@@ -43,23 +43,23 @@ public:
     /// @param number  receives the triangle's number
     const Triangle& doubt(std::size_t index, const glm::vec4*& rows, std::uint32_t& number) const;
 
-    /// Whether a rectangle of pixels has any certain triangle. Ends are exclusive.
+    /// Whether a rectangle of pixels shows any certain triangle. Ends are exclusive.
     bool isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const;
-    /// Numbers of the certain triangles for some pixels of a row, 0: none; 0 beyond the picture as well.
+    /// Numbers of the certain triangles for some pixels of a row; 0: none, or outside the picture.
     void write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const;
 
 private:
     struct Picture;
     class Band;
     struct Box;
-    /// Triangles processed together, at most those of a chunk. Counted by groups, as if all were full.
+    /// Triangles processed together, within one chunk. Groups are counted as if all were full.
     struct Group {
         const Triangle* triangles = nullptr;
         std::uint32_t count = 0;
         const glm::vec4* rows = nullptr;
         const Chunk* ball = nullptr;  // null: unknown
     };
-    /// Rows of pixels that a group may show in.
+    /// Rows of pixels in which a group may be visible.
     struct Placed {
         float near = 0;  // Z
         std::uint32_t group = 0;
@@ -80,7 +80,7 @@ private:
     std::vector<Group> groups_;
     std::vector<std::uint32_t> numbers_;  // of each group's first triangle
     std::vector<Placed> placed_, sorted_;
-    std::vector<std::uint32_t> marks_;  // of each group, a bit for each triangle in doubt
+    std::vector<std::uint32_t> marks_;  // per group, a bit for each doubtful triangle
     std::vector<std::uint32_t> ambiguous_;
 };
 

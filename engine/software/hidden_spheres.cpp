@@ -9,14 +9,14 @@
 namespace nacre::passes {
 namespace {
 
-constexpr float kMargin = 0.05f;  // Å that a hidden sphere must be farther away, to allow for shaders' rounding
+constexpr float kMargin = 0.05f;  // Å by which a hidden sphere must be farther away, to allow for shaders' rounding
 
 const glm::vec4* rowsOf(const PlacedCopies& placed, std::uint32_t copy) {
     return placed.rows.data() + 3 * std::size_t{copy};
 }
 
 std::size_t threadsFor(std::size_t chunks) {
-    constexpr std::size_t kWorth = 8192;  // chunks that are worth another thread
+    constexpr std::size_t kWorth = 8192;  // chunks per additional thread
     return std::min<std::size_t>(chunks / kWorth + 1, threadsPerTask());
 }
 
@@ -66,7 +66,7 @@ bool NearFirstSpheres::hides(const Some& some, RowBand part) {
     return coverage_.hides({some.x, some.y}, some.reach, some.near - kMargin, part);
 }
 
-/// @returns those of some spheres that may show in a part, a bit each @param asked  of these
+/// @returns the spheres that may be visible in a part, a bit each @param asked  candidates
 std::uint32_t NearFirstSpheres::shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, RowBand part,
                                         bool covers) {
     std::uint32_t shown = 0;
@@ -89,7 +89,7 @@ void NearFirstSpheres::look(const Scenery& scenery, std::size_t of) {
     const RowBand part = parts_[of];
     std::vector<Shown>& shown = shown_[of];
     shown.clear();
-    constexpr std::size_t kAhead = 16;  // they are scattered in memory: prefetched
+    constexpr std::size_t kAhead = 16;  // scattered in memory: prefetched
     for (std::size_t at = 0; at < order_.size(); ++at) {
         __builtin_prefetch(&all_[order_[std::min(at + kAhead, order_.size() - 1)]]);
         const std::uint32_t i = order_[at];
@@ -118,7 +118,7 @@ void NearFirstSpheres::drop(SceneView& seen, const Representation& r, const Chun
     partRows(rows, threadsFor(all_.size()), all_, rowOf, inRow_, parts_);
     shown_.resize(std::max(shown_.size(), parts_.size()));
     inParallel(parts_.size(), [&](std::size_t p) { look({view, r.spheres, copies}, p); });
-    // A sphere across the border of two parts may show in either.
+    // A sphere on the border of two parts may be visible in either.
     for (std::size_t p = 0; p < parts_.size(); ++p)
         for (const Shown& s : shown_[p]) all_[s.some].shown |= s.spheres;
     // Visible spheres in stream order: consecutive ones in one call.

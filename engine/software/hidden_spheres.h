@@ -11,7 +11,7 @@
 
 namespace nacre::passes {
 
-/// Visits spheres from near to far, by chunks. A sphere that earlier ones certainly cover is dropped: pictures stay
+/// Visits spheres from near to far, by chunks. A sphere is dropped if earlier ones certainly cover it: pictures stay
 /// identical to the bit. Several threads take one band of rows each. Keeps its memory between frames, so that later
 /// frames allocate only the threads.
 class NearFirstSpheres final : public HiddenSpheres {

@@ -39,7 +39,7 @@ struct TileBins {
 
 namespace nacre::passes {
 
-/// Pixels of a frame that the host wants drawn as edges, in place of those that the device finds.
+/// Edge pixels of a frame that the host chooses, instead of those that the device finds.
 struct EdgePlaces {
     std::uint32_t across = 0;
     std::vector<std::uint8_t> pixels;  ///< row by row: not 0 where wanted
@@ -47,16 +47,16 @@ struct EdgePlaces {
 
 /// Options of a frame.
 struct TileWork {
-    bool shaded = false;             ///< compute shades as well
+    bool shaded = false;             ///< compute also shades
     bool edges = false;              ///< edges are drawn
-    bool edgesAlone = false;         ///< only they are shaded, from the numbers of primitives
+    bool edgesAlone = false;         ///< only edges are shaded, from primitive numbers
     bool frontSpheres = false;       ///< the host finds the nearest sphere of most pixels
-    bool subsamples = false;         ///< pixels are samples of a picture's, and need no test at their centres
+    bool subsamples = false;         ///< pixels are samples of a picture's pixels, and are not tested at their centres
     std::uint32_t kept = 1;          ///< nearest primitives per pixel
     std::uint32_t longestList = 0;   ///< a frame with a longer list is not uploaded
     const TileMask* mask = nullptr;  ///< null: all tiles are drawn
     std::span<const Chunk> triangleChunks = {};  ///< optional
-    const EdgePlaces* places = nullptr;          ///< of edges, if compute shades
+    const EdgePlaces* places = nullptr;          ///< edge pixels, if compute shades
 };
 
 /// A frame's lists, on the device.
@@ -65,7 +65,7 @@ public:
     virtual ~TileFrame() = default;
     virtual std::uint32_t longestList() const = 0;  ///< entries
     virtual TileCounts counts() const = 0;
-    /// Spheres that the host found to be visible; empty: it did not look.
+    /// Number of spheres that the host found to be visible; empty: it did not test them.
     virtual std::optional<std::uint64_t> shownSpheres() const = 0;
     virtual std::span<const TileBins::Span> spans() const = 0;  ///< bins that show anything
     virtual float nearest() const = 0;                          ///< Z of the nearest depth
@@ -74,11 +74,11 @@ public:
     /// Numbers of the nearest primitives from 1, or colours where compute shades; row by row of all bins.
     virtual const gpu::Buffer& pixels() const = 0;
     virtual vk::BufferView pixelTexels() const = 0;  ///< pixels() as texels, where the device reads them so
-    virtual const gpu::Buffer& edges() const = 0;    ///< for edges: numbers if pixels() are colours, else edge colours
+    virtual const gpu::Buffer& edges() const = 0;    ///< numbers if pixels() are colours, else edge colours
     virtual const gpu::Buffer& edgePixels() const = 0;
 };
 
-/// Frames in flight: each has its own buffers, which are reused when nobody holds them.
+/// Frames in flight: each has its own buffers, which are reused once nobody holds them.
 class TileFrames {
 public:
     virtual ~TileFrames() = default;
@@ -102,30 +102,30 @@ std::unique_ptr<HiddenSpheres> makeHiddenSpheres();
 
 /// Compute: writes TileFrame::pixels() of the view's non-empty tiles, one workgroup each.
 struct NearestByTiles {
-    /// If it also shades: then it writes colours, 0 where nothing is seen.
+    /// For shading: then writes colours, 0 where nothing is seen.
     std::optional<vk::ImageView> atlas{};
 };
 void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles& pass);
 /// Requests the pipelines.
 void want(gpu::PipelineContext& context, const SceneView& view, const NearestByTiles& pass);
 
-/// Shades every pixel with a number, once.
+/// Shades every pixel that has a number, once.
 struct TileShading {
     vk::ImageView atlas;
     Output output = Output::color;
     bool depth = false;  ///< also writes the depth buffer
-    /// Instead composites one translucent layer of a view where the depth test passes; 0: nearest.
+    /// If set, composites one translucent layer of a view where the depth test passes; 0: nearest.
     std::optional<std::uint32_t> layer{};
 };
 void draw(gpu::PassContext& context, const SceneView& view, const TileShading& pass);
 /// Requests the pipeline.
 void want(gpu::PipelineContext& context, const SceneView& view, const TileShading& pass);
 
-/// Compute: writes for each pixel of the view's tiles the numbers of the nearest triangle and the next one behind.
+/// Compute: writes for each pixel of the view's tiles the numbers of the two nearest triangles.
 /// @param view  of translucent triangles only
 void findLayersByTiles(gpu::PassContext& context, const SceneView& view);
 
-/// Compute: lists the edge pixels among the numbers and the colours of the nearest primitives.
+/// Compute: lists the edge pixels, found from the numbers and colours of the nearest primitives.
 void findEdgesByTiles(gpu::PassContext& context, const SceneView& view);
 /// Compute: draws edge pixels with RenderSettings::kEdgeSamples samples.
 void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas);
@@ -156,7 +156,7 @@ public:
 
     /// Begins a batch with empty maps. @param maps  contents of each, at most across x across
     virtual void begin(std::span<const passes::PlacedCopies> maps) = 0;
-    /// Declares the passes that draw these primitives of the batch, counted from map to map. Earlier declared passes
+    /// Declares the passes that draw these primitives of the batch, counted across its maps. Earlier declared passes
     /// must have run.
     virtual graph::Buffer declare(graph::Graph& g, gpu::Imports& imports, std::uint64_t first, std::uint64_t end) = 0;
     /// Requests the pipelines of these passes.
@@ -164,14 +164,14 @@ public:
     /// The maps, for passes that draw or read them.
     virtual graph::Buffer import(graph::Graph& g, gpu::Imports& imports) const = 0;
     virtual const gpu::Buffer& buffer() const = 0;
-    /// The maps as texels, where the device reads streams so; else null.
+    /// The maps as texels, if the device reads streams as texels; else null.
     virtual vk::BufferView texels() const = 0;
     virtual std::uint32_t pitch() const = 0;  ///< pixels per row of the batch
     virtual std::uint32_t apart() const = 0;  ///< pixels from one map to the next
 };
 /// @param pixels  width of a map @param radius  of the scene's bounding sphere, Å @param across  maps per row of a
 /// batch
-/// @param occluders  those made ahead @returns null in a build without them
+/// @param occluders  made ahead @returns null in a build without them
 std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device& device, const passes::SceneBuffers& scene,
                                        const Representation& representation, std::uint32_t pixels, double radius,
                                        std::uint32_t across, OccluderMeshes occluders);

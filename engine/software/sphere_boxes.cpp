@@ -42,7 +42,7 @@ struct Place {
     std::uint32_t number = 0;
 };
 
-/// Halves some places across their longest side, until each box has its own: smaller boxes than those of Morton order.
+/// Halves places across their longest side until each box has its own places. Gives smaller boxes than Morton order.
 /// @param first, end  in the stream. Cuts at a multiple of the largest possible power of two boxes, so that the boxes
 /// of a group are neighbours.
 void halve(Place* places, std::uint32_t first, std::uint32_t end) {
@@ -69,7 +69,7 @@ void halve(Place* places, std::uint32_t first, std::uint32_t end) {
     halve(places + (cut - first), cut, end);
 }
 
-/// Numbers of spheres in an order of small boxes: where the runs begin, they stay apart.
+/// Numbers of spheres in an order that makes boxes small; runs stay separate.
 std::vector<std::uint32_t> orderInBoxes(const std::vector<Sphere>& stream, const std::vector<std::uint32_t>& starts) {
     std::vector<Place> places(stream.size());
     for (std::uint32_t i = 0; i < stream.size(); ++i) {
@@ -110,8 +110,8 @@ SphereBoxes sphereBoxesOf(std::span<const Sphere> spheres) {
     return all;
 }
 
-/// Copies are drawn often, and their spheres are few: they are worth an order of their own. It is not the stream's,
-/// since that decides which of two spheres shows where both are equally near.
+/// Copies are drawn often, and have few spheres: an own order pays. The stream keeps its order, which decides which of
+/// two equally near spheres is shown.
 SphereBoxes sphereBoxesOf(const Representation& r) {
     if (r.copies.transforms.empty()) return sphereBoxesOf(r.spheres);
     std::vector<std::uint32_t> starts = runStarts(r.copies.spheres, r.sphereModels, r.spheres.size());

@@ -18,21 +18,21 @@ struct SphereBox {
     float ball = 0;  ///< largest distance of a centre from the box's centre
 };
 
-/// For a stream of spheres in spatial order, or in an order of its own, which runs of copies or models keep to.
+/// Boxes of a stream of spheres in spatial order, or in their own order, which keeps runs of copies or models together.
 struct SphereBoxes {
     static constexpr std::uint32_t kSpheres = 32;  ///< per box
-    static constexpr std::uint32_t kBoxes = 16;    ///< per group
+    static constexpr std::uint32_t kBoxes = 16;    ///< on average, per group
 
     std::vector<SphereBox> boxes;        ///< padded with empty ones to whole groups
-    std::vector<SphereBox> groups;       ///< about kBoxes of them each
+    std::vector<SphereBox> groups;       ///< of about kBoxes boxes each
     std::vector<Sphere> spheres;         ///< in the order of the boxes; empty: the stream's
-    std::vector<std::uint32_t> numbers;  ///< of these spheres in the stream
+    std::vector<std::uint32_t> numbers;  ///< of these spheres, in the stream
     std::vector<std::uint32_t> starts;   ///< of the runs, and the end of the last
     float reach = 0;                     ///< bound of all coordinates and radii; infinite if any is NaN
 };
 
 SphereBoxes sphereBoxesOf(std::span<const Sphere> spheres);
-/// The boxes of a scene, in an order of their own if it has copies.
+/// The boxes of a scene, in their own order if it has copies.
 SphereBoxes sphereBoxesOf(const Representation& representation);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// Shared by the tile passes: how they bind their inputs, and the number of workgroups.
+// Shared by the tile passes: bindings of their inputs, and the number of workgroups.
 
 #include <algorithm>
 
@@ -18,13 +18,13 @@ inline TileScene tileScene(const SceneBuffers& scene) {
                                      : TileScene::spheres;
 }
 
-/// Variants of a stage by the scene's primitives, and by where its data is.
+/// Variants of a stage, by the scene's primitives and by the location of its data.
 #define NACRE_TILE_SCENE(name, counting)                                  \
     (scene == TileScene::triangles   ? shaders::name##Triangles##counting \
      : scene == TileScene::cylinders ? shaders::name##Cylinders##counting \
                                      : shaders::name##Spheres##counting)
 #define NACRE_TILE_SHADER(name) (texels ? NACRE_TILE_SCENE(name##Texels, ) : NACRE_TILE_SCENE(name##Storage, ))
-/// As a Stage: optimised shaders have a counting variant of their own (shaders/shaders.cmake).
+/// As a Stage: optimised shaders have their own counting variant (shaders/shaders.cmake).
 #define NACRE_TILE_STAGE(name)                                                                  \
     (texels ? Stage{NACRE_TILE_SCENE(name##Texels, ), NACRE_TILE_SCENE(name##Texels, Counting)} \
             : Stage{NACRE_TILE_SCENE(name##Storage, )})
@@ -34,7 +34,7 @@ class TileBindings {
 public:
     TileBindings(gpu::PassContext& context, vk::DescriptorSet set) : context_(context), set_(set) {}
 
-    /// Binds streams as the device reads them: texel or storage buffers.
+    /// Binds streams in the form that the device reads: texel or storage buffers.
     void read(const gpu::Buffer& buffer, const vk::raii::BufferView& texels) {
         if (!*texels) return store(buffer);
         const vk::BufferView view = *texels;

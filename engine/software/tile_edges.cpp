@@ -7,7 +7,7 @@ namespace nacre::passes {
 namespace {
 
 // Atlas, effects; shapes, rows of copies, looks; lists, numbers, edge pixels; colours, which are written; shadow map;
-// cells of the atlas, where they are texels.
+// cells of the atlas, if they are texels.
 constexpr std::array kSampleTexels{
     kSampled, Type::eUniformBuffer, kTexel, kTexel, kTexel, kTexel, kTexel, kTexel, kStorage, kSampled, kTexel};
 constexpr auto kSampleStorage = asStorage(kSampleTexels);
@@ -63,7 +63,7 @@ gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneVi
 }  // namespace
 
 void wantEdgesByTiles(gpu::PipelineContext& context, const SceneView& view) {
-    context.pipelines.want(samplePipeline(context, view));  // which takes a driver longer
+    context.pipelines.want(samplePipeline(context, view));  // this one takes a driver longer
     if (!listsOf(view).edgeData.placed) context.pipelines.want(findPipeline(context, view));
 }
 

@@ -5,7 +5,7 @@
 
 namespace nacre::passes {
 
-/// Requests the pipelines of edges, while that of the nearest primitives is made.
+/// Requests the pipelines of edges while the one of the nearest primitives is compiled.
 void wantEdgesByTiles(gpu::PipelineContext& context, const SceneView& view);
 
 }  // namespace nacre::passes

@@ -19,7 +19,7 @@ constexpr std::uint64_t kTurnsOfEdges = 60'000, kTurnsOfFilling = 48;
 
 /// Half width in pixels below which a primitive may be missed by all pixels around it.
 constexpr double kSmallPixels = 0.75;
-/// From here on a pixel's samples show nearly nothing but what the centres of the nine pixels around show.
+/// From this size on, a pixel's samples show almost only what the centres of the nine pixels around show.
 constexpr double kLargePixels = 6;
 
 void listCalls(const SceneView& seen, const std::vector<PlacedCopies::Call>& calls, std::uint32_t first,
@@ -56,18 +56,18 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
     return t;
 }
 
-/// Where compute shades, a workgroup draws several tiles, one after another: to begin one takes a software device as
-/// long as to shade some rows of pixels. Together their lists are as long as one may be. @param walks  of a list
+/// Where compute shades, a workgroup draws several tiles in turn: to start one costs a software device as much as
+/// shading some rows of pixels. Their lists together are as long as one list may be. @param walks  of a list
 std::uint32_t groupsOfTiles(const TileLists& lists, bool shaded, std::uint32_t walks, std::uint32_t longestList) {
-    constexpr std::uint32_t kMost = 16, kGroups = 64;  // tiles of a group; groups that keep all processors busy
+    constexpr std::uint32_t kMost = 16, kGroups = 64;  // tiles per group; groups that keep all processors busy
     const auto tiles = static_cast<std::uint32_t>(lists.tiles().size());
     const std::uint32_t together = longestList / (walks * std::max(lists.longest(), 1u));
     const std::uint32_t ofGroup = shaded ? std::clamp(std::min(tiles / kGroups, together), 1u, kMost) : 1;
     return (tiles + ofGroup - 1) / ofGroup;
 }
 
-/// Maximum of workgroups that draw edges. Each fills its lanes repeatedly: on a software device an empty workgroup
-/// costs as much as a full one. No loop may exceed lavapipe's limit.
+/// Maximum number of workgroups that draw edges. Each fills its lanes repeatedly: on a software device an empty
+/// workgroup costs as much as a full one. No loop may exceed lavapipe's limit.
 std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps) {
     constexpr std::uint64_t kFew = 64, kRow = 65535;
     const std::uint64_t fillings =
@@ -94,7 +94,7 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image, 
 
 std::unique_ptr<TileFrames> makeTileFrames(const gpu::Device& device) { return std::make_unique<ListedFrames>(device); }
 
-/// Made when the host first draws a scene's spheres. A scene with new colours keeps its shapes.
+/// Made when the host first draws a scene's spheres. Kept when only colours change.
 const SphereBoxes& ListedFrames::boxesOf(const Representation& r, const SceneView& seen) {
     if (!seen.owner || boxed_.lock() != seen.owner) {
         boxes_ = sphereBoxesOf(r);
@@ -141,15 +141,14 @@ std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, 
 void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::BufferUsageFlags usage, vk::Format format,
              const char* name) {
     if (*b.buffer.handle && b.buffer.size >= bytes) return;
-    const std::size_t room =
-        *b.buffer.handle ? bytes + bytes / 2 : bytes;  // a rotating scene may need more in its next frame
+    const std::size_t room = *b.buffer.handle ? bytes + bytes / 2 : bytes;  // a rotating scene may soon need more
     b = {};
     b.buffer = gpu::makeBuffer(device, room, usage, gpu::Access::upload, name);
     if (!device.caps().tiles.texels) return;
     if (format != vk::Format::eUndefined) b.texels = gpu::makeTexelView(device, b.buffer, format, name);
 }
 
-/// Tiles are drawn where something may show. Elsewhere words of earlier frames are cleared.
+/// Tiles are drawn where something may be visible. Elsewhere words of earlier frames are cleared.
 void ListedFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
                                 bool all, const char* name) const {
     constexpr std::size_t kBin = TileLists::kBinPixels;
@@ -164,7 +163,7 @@ void ListedFrames::prepareWords(PixelWords& words, const TileLists& lists, graph
         words.across = lists.across();
         words.cleared = 0;
     }
-    if (words.cleared < bytes) {  // not all of a buffer that has room to grow
+    if (words.cleared < bytes) {  // only the used part of a buffer that has room to grow
         std::memset(words.buffer.mapped + words.cleared, 0, bytes - words.cleared);
         words.cleared = bytes;
     }
@@ -193,7 +192,7 @@ void ListedFrames::prepareWords(PixelWords& words, const TileLists& lists, graph
             }
 }
 
-/// Writes seeds where the device reads which triangle a pixel begins with; the device replaces them by its results.
+/// Writes each pixel's initial triangle, if the device reads it. The device replaces it by its result.
 void ListedFrames::writeSeeds(ListedFrame& f) {
     constexpr std::uint32_t kBin = TileLists::kBinPixels;
     auto* words = reinterpret_cast<std::uint32_t*>(f.numbers.buffer.mapped);
@@ -229,7 +228,7 @@ void ListedFrames::upload(ListedFrame& f, const PlacedCopies& copies, graph::Ext
 
 namespace {
 
-/// Lists wanted pixels, by bins that hold anything, as the device does. @returns the number of groups
+/// Lists wanted pixels by non-empty bins, as the device does. @returns the number of groups
 std::uint32_t listPlaces(const TileLists& lists, const EdgePlaces& places, std::uint32_t lanes, std::uint32_t* to) {
     constexpr std::uint32_t kBin = TileLists::kBinPixels;
     const auto down = static_cast<std::uint32_t>(places.pixels.size() / places.across);

@@ -22,9 +22,9 @@ struct TileBuffer {
 /// One or more words per pixel, row by row of all bins; 0: no primitive.
 struct PixelWords : TileBuffer {
     vk::raii::BufferView quads{nullptr};   ///< as four-word texels
-    std::vector<TileLists::Span> written;  ///< where it may hold words of an earlier frame
+    std::vector<TileLists::Span> written;  ///< where it may hold words of earlier frames
     std::uint32_t across = 0;              ///< bins per row of those
-    std::size_t cleared = 0;               ///< bytes that have been cleared since
+    std::size_t cleared = 0;               ///< bytes cleared since then
 };
 
 /// Enlarges a buffer if needed, with room to grow. @param format  of texels; undefined: no texel view
@@ -38,10 +38,10 @@ struct TileEdges {
     bool alone = false;        ///< shades edge pixels only, from primitive numbers
     bool everywhere = false;   ///< some primitives are so small that one may lie between pixel centres
     bool listed = false;       ///< samples search the lists, not only the pixel's neighbours
-    TileBuffer pixels;         ///< edge pixels: kEdgeHeader words, then groups of as many as a subgroup has lanes
+    TileBuffer pixels;         ///< edge pixels: kEdgeHeader words, then groups of one pixel per lane of a subgroup
     std::uint32_t groups = 0;  ///< number of groups
-    PixelWords numbers;        ///< as in TileFrame; where those are colours, edge colours go there
-    TileBuffer colors;         ///< else: as the numbers, linear, premultiplied halves; kNoEdge elsewhere
+    PixelWords numbers;        ///< as in TileFrame; if those are colours, edge colours go here
+    TileBuffer colors;         ///< else edge colours: linear, premultiplied halves; kNoEdge elsewhere
 };
 
 /// A frame's lists and buffers.
@@ -63,10 +63,10 @@ public:
 
     TileLists lists;
     layout::TileConstants constants{};
-    std::uint32_t groups = 0;  ///< of the workgroups that draw its tiles
+    std::uint32_t groups = 0;  ///< workgroups that draw its tiles
     bool copies = false;       ///< primitives have the transforms of copies
     bool shaded = false;       ///< `numbers` are colours
-    bool cleared = false;      ///< the device writes covered pixels only: the others are cleared
+    bool cleared = false;      ///< the device writes covered pixels only; the others are cleared
     TileBuffer words;          ///< TileLists::write()
     TileBuffer rows;           ///< PlacedCopies::rows
     PixelWords numbers;        ///< of the nearest primitives, counted from 1; sights, where edges are drawn
@@ -82,7 +82,7 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image, 
 /// The lists of a view that is drawn by tiles.
 inline const ListedFrame& listsOf(const SceneView& view) { return static_cast<const ListedFrame&>(*view.tiles); }
 
-/// Rows of bins as shaders/tile_span.vert reads them.
+/// Rows of bins, as shaders/tile_span.vert reads them.
 struct TileSpanVertex {
     glm::vec4 ndc;  ///< left, top, right, bottom
 };
@@ -95,8 +95,8 @@ public:
 
 private:
     const SphereBoxes& boxesOf(const Representation& representation, const SceneView& seen);
-    /// Reserves the words of an image's pixels, and clears leftovers of earlier frames where none will be written.
-    /// @param kept  words per pixel @param all  clears the others as well: the device writes those of covered pixels
+    /// Reserves the words of an image's pixels, and clears leftovers of earlier frames that will not be overwritten.
+    /// @param kept  words per pixel @param all  also clears pixels to be drawn: the device writes covered ones only
     void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept, bool all,
                       const char* name) const;
     static void writeSeeds(ListedFrame& frame);
@@ -106,7 +106,7 @@ private:
     const gpu::Device& device_;
     gpu::Pool<ListedFrame> frames_;
     std::vector<TileCall> spheres_, cylinders_, triangles_;  // scratch of one frame
-    std::weak_ptr<const void> boxed_;                        // the scene whose spheres have these boxes
+    std::weak_ptr<const void> boxed_;                        // the scene of the boxes
     SphereBoxes boxes_;
 };
 

@@ -18,9 +18,9 @@ struct VertexRange {
     }
 };
 
-/// If most of a mesh is drawn, its vertex range is known.
+/// Vertices of a call's triangles. If most of a mesh is drawn, its known range.
 VertexRange verticesOf(const TileScenery& s, const TileCall& call) {
-    constexpr std::uint32_t kFew = 8;  // of its triangles a share that is looked through
+    constexpr std::uint32_t kFew = 8;  // for a smaller share of a mesh, its triangles are searched
     for (const MeshRun& mesh : s.meshes) {
         const auto within = [&](std::uint32_t first, std::uint32_t count) {
             return call.first >= first && call.first + call.count <= first + count && call.count >= count / kFew;
@@ -51,14 +51,14 @@ std::uint32_t endOfMesh(const TileScenery& s, std::uint32_t triangle) {
     return 0;
 }
 
-/// Whether any pixel centre is inside a box. Allows a part of a pixel for shaders' rounding.
+/// Whether any pixel centre is inside a box, with a margin for shaders' rounding.
 bool holdsCenter(glm::vec2 low, glm::vec2 high) {
     constexpr float kRoom = 1.0f / 32;
     const auto along = [](float from, float to) { return std::floor(to - 0.5f + kRoom) >= from - 0.5f - kRoom; };
     return along(low.x, high.x) && along(low.y, high.y);
 }
 
-/// A wire's, as shaders/common/hit.glsl has it, and a hair more.
+/// Radius of a wire, as in shaders/common/hit.glsl, slightly enlarged.
 float radiusOf(const TileView& view, float stored, float z) {
     if (stored >= 0) return stored;
     const float atOrigin = -stored * view.wireScale / view.pixels * 1.001f;
@@ -125,7 +125,7 @@ std::vector<TileLists::MeshPart> TileLists::meshParts(const TileScenery& s) {
         for (std::uint32_t first = 0, end = 0; end < call.count; first = end) {
             const float step = triangles[first].step();
             if (const std::uint32_t mesh = endOfMesh(s, call.first + first); mesh != 0)
-                end = std::min(call.count, mesh - call.first);  // a mesh has one step
+                end = std::min(call.count, mesh - call.first);  // a mesh has one depth step
             while (end < call.count && triangles[end].step() == step) ++end;
             if (parts.empty() || parts.back().rows != call.rows || parts.back().step != step)
                 parts.push_back({call.rows, step, {}});
@@ -135,7 +135,7 @@ std::vector<TileLists::MeshPart> TileLists::meshParts(const TileScenery& s) {
     return parts;
 }
 
-/// Where the vertices of some triangles are seen, pixels, and their Z.
+/// Places the vertices of triangles in the picture: pixels and Z.
 void TileLists::placeCorners(const TileView& view, const TileScenery& s, const MeshPart& part) {
     corners_.resize(s.vertices.size());
     const CornerPlace place(view, part.rows);
@@ -192,7 +192,7 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
         front_.draw(runs_, corners_);
     }
     front_.end();
-    // They are spread over all of the memory, so that to fetch them takes longest.
+    // They are scattered in memory, so that fetching them takes longest.
     constexpr std::size_t kSlice = 2048;
     const std::size_t slices = (front_.ambiguous() + kSlice - 1) / kSlice;
     keptOfSlices_.resize(std::max(keptOfSlices_.size(), slices));
@@ -205,7 +205,7 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
         kept_.insert(kept_.end(), keptOfSlices_[slice].begin(), keptOfSlices_[slice].end());
 }
 
-/// @param placed  whether its corners are among those that were placed last
+/// @param placed  whether its corners are among those placed last
 void TileLists::addDoubt(const TileView& view, const TileScenery& s, std::size_t index, bool placed,
                          std::vector<Kept>& kept) const {
     const glm::vec4* rows = nullptr;
@@ -236,7 +236,7 @@ void TileLists::order() {
     for (std::uint32_t i = 0; i < kept_.size(); ++i) order_[at[kept_[i].step]++] = i;
 }
 
-/// Bins without a tile that is drawn hold nothing.
+/// Marks bins without a wanted tile as empty.
 void TileLists::mask(const TileView& view) {
     drawnBins_.clear();
     mask_.wanted.clear();
@@ -294,8 +294,8 @@ void TileLists::listTiles() {
                 spans_.push_back({left, top, static_cast<std::uint16_t>(x + 1), static_cast<std::uint16_t>(y + 1)});
             bins_.push_back({left, top});
         }
-    // A software device gives each thread a run of neighbouring workgroups: interleaved, all have equal work. Groups a
-    // few neighbouring bins: they show the same primitives, whose occlusion is still in the cache.
+    // A software device gives each thread a run of neighbouring workgroups: interleaving balances the work. A few
+    // neighbouring bins stay together: they show the same primitives, whose occlusion is still in the cache.
     constexpr std::size_t kHands = 16, kRun = 4;
     tiles_.clear();
     for (std::size_t hand = 0; hand < kHands; ++hand)

@@ -17,7 +17,7 @@
 
 namespace nacre {
 
-/// Everything that may be in view.
+/// Everything that may be visible.
 struct TileScenery {
     std::span<const Sphere> spheres;
     std::span<const TileCall> sphereCalls;
@@ -29,8 +29,8 @@ struct TileScenery {
     std::span<const TileCall> triangleCalls = {};
     std::span<const Triangle> coarseTriangles = {};  ///< numbered after the others; no call mixes both
     std::span<const MeshRun> meshes = {};            ///< optional
-    /// Boxes of the spheres, if the host draws them, so that few enter lists: for views that FrontSpheres supports,
-    /// without triangles. Null: all spheres enter lists.
+    /// Boxes of the spheres, if the host draws them, so that few enter lists. Only for views that FrontSpheres
+    /// supports, without triangles. Null: all spheres enter lists.
     const SphereBoxes* boxes = nullptr;
     std::span<const Chunk> triangleChunks = {};  ///< optional
 
@@ -45,12 +45,12 @@ struct TileScenery {
     }
 };
 
-/// Where pixels are sampled at their centres only, most triangles enter no list: the host knows the nearest one for
-/// nearly every pixel. Likewise for spheres with boxes. Where edges are drawn, triangles enter unless all
-/// surrounding pixels hide them.
+/// Lists of a picture's primitives. Where pixels are sampled at their centres only, most triangles enter no list: the
+/// host knows the nearest one of nearly every pixel. The same holds for spheres with boxes. Where edges are drawn,
+/// triangles enter unless all surrounding pixels hide them.
 ///
-/// Bins of `kBinPixels` per side, row by row from the top left, each with its list, and the tiles of the bins whose
-/// list is not empty or that begin with triangles. Keeps its memory between frames.
+/// Bins of `kBinPixels` per side, row by row from the top left, have a list each. Tiles are those of bins with a
+/// non-empty list, or with initial triangles. Keeps its memory between frames.
 class TileLists {
 public:
     explicit TileLists(const TriangleLanes& lanes = triangleLanes().back()) : lanes_(lanes), front_(lanes) {}
@@ -82,20 +82,20 @@ public:
     /// Whether a tile is drawn if its bin holds anything.
     bool draws(std::uint32_t x, std::uint32_t y) const { return !masked() || mask_.unwanted(x, y) != kAllUnwanted; }
     bool masked() const { return !mask_.wanted.empty(); }
-    /// Whether a bin may show a primitive of less than TileView::small.
+    /// Whether a bin may show a primitive smaller than TileView::small.
     bool showsSmall(std::size_t x, std::size_t y) const {
         return !smallBins_.empty() && smallBins_[y * across_ + x] != 0;
     }
     /// Whether pixels begin with a primitive from writeSeeds().
     bool seeded() const { return seeded_; }
-    /// Numbers of the nearest triangles or spheres of some pixels of a row, 0: none that is certain.
+    /// Numbers of the nearest triangles or spheres for some pixels of a row; 0: none is certain.
     void writeSeeds(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const {
         if (drawsSpheres_)
             frontSpheres_.write(x, y, count, to);
         else
             front_.write(x, y, count, to);
     }
-    /// Number of spheres drawn by the host that may be visible. Empty: all spheres passed in.
+    /// Number of spheres, drawn by the host, that may be visible. Empty: all.
     std::optional<std::size_t> shownSpheres() const {
         return drawsSpheres_ ? std::optional(frontSpheres_.shown()) : std::nullopt;
     }
@@ -104,13 +104,13 @@ public:
     std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
     std::uint32_t longest() const { return longest_; }  ///< entries of a list
     /// Size of the device's data in words: tiles (x | y << 16 | 1 << 31 where showsSmall()); begin of each bin's list
-    /// and end of the last; a primitive's number, 1; the lists. So the word before a list is a valid number, which
-    /// readers of an empty list may load.
+    /// and end of the last; a primitive's number, 1; the lists. Readers of an empty list may load the word before it,
+    /// which is a valid number.
     std::size_t words() const { return tiles_.size() + offsets_.size() + 1 + entries(); }
     void write(std::uint32_t* to);
 
 private:
-    /// Triangles of one mesh with one transform: consecutive calls combined, since they share vertices.
+    /// Triangles of one mesh with one transform: consecutive calls combined, because they share vertices.
     struct MeshPart {
         const glm::vec4* rows = nullptr;
         float step = 1;
@@ -148,10 +148,10 @@ private:
 
     std::uint32_t across_ = 0, down_ = 0, longest_ = 0;
     TileMask mask_;                        // empty: all tiles are drawn
-    std::vector<std::uint8_t> drawnBins_;  // as above
+    std::vector<std::uint8_t> drawnBins_;  // empty: all bins are drawn
     std::vector<Kept> kept_;
-    std::vector<std::uint32_t> small_;     // of those, primitives below TileView::small
-    std::vector<std::uint8_t> smallBins_;  // that show any; empty: none does
+    std::vector<std::uint32_t> small_;     // primitives among them that are smaller than TileView::small
+    std::vector<std::uint8_t> smallBins_;  // bins that show any; empty: none does
     std::vector<std::vector<Kept>> keptOfSlices_;
     std::size_t keptSpheres_ = 0;
     std::vector<std::uint32_t> order_, offsets_, cursors_;

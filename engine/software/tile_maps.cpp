@@ -17,9 +17,9 @@ using Usage = vk::BufferUsageFlagBits;
 constexpr auto kRead = Usage::eUniformTexelBuffer | Usage::eStorageBuffer;
 constexpr graph::State kHeightState{
     VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
-constexpr float kNoHeight = -1e30f;  // height where a map shows nothing, as in shaders/tile_depth.comp
+constexpr float kNoHeight = -1e30f;  // height of an empty place of a map, as in shaders/tile_depth.comp
 
-// Shapes, rows of copies, lists, heights as they are read, and as they are written.
+// Shapes, rows of copies, lists, heights to read, heights to write.
 constexpr std::array kTileMapsTexels{passes::kTexel, passes::kTexel, passes::kTexel, passes::kTexel, passes::kStorage};
 constexpr auto kTileMapsStorage = passes::asStorage(kTileMapsTexels);
 
@@ -106,7 +106,7 @@ void ListedMaps::begin(std::span<const passes::PlacedCopies> maps) {
                     {{&rows[3 * std::size_t{copy}], c.first, c.count, copy * inCopy + before + 1}, kind, i, mesh});
             }
         };
-        // The host is done with a map before the device draws on it.
+        // Triangles first: the host draws a map before the device does.
         add(maps[i].triangles, passes::Primitive::triangle, rows_, scene_.sphereCount + scene_.cylinderCount);
         add(maps[i].spheres, passes::Primitive::sphere, asides_, 0);
         add(maps[i].cylinders, passes::Primitive::cylinder, asides_, scene_.sphereCount);
@@ -114,7 +114,7 @@ void ListedMaps::begin(std::span<const passes::PlacedCopies> maps) {
     reserve(device_, rowTexels_, rows_.size() * sizeof(glm::vec4), kRead, vk::Format::eR32G32B32A32Sfloat,
             "copies on depth maps");
     std::memcpy(rowTexels_.buffer.mapped, rows_.data(), rows_.size() * sizeof(glm::vec4));
-    // No more than there are maps: an incomplete batch has fewer rows.
+    // At most the existing maps: an incomplete batch has fewer rows.
     const std::size_t rowsOfMaps = (maps.size() + across_ - 1) / across_;
     std::fill_n(reinterpret_cast<float*>(heights_.mapped), rowsOfMaps * apart_ * pitch(), kNoHeight);
 }
@@ -150,7 +150,7 @@ void ListedMaps::take(std::uint64_t first, std::uint64_t end) {
         part.count = static_cast<std::uint32_t>(to - from);
         if (part.count == 0) continue;
         if (c.kind == passes::Primitive::triangle) {
-            // A coarser mesh has fewer triangles: draws the same share.
+            // A coarser mesh has fewer triangles: draw the same fraction.
             const std::uint64_t drawn = c.mesh->triangles.size();
             triangles_.resize(c.map + 1);
             triangles_[c.map].push_back({part.rows, c.mesh, from * drawn / c.call.count, to * drawn / c.call.count});
@@ -160,7 +160,7 @@ void ListedMaps::take(std::uint64_t first, std::uint64_t end) {
     }
 }
 
-/// Maps share no pixel, so each may be drawn by a thread of its own.
+/// Maps share no pixels, so each may have its own thread.
 void ListedMaps::drawTriangles() {
     meshes_.resize(std::max(meshes_.size(), triangles_.size()));
     inParallel(triangles_.size(), [&](std::size_t map) {
@@ -173,7 +173,7 @@ void ListedMaps::drawTriangles() {
     if (!triangles_.empty()) heights_.flush();
 }
 
-/// Lists as many primitives as fit the length of lists, and uploads the lists.
+/// Lists as many primitives as a list may have entries, and uploads the lists.
 void ListedMaps::list(Part& part, std::uint64_t first, std::uint64_t& end) {
     for (;; end = first + (end - first) / 2) {
         take(first, end);

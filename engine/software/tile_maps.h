@@ -1,6 +1,6 @@
 #pragma once
-// Depth maps of a batch by tiles: finds the nearest primitives per tile from lists in depth order, in parts as small as
-// the frame time requires. The maps are heights in a buffer, as texels. The host draws triangles.
+// Depth maps of a batch by tiles: finds the nearest primitives per tile from lists in depth order, in parts small
+// enough for the frame time. The maps are heights in a buffer, as texels. The host draws triangles.
 
 #include <glm/mat3x3.hpp>
 #include <memory>
@@ -36,15 +36,15 @@ private:
         TileCall call;
         passes::Primitive kind{};
         std::uint32_t map = 0;
-        const OccluderMesh* mesh = nullptr;  ///< of triangles
+        const OccluderMesh* mesh = nullptr;  ///< for triangles
     };
     struct MeshCall {
         const glm::vec4* rows = nullptr;
         const OccluderMesh* mesh = nullptr;
-        std::size_t first = 0, end = 0;  ///< of its triangles
+        std::size_t first = 0, end = 0;  ///< range of its triangles
     };
 
-    /// Primitives whose lists are drawn at a time.
+    /// Primitives whose lists are drawn together.
     struct Part {
         TileLists lists;
         passes::TileBuffer words;
@@ -60,8 +60,8 @@ private:
     const Representation& representation_;
     std::uint32_t pixels_ = 0, apart_ = 0, across_ = 1;
     double radius_ = 0;
-    std::vector<glm::vec4> rows_;    // of all copies of one map, then of the next
-    std::vector<glm::vec4> asides_;  // as above, shifted to the map's position in the batch
+    std::vector<glm::vec4> rows_;    // of all copies, map by map
+    std::vector<glm::vec4> asides_;  // like rows_, shifted to the map's position in the batch
     std::uint32_t copies_ = 1;       // per map
     std::vector<Call> calls_;
     std::vector<TileCall> spheres_, cylinders_;     // of the part being drawn

@@ -10,13 +10,13 @@
 namespace nacre {
 
 struct TileView : ScreenView {
-    /// Pixels are sampled at their centres only: triangles between centres are dropped and, with one layer, those
-    /// hidden at every centre; pixels begin with the nearest.
+    /// Pixels are sampled at their centres only. Triangles between centres are dropped and, with one layer, those
+    /// hidden at every centre; pixels start with the nearest one.
     bool centers = false;
-    /// Pixels are sampled at their centres, then between them. They begin with the nearest triangle, and triangles
+    /// Pixels are sampled at their centres, then between them. They start with the nearest triangle, and triangles
     /// hidden at all surrounding centres are dropped.
     bool edges = false;
-    float small = 0;                 ///< primitives of a lesser half width may lie between centres, pixels
+    float small = 0;                 ///< primitives of a smaller half width may lie between centres, pixels
     bool frontsOnly = false;         ///< triangles are invisible from behind
     float wireScale = 1;             ///< pixels per pixel of the picture, for the width of wires
     const TileMask* mask = nullptr;  ///< null: all tiles are drawn

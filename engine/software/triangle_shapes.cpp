@@ -24,9 +24,9 @@ TriangleLens::TriangleLens(const TileView& view)
       clipFar(view.clipFar) {
     // Rounding is relative: u = 2^-24. With the range P in pixels, no corner is farther than P / 2 from the axis. For a
     // corner's position the host rounds each of three coefficients, products and sums once: 2.5 u P; a shader 2 u P.
-    // Counting from the picture's corner adds u times the picture's size, a pixel's ray 4 u times its distance from the
-    // axis, perspective 8 u times that: the latter two are in the 16 u that findPlanes() adds. This is 8.4 u P, or 2.5
-    // u times the picture, of which at most 2.4 are needed.
+    // Coordinates relative to the picture's corner add u times the picture's size, a pixel's ray 4 u times its distance
+    // from the axis, perspective 8 u times that: the 16 u that findPlanes() adds cover the latter two. This is 8.4 u P,
+    // or 2.5 u times the picture, of which at most 2.4 are needed.
     const float picture = std::max({static_cast<float>(std::max(width, height)), std::abs(axisX), std::abs(axisY)});
     error = 5e-7f * std::max(view.range * view.pixels, 0.3f * picture);
     errorOfZ = 1e-6f * std::max(view.range, view.origin);

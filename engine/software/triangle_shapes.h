@@ -1,5 +1,5 @@
 #pragma once
-// Triangles on the screen, with bounds for a shader's rounding, which one thread draws into a band of rows: by as many
+// Triangles on the screen, with bounds for a shader's rounding. One thread draws them into a band of rows, with as many
 // lanes as the processor has.
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace nacre {
 struct TriangleLens {
     std::uint32_t width = 0, height = 0;
     bool perspective = false;
-    bool frontsOnly = false;                // those that certainly turn away hold no centre
+    bool frontsOnly = false;                // triangles that certainly face away contain no centre
     float axisX = 0, axisY = 0, error = 0;  // pixels
     float errorOfZ = 0;
     bool clips = false;
@@ -46,7 +46,7 @@ struct TriangleShapes {
     template <typename T>
     using Row = T[kMost];
 
-    Row<float> nearest;                          ///< Z; of those that are invisible, since they turn away: kNowhere
+    Row<float> nearest;                          ///< Z; kNowhere if it is invisible because it faces away
     Row<std::int32_t> left, right, top, bottom;  ///< range of pixels whose centres it may contain; right and bottom are
                                                  ///< exclusive
     static constexpr float kNowhere = 3.402823466e+38f;
@@ -60,12 +60,12 @@ struct TriangleShapes {
     Row<float> inside[3];         ///< edges above these: certainly inside; infinite for splinters
     Plane key;                    ///< for a splinter: its maximum, as a constant
     Row<float> error;             ///< of a key
-    std::uint32_t splinters = 0;  ///< a bit for each that is so narrow that nothing about it is certain
+    std::uint32_t splinters = 0;  ///< a bit for each that is too narrow for any certainty
 };
 
-/// Rows of a picture that one thread draws into: of each pixel the nearest triangle that certainly contains the centre.
+/// Rows of a picture for one thread: for each pixel, the nearest triangle that certainly contains its centre.
 struct TriangleBand {
-    static constexpr std::uint32_t kRoom = 16;  ///< pixels of a row that are read beyond the last
+    static constexpr std::uint32_t kRoom = 16;  ///< pixels that are read beyond the end of a row
     static constexpr std::uint32_t kNone = 0xffffffffu;
 
     const TriangleLens* lens = nullptr;
@@ -73,14 +73,14 @@ struct TriangleBand {
     std::size_t pitch = 0;
     float *behind = nullptr, *before = nullptr;  ///< bounds of the key of each pixel's triangle
     std::uint32_t* index = nullptr;              ///< of the triangle
-    std::uint8_t* rows = nullptr;                ///< those that hold anything
+    std::uint8_t* rows = nullptr;                ///< rows that are not empty
     std::vector<std::uint32_t>* ambiguous = nullptr;
 
     void beginRow(std::int32_t y) const;
     /// Notes that a triangle may be nearer than a pixel's.
     void doubt(std::uint32_t triangle) const;
-    /// Draws a triangle that may hold a centre. @param key  the largest that it may have there
-    /// @param certain  whether it holds it
+    /// Draws a triangle that may contain a centre. @param key  its largest possible key there
+    /// @param certain  whether it certainly contains the centre
     void hold(const TriangleShapes& shapes, std::uint32_t i, std::uint32_t triangle, std::size_t at, float key,
               bool certain) const;
 
@@ -94,7 +94,7 @@ private:
 using DrawTriangles = void (*)(const TriangleBand& band, TriangleShapes& shapes, const Triangle* triangles,
                                std::uint32_t count, const glm::vec4* corners, std::uint32_t index);
 
-/// Where vertices are seen. @param count  a multiple of 16
+/// Places vertices in the picture. @param count  a multiple of 16
 using PlaceCorners = void (*)(const CornerPlace& place, const MeshVertex* vertices, std::size_t count, float step,
                               glm::vec4* to);
 
@@ -104,7 +104,7 @@ struct TriangleLanes {
     PlaceCorners place = nullptr;
 };
 
-/// Lane counts that this processor can use, ascending: 4, then 8.
+/// Lane counts that this processor supports, ascending: 4, then 8.
 std::span<const TriangleLanes> triangleLanes();
 
 }  // namespace nacre

@@ -71,7 +71,7 @@ float Ccp4Reader::real(int word) const {
     return std::bit_cast<float>(bitsAt(header_.data() + 4 * (word - 1), swapped_));
 }
 
-/// By plausibility, since the machine stamp is wrong in some files.
+/// Decides by plausibility, since the machine stamp is wrong in some files.
 void Ccp4Reader::findByteOrder() {
     constexpr bool kHostIsBig = std::endian::native == std::endian::big;
     const char stamp = header_[4 * (kStamp - 1)];
@@ -114,7 +114,7 @@ void Ccp4Reader::readGeometry() {
     if (!box_.cell.isValid()) cannotReadMap(name_, "its cell has no volume: damaged, or not a CCP4 or MRC map");
     box_.spaceGroup = integer(kGroup);
     if (box_.spaceGroup < 0 || box_.spaceGroup > kMostGroup) box_.spaceGroup = 0;  // stacks of images and volumes
-    bool beyond = false;                                                           // larger than a cell
+    bool beyond = false;                                                           // the box is larger than a cell
     for (int i = 0; i < 3; ++i) beyond |= box_.size[i] > box_.intervals[i];
     // Space group 1 may also mean a volume in a rectangular box.
     box_.crystal = box_.spaceGroup > 1 || (box_.spaceGroup == 1 && (beyond || !box_.cell.isRectangular()));

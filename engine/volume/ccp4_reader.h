@@ -14,7 +14,7 @@ class Ccp4Reader {
 public:
     static constexpr std::size_t kHeader = 1024;
 
-    /// @param mostBytes  size of the inflated file: a header that announces more is refused before memory is allocated
+    /// @param mostBytes  limit of the inflated file: a header that announces more is refused before memory is allocated
     Ccp4Reader(std::string name, const MapLimits& limits, std::uint64_t mostBytes)
         : name_(std::move(name)), limits_(limits), mostBytes_(mostBytes) {}
 
@@ -23,7 +23,7 @@ public:
     /// Call after the last bytes. @throws Error if bytes are missing, or no value is a number
     DensityMap finish();
 
-    /// Whether the first bytes may be such a map: they have the word MAP, or a plausible header.
+    /// Whether the first bytes may be such a map: they contain the word MAP, or a plausible header.
     static bool recognises(std::string_view start);
 
 private:
@@ -46,7 +46,7 @@ private:
     int mode_ = 0;
     std::size_t extended_ = 0, valueBytes_ = 0;
     MapBox box_;
-    bool placed_ = false;  ///< by ORIGIN, not NSTART
+    bool placed_ = false;  ///< placed by ORIGIN, not NSTART
     glm::dvec3 place_{};
     std::string rest_;         ///< first bytes of a value split between pieces
     std::uint64_t taken_ = 0;  ///< values

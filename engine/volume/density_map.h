@@ -27,21 +27,21 @@ struct MapStatistics {
 struct DensityMap {
     std::string name;                  ///< for messages
     std::string format;                ///< "ccp4", "dx", "cube", "dsn6" or "density-server"
-    UnitCell cell;                     ///< of a crystal; else the box
+    UnitCell cell;                     ///< of a crystal; otherwise of the box
     int spaceGroup = 0;                ///< number in the International Tables; 0: none
     bool periodic = false;             ///< a crystal: the nodes are those of one cell, which repeats
     glm::ivec3 size{};                 ///< nodes along a, b and c
     glm::dvec3 origin{};               ///< place of node (0, 0, 0), Å
     glm::dmat3 step{1};                ///< columns: from a node to the next along a, b and c, Å
-    MapValues values;                  ///< a fastest, c slowest; not a number where nothing is known
+    MapValues values;                  ///< a fastest, c slowest; NaN where unknown
     MapStatistics statistics;          ///< over a crystal's cell, or the box
-    std::array<int, 3> axes{1, 2, 3};  ///< in the file: which of a, b, c columns, rows and sections are
+    std::array<int, 3> axes{1, 2, 3};  ///< the axes (1 to 3: a to c) of the file's columns, rows and sections
     glm::ivec3 boxSize{},
-        boxStart{};           ///< nodes that the file holds along a, b, c, and the first one's place in the cell
+        boxStart{};           ///< nodes in the file along a, b, c, and the position of the first one in the cell
     bool difference = false;  ///< show positive and negative density; for names like "diff" or "fo-fc"
     std::optional<double> depositedLevel;  ///< recommended by the depositors, in the unit of the values
     std::vector<std::string> warnings;     ///< one sentence each
-    ReadNotes notes;                       ///< what of the file is not in the map
+    ReadNotes notes;                       ///< parts of the file that were not read
 
     std::size_t index(const glm::ivec3& node) const {
         return (static_cast<std::size_t>(node.z) * size.y + node.y) * size.x + node.x;
@@ -58,7 +58,7 @@ constexpr float kUnknownDensity = std::numeric_limits<float>::quiet_NaN();
 /// Trilinear interpolation; NaN outside of a box, or next to unknown nodes.
 double valueAt(const DensityMap& map, const glm::dvec3& position);
 
-/// The level exceeded by a fraction of the known values. Uses a histogram of 2^20 bins.
+/// The level that a fraction of the known values exceeds. Uses a histogram of 2^20 bins.
 /// @param share  0..1 @param ofBothSigns  of absolute values
 double levelOfTopShare(const DensityMap& map, double share, bool ofBothSigns = false);
 

@@ -86,7 +86,7 @@ bool contains(const std::string& text, std::initializer_list<const char*> words)
                        [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
-/// By the names of refinement programs and archives.
+/// Decides by the names that refinement programs and archives use.
 bool isDifference(const std::string& path) {
     const std::string name = lowerCase(path.substr(path.find_last_of('/') + 1));
     return contains(name, {"diff", "fofc", "fo-fc", "fo_fc"}) && !contains(name, {"2fofc", "2fo-fc", "2fo_fc"});
@@ -125,12 +125,12 @@ std::size_t heldNodes(const std::string& name, const glm::ivec3& size, const Map
 
 void checkCell(const std::string& name, const MapBox& box, const MapLimits& limits) {
     if (!box.crystal) return;
-    // Beside the cell: the values of the box, and a bit for each node.
+    // In addition to the cell: the values of the box, and a bit per node.
     const double nodes = static_cast<double>(box.intervals.x) * box.intervals.y * box.intervals.z;
     const std::uint64_t beside =
         sizeof(float) * checkedNodes(name, box.size, limits) + static_cast<std::uint64_t>(std::min(nodes / 8, 1e18));
     checkedNodes(name, box.intervals, limits, beside);
-    // Values of the file at all 192 places of the largest groups, and four times that for unknown nodes.
+    // Covers the file's values at all 192 places of the largest groups, and four times as many unknown nodes.
     constexpr double kAnyCell = 1 << 24, kMostTimes = 4 * 192;
     const double filled = kMostTimes * static_cast<double>(box.size.x) * box.size.y * box.size.z;
     if (nodes > std::max(kAnyCell, filled))
@@ -220,7 +220,7 @@ std::string_view cutNumber(std::string_view& words) {
 
 }  // namespace
 
-// A number takes a digit, and a blank or a sign, at least.
+// A number takes at least a digit, and a blank or a sign.
 GridValues::GridValues(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::string_view text,
                        std::size_t perNode)
     : name_(name),

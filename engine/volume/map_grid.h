@@ -36,7 +36,7 @@ struct MapBox {
 /// @throws Error if it is zero or too large
 std::size_t checkedNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits,
                          std::uint64_t beside = 0);
-/// As above for values that a file holds. @param held  values that it has room for @throws Error if there are fewer
+/// As above for values in a file. @param held  room for values in the file @throws Error if it is too small
 std::size_t heldNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::uint64_t held);
 /// Checks a crystal's whole cell before its box is read. @throws Error if both together are too large, or the cell is
 /// far too large for the box
@@ -46,11 +46,11 @@ void checkCell(const std::string& name, const MapBox& box, const MapLimits& limi
 /// finite become unknown. @param shift  of a box: position of its first node, Å @throws Error if no value is known
 DensityMap completed(const std::string& name, const char* format, MapBox box, const MapLimits& limits,
                      const glm::dvec3* shift = nullptr);
-/// As above for a grid without a cell: `step` are its edges.
+/// As above for a grid without a cell, with the edges `step`.
 DensityMap completed(const std::string& name, const char* format, const glm::ivec3& size, const glm::dvec3& origin,
                      const glm::dmat3& step, std::vector<float> values);
 
-/// Readers of whole inflated texts.
+/// Readers of complete, inflated texts.
 DensityMap readDx(const std::string& name, std::string_view text, const MapLimits& limits);
 DensityMap readCube(const std::string& name, std::string_view text, const MapLimits& limits);
 DensityMap readDsn6(const std::string& name, std::string_view bytes, const MapLimits& limits);
@@ -65,7 +65,7 @@ public:
                std::size_t perNode = 1);
     /// Reads the expected number of values. @param line  of the text's first @throws Error if some are missing
     void read(std::uint64_t line);
-    /// With the first axis fastest.
+    /// The values, with the first axis fastest.
     std::vector<float> done() { return std::move(values_); }
 
 private:

@@ -25,7 +25,7 @@ public:
     auto begin() const { return all().begin(); }
     auto end() const { return all().end(); }
 
-    /// Values for writing; copies this object's share if others use it.
+    /// Values for writing; copies them first if others share them.
     std::vector<float>& change() {
         if (values_.use_count() != 1) values_ = std::make_shared<std::vector<float>>(all());
         return *values_;

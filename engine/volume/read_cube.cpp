@@ -1,4 +1,4 @@
-// Gaussian cube files: densities, potentials and orbitals. gaussian.com/cubegen has the format.
+// Gaussian cube files: densities, potentials and orbitals. Format: gaussian.com/cubegen.
 #include <algorithm>
 #include <cmath>
 
@@ -86,7 +86,7 @@ private:
     const std::string& name_;
     MapLimits limits_;
     LineReader lines_;
-    std::string apart_;  ///< the current line, its numbers apart
+    std::string apart_;  ///< the current line, with its numbers separated
 };
 
 }  // namespace

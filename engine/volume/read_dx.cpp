@@ -1,4 +1,4 @@
-// OpenDX scalar fields on regular grids, as APBS and other solvers of Poisson and Boltzmann's equation write them. Å.
+// OpenDX scalar fields on regular grids, from APBS and other Poisson-Boltzmann solvers. Å.
 #include "engine/volume/map_grid.h"
 
 namespace nacre {

@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::size_t kStart = 4096;  // bytes needed to detect a format
 constexpr std::size_t kPiece = 1 << 20;
-// decompress.h refuses a compressed file that announces more.
+// decompress.h refuses compressed files that announce more.
 constexpr std::uint64_t kMostRatio = 100, kAnyRatio = std::uint64_t{64} << 20;
 
 enum class MapFormat { none, ccp4, dx, cube, dsn6, densityServer };
 
-/// Ends in one of these, before the ending of a compression.
+/// Whether a name ends in one of these, before the extension of a compression.
 bool endsIn(std::string_view name, std::initializer_list<std::string_view> endings) {
     std::string lower = lowerCase(name);
     for (const char* packed : {".gz", ".bz2", ".xz", ".zst"})

@@ -19,9 +19,9 @@ struct SymmetryOperation {
     bool isIdentity() const;
 };
 
-/// By a space group's number, in the setting that fits the cell; empty if the group is unknown.
+/// Operations of a space group by its number, in the setting that fits the cell; empty if the group is unknown.
 std::vector<SymmetryOperation> operationsOf(int spaceGroup, const UnitCell& cell);
-/// "-X,Y+1/2,-Z"; empty if malformed.
+/// Parses "-X,Y+1/2,-Z"; empty if malformed.
 std::optional<SymmetryOperation> parseOperation(std::string_view text);
 
 /// Maps the nodes of a cell's grid: node' = rows node + shift, before wrapping.
@@ -29,7 +29,7 @@ struct NodeOperation {
     std::array<std::array<int, 3>, 3> rows{};
     std::array<int, 3> shift{};
 };
-/// Empty if it does not map nodes to nodes.
+/// The operation on nodes; empty if it does not map nodes to nodes.
 std::optional<NodeOperation> onNodes(const SymmetryOperation& operation, const glm::ivec3& intervals);
 
 }  // namespace nacre
