@@ -44,11 +44,11 @@ bool isHidden(float d) { return !isFrontmost(d, texelFetch(nearest, ivec2(gl_Fra
 /// Visible data of a pixel's primitive of any kind; shading follows once for all kinds.
 struct Shown {
     Hit hit;
-    uint look;  // index of the primitive's colour in the looks, followed by its atom
+    uint look;  // index of the primitive's colour in the looks, which its atom's number follows
     uvec3 corners;  // triangles: the same for each corner
     float occlusion;  // triangles; others read a texel of a patch:
     uint patchAddress;
-    vec2 at, texels;  // position in the patch, 0..1, and its size
+    vec2 at, texels;  // position in the patch, 0..1, and the patch's size
     bool wire;        // a wire, which has no occlusion
 };
 

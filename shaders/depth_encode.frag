@@ -1,6 +1,6 @@
 #version 440
-// Depth encoding: the hit's depth as a colour, for MIN blending. A pixel outside writes the neutral value instead of
-// discarding, so that early depth tests stay possible.
+// Depth encoding: the hit's depth as a colour, for MIN blending. A fragment that misses writes the neutral value
+// instead of discarding, so that early depth tests stay possible.
 #extension GL_GOOGLE_include_directive : require
 #include "common/primitive.glsl"
 #include "common/count.glsl"

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-/// NACRE_WORDS(NAME, FILE, COUNT): a file's words as `const std::uint32_t NAME[COUNT]`, read by the assembler. As
-/// numbers in a source they would take the compiler five seconds.
+/// NACRE_WORDS(NAME, FILE, COUNT): a file's words as `const std::uint32_t NAME[COUNT]`, read by the assembler. The
+/// compiler would take five seconds for them as numbers.
 #ifdef __APPLE__
 #define NACRE_WORDS_SECTION "__TEXT,__const"
 #else

@@ -4,7 +4,7 @@
 //   INPUT / SAMPLED / FRAGDEPTH   where the nearest depth is: an input attachment, a texture, the depth buffer
 //   ORDERED       an attachment that this pass itself keeps, read in raster order
 //   MULTISAMPLED  with FRAGDEPTH or ORDERED: four samples of a pixel, covered exactly, in one fragment
-//   SETTLE        with INPUT or SAMPLED: encoded depth is coarse, the depth buffer settles what it leaves open
+//   SETTLE        with INPUT or SAMPLED: encoded depth is coarse, the depth buffer resolves ties
 //   SURFACE / IDENTITY            layers instead of colour
 //   FETCHED       colour of spheres and triangles: as in common/primitive.glsl
 #extension GL_GOOGLE_include_directive : require

@@ -5,7 +5,7 @@
 //   CIRCLES   of each pixel: its light's square root as bytes, and its circle
 //   REACH     the largest circles of a block of pixels: of those before the focus, and of all
 //   SPREAD    the largest circles that reach into a block
-//   SOFT      what pixels with large circles show, by few samples
+//   SOFT      colour of pixels with large circles, by few samples
 //   GATHER    over the picture, what is not sharp: of pixels with large circles the mean of 4 x 4, whose samples are
 //             others in each, and what the rest show by many samples
 #extension GL_GOOGLE_include_directive : require
@@ -39,7 +39,8 @@ void main() {
     float Z = depthAt(here), nearest = Z;
     vec4 seen = texelFetch(picture, here, 0);
     if (kCoded) seen.rgb = linearFromSrgb(seen.rgb);
-    // An outline has the depth of what it surrounds, and so has a pixel that is covered beside its centre.
+    // An outline has the depth of the shape that it surrounds, and so has a pixel that is covered only beside its
+    // centre.
     bool partly = Z == kNothing && seen.a > 0.0;
     float room = partly ? rim.x + 1.5 : rim.x > 0.0 ? rim.x + 0.5 : 0.0;
     // Rings of twelve samples around the pixel: outlined shapes are wider than the gaps. A float counter, because

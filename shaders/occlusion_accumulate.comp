@@ -4,7 +4,7 @@
 // CYLINDER, VERTEX: texels of cylinders, of meshes. WHOLE: one value per sphere, tested at its point facing the light.
 // HEIGHTS: the maps are a buffer of heights from tile_depth.comp; else an image of encoded depth.
 // TEXELS: these and the directions are read as texels.
-// NARROW: directions take few words (layout.h), for drivers where every invocation loads them.
+// NARROW: directions take few words (layout.h), for drivers that load them in every invocation.
 // PAIRS: an invocation tests two texels, and loads each direction once for both.
 // All lengths here are pixels of a depth map: directions rotate, scale and shift into the map, rows downwards.
 #extension GL_GOOGLE_include_directive : require

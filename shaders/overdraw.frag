@@ -1,5 +1,5 @@
 #version 440
-// Adds one per fragment that passes the early depth test, whether inside the outline or not, by blending.
+// Adds one, by blending, for each fragment that passes the early depth test, inside the outline or not.
 #extension GL_GOOGLE_include_directive : require
 #include "common/count.glsl"
 
@@ -22,6 +22,6 @@ layout(location = 0) out vec4 count;
 
 void main() {
     countFragment();
-    // Uses the record because the vertex stage passes it; every primitive has a radius.
+    // Reads the radius to use the record that the vertex stage passes; every primitive has a radius.
     count = vec4(radius() > 0.0 ? 1.0 / 255.0 : 0.0);
 }

@@ -1,5 +1,5 @@
 #version 440
-// Overlay over the picture: triangles in pixels of the upright window.
+// Application triangles over the picture, in pixels of the upright window.
 #extension GL_GOOGLE_include_directive : require
 #include "common/srgb.glsl"
 #include "common/turn.glsl"

@@ -1,6 +1,6 @@
 #version 440
 // The opaque plate of a sphere: an octagon fully inside it, facing the view plane. Everything behind it is hidden by
-// the sphere itself, so plates never change a pixel. Plates beyond a clipping plane are not drawn.
+// the sphere itself, so plates never change a pixel. Clipped plates are not drawn.
 #extension GL_GOOGLE_include_directive : require
 #include "common/view.glsl"
 

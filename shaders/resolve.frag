@@ -41,7 +41,7 @@ void main() {
         color = sampleAt(first);
         return;
     }
-    // Idle lanes of a software device take one iteration.
+    // Idle lanes of a software device run one iteration.
     vec4 sum = vec4(0.0);
     ivec2 at = ivec2(0);
     int taken = 0;

@@ -1,5 +1,5 @@
 #version 440
-// Lines and halos. What shows around a primitive depends on what is behind it, which is known by now. A MAX blend keeps
+// Outlines and halos. The rim of a primitive depends on the surface behind it, which is known by now. A MAX blend keeps
 // the densest of several rims in a pixel.
 //   CYLINDER, TRIANGLE   as in common/primitive.glsl
 //   INPUT / SAMPLED      where numbers and distances are
@@ -9,7 +9,7 @@
 
 layout(early_fragment_tests) in;
 layout(location = 4) flat in uint primitive;  // as in identify.frag
-layout(location = 0) out vec4 rim;  // visibility of the line through fog, whether there is a line, density of the halo
+layout(location = 0) out vec4 rim;  // freedom of the outline from fog, whether there is an outline, density of the halo
 #ifdef INPUT
 layout(input_attachment_index = 0, set = 0, binding = 3) uniform usubpassInput nearestPrimitive;
 uvec2 nearestHere() { return subpassLoad(nearestPrimitive).xy; }

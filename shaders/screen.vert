@@ -1,5 +1,5 @@
 #version 440
-// One triangle over the whole screen; or a strip of four corners, nothing of which is clipped.
+// One triangle over the whole screen; or a strip of four corners, of which nothing is clipped.
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 

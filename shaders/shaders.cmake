@@ -1,15 +1,16 @@
 # Compiles every stage at build time, validates it, and embeds it as words.
 # nacre_shader(NAME SOURCE [DEFINE...]) makes the header NAME.h with `const std::uint32_t NAME[]`; the engine's own are declared
 # in "shaders.h" and defined in shaders.cpp, so that no other file reads their words.
-# Stages begin with #version 440: glslang makes the symbols of 450 anew in each run, which took half of its time.
+# Stages begin with #version 440: for 450, glslang builds its symbols anew in each run, which took half of its time.
 set(NACRE_SHADER_DIR ${CMAKE_BINARY_DIR}/shaders)
 file(MAKE_DIRECTORY ${NACRE_SHADER_DIR})
 set(NACRE_SHADER_EMBED ${CMAKE_SOURCE_DIR}/shaders/embed.sh)
 set(NACRE_SHADER_HEADERS)
 set(NACRE_SHADER_NAMES)
-# Of those that read texel buffers, as software devices do: calls are inlined and variables become values here, not by Mesa in
-# each process. Phones' compilers do better without: Adreno's vertex shader of plates has 27 instructions so, 37 with it.
-# Blocks are not merged, as by -O: the validation layer (1.3.239) makes invalid loops of them where it instruments shaders.
+# Optimises stages that read texel buffers, as on software devices: calls are inlined and variables become values here,
+# not by Mesa in each process. Phones' compilers do better without: Adreno's vertex shader of plates has 27 instructions
+# without, 37 with it. Blocks are not merged, as -O would: the validation layer (1.3.239) makes invalid loops of them
+# where it instruments shaders.
 set(NACRE_SHADER_PASSES
     --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions --private-to-local
     --scalar-replacement=100 --convert-local-access-chains --eliminate-local-single-store --ssa-rewrite
@@ -41,8 +42,8 @@ function(nacre_shader name source)
     set(NACRE_SHADER_NAMES ${NACRE_SHADER_NAMES} ${name} PARENT_SCOPE)
 endfunction()
 
-# An optimised stage that shades comes twice: as it is, and counting what it shades. The others are changed for that where
-# they are used (engine/gpu/counting_shader.h).
+# An optimised stage that shades has two variants: as it is, and counting its fragments. Other stages are changed for
+# that where they are used (engine/gpu/counting_shader.h).
 function(nacre_counted name source)
     nacre_shader(${name} ${source} ${ARGN})
     if("TEXELS" IN_LIST ARGN)
@@ -52,7 +53,7 @@ function(nacre_counted name source)
     set(NACRE_SHADER_NAMES ${NACRE_SHADER_NAMES} PARENT_SCOPE)
 endfunction()
 
-# A stage of frames that may draw two views at once comes twice, too: gl_ViewIndex needs a capability.
+# A stage of frames that may draw two views at once has two variants: gl_ViewIndex needs a capability.
 function(nacre_eyes name source)
     nacre_shader(${name} ${source} ${ARGN})
     nacre_shader(${name}Eyes ${source} ${ARGN} EYES)
@@ -61,7 +62,7 @@ function(nacre_eyes name source)
     set(NACRE_SHADERS_OF_EYES ${NACRE_SHADERS_OF_EYES} ${name} PARENT_SCOPE)
 endfunction()
 
-# How shading learns of the nearest depth. Sets path_defines, as INPUT;SETTLE of InputSettle.
+# The source of the nearest depth for shading. Sets path_defines, such as INPUT;SETTLE for InputSettle.
 set(paths Input Sampled Fragdepth Ordered InputSettle SampledSettle)
 macro(nacre_path_defines path)
     string(REPLACE Settle ";Settle" path_defines ${path})
@@ -102,7 +103,7 @@ foreach(primitive Sphere Cylinder Triangle)
         nacre_eyes(color${primitive}${path}Multisampled impostor.frag ${define} ${path_define} MULTISAMPLED)
     endforeach()
 endforeach()
-# For GPUs whose vertex outputs go through memory. Fragments are counted by the others.
+# For GPUs whose vertex outputs go through memory. The other variants count fragments.
 nacre_eyes(lookSphereFetchedVertex sphere.vert LOOK FETCHED)
 nacre_eyes(geometryTriangleFetchedVertex triangle.vert FETCHED)
 nacre_eyes(geometryTriangleFetchedReadsVertex triangle.vert FETCHED READS)
@@ -130,7 +131,7 @@ if(NACRE_SOFTWARE)  # engine/software
     nacre_shader(edgeColorStorage edge_color.frag)
     nacre_shader(tileEdgePixelsTexels tile_edge_pixels.comp TEXELS)
     nacre_shader(tileEdgePixelsStorage tile_edge_pixels.comp)
-    # What a scene has: spheres, cylinders beside them, or triangles beside both.
+    # The kinds of primitives in a scene: spheres, also cylinders, or also triangles.
     set(definesSpheres)
     set(definesCylinders CYLINDERS)
     set(definesTriangles CYLINDERS TRIANGLES)

@@ -1,6 +1,6 @@
 #version 440
-// Depth maps of the occlusion bake by tiles: one subgroup draws 8 x 8 pixels of a batch's maps, which are side by side;
-// each shows its own copies and rotation. Lists and early exit as in tile_nearest.comp; keeps heights only, and merges
+// Depth maps of the occlusion bake by tiles: one subgroup draws 8 x 8 pixels of a batch's maps, which lie side by side,
+// each with its own copies and rotation. Lists and early exit as in tile_nearest.comp; keeps heights only, and merges
 // them with those of earlier parts of the molecule.
 //   TEXELS, CYLINDERS   as in tile_nearest.comp
 #extension GL_GOOGLE_include_directive : require

@@ -1,6 +1,6 @@
 #version 440
 // Finds edge pixels of the `tiles` path's picture: their sight differs from one of their four neighbours' (any straight
-// edge through a pixel separates its centre from one of theirs), and, where colours are known, so does the colour. A
+// edge through a pixel separates its centre from a neighbour's), and, where colours are known, so does the colour. A
 // subgroup processes a bin, each lane a column four pixels wide, and lists pixels in groups of one per lane, so that
 // drawing always fills the lanes.
 //   TEXELS   as in common/streams.glsl
@@ -55,7 +55,7 @@ bvec4 apart(uvec4 a, uvec4 b) {
     uvec4 even = ((a & bytes) + room - (b & bytes)) & within, odd = ((a >> 8 & bytes) + room - (b >> 8 & bytes)) & within;
     return notEqual((even ^ none) | (odd ^ none), uvec4(0u));
 }
-/// 1 where a boundary lies between pixels.
+/// 1 where a boundary lies between two pixels.
 uvec4 parts(Row a, Row b) {
     uvec4 differs = uvec4(notEqual(a.sights, b.sights));
     // Equal colours may still have an outline narrower than a pixel between them.
@@ -77,7 +77,7 @@ Row rightOf(Row row, uint at, bool last) {
 
 uint lowestOf(uint bits) { return bits == 0u ? 0u : (floatBitsToUint(float(bits & (0u - bits))) >> 23) - 127u; }
 
-/// @param bits  of pixels from a corner on @param to  where to list them
+/// @param bits  of pixels, counted from a corner @param to  where to list them
 void list(uint bits, uvec2 corner, uint to) {
     bool more = true;
     do {

@@ -118,7 +118,7 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint division, uint number, bool live) {
         depth[k] = dot(shares[k], heights);
         alike[k] = claimsOf(inSpace, division);
     }
-    // Ties up to rounding resolve to the first.
+    // Resolves ties up to rounding in favour of the first.
     alike[0] += vec3(2e-6, 1e-6, 0.0) * (kPerspective ? abs(a.z) : 1.0);
     live = live && sum != 0.0;
     for (int i = 0; i < kSamples; ++i) {
@@ -127,7 +127,7 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint division, uint number, bool live) {
         float along = depth.x + depth.y * d.x + depth.z * d.y;
         vec3 looks = alike[0] + alike[1] * d.x + alike[2] * d.y;
         uint flag = looks.x >= max(looks.y, looks.z) ? 0u : looks.y >= looks.z ? kSecondHalf : kThirdCorner;
-        // No sample may fall between two triangles that meet there.
+        // No sample may fall between two adjacent triangles.
         bool inside = live && min(here.x, min(here.y, here.z)) >= -1e-5;
         keep(i, inside, kPerspective ? 1.0 / along : along, number | flag);
     }

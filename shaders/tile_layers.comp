@@ -34,7 +34,7 @@ vec2 through[kPixels];
 float first[kPixels], second[kPixels];
 uint firstNumber[kPixels], secondNumber[kPixels];
 
-/// The first layer becomes the second if something is in front of it, unless both are one layer.
+/// Keeps the two nearest layers. A hit in front of the first moves it to second place, unless both are one layer.
 void keep(int i, Hit hit, uint candidate, bool live) {
     float d = encodedDepth(hit.order);
     bool inside = live && hit.inside;

@@ -6,7 +6,7 @@
 //   TEXELS      as in common/streams.glsl
 //   CYLINDERS, TRIANGLES   the scene has some
 // SHADED      writes sRGB-coded colours instead of numbers, row by row
-// RIMS        with SHADED: finds lines and halos in a second pass over the list, and composites them
+// RIMS        with SHADED: finds outlines and halos in a second pass over the list, and composites them
 // lavapipe 22.3 runs each loop body at least once; the extra iteration is harmless.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -63,7 +63,7 @@ float nearest[kPixels];
 uint number[kPixels];
 
 #ifdef RIMS
-/// The samples of a picture's pixel are 4 x 4 pixels of this frame, positioned as those of an edge.
+/// Samples of a picture's pixel are 4 x 4 pixels of this frame, at the positions of edge samples.
 vec2 sampledAt(vec2 pixel) {
     uvec2 p = uvec2(pixel), own = p & 3u;
     vec2 among = vec2(p - own) + 4.0 * sampleAt(int(4u * own.y + own.x));
@@ -120,7 +120,7 @@ uint sightAt(uint number, vec2 q) {
     return number == 0u ? 0u : sight;
 }
 
-/// Marks a sight that changes between corners of its pixel: the tip of a contour line.
+/// Marks a sight that changes between corners of its pixel: the tip of an outline.
 uint marked(uint sight, vec2 pixel, float width, float depth) {
     if (!kContours || !kNumbered) return sight;
     view.contourWidth = width;
@@ -143,7 +143,7 @@ layout(set = 0, binding = 8, std430) writeonly buffer PixelNumbers { uint pixelN
 const uint kBalls = 0u, kSticks = 1u, kFacets = 2u;
 
 #ifdef RIMS
-/// Coded colour with halos and lines. @param seen  linear, premultiplied
+/// Coded colour with halos and outlines. @param seen  linear, premultiplied
 uint rimmed(vec4 seen, uint rimWord) {
     vec4 shown = underRim(seen, unpackUnorm4x8(rimWord).rgb);
     return packUnorm4x8(vec4(asTargetTakesIt(shown.rgb), shown.a));
@@ -228,7 +228,7 @@ void drawTile(uint index, bool last) {
     float width = view.contourWidth, depth = view.contourDepth;
 #ifdef RIMS
     uint begin_ = at;
-    // Contour lines drawn as rims are no hits; neither are lines without a width.
+    // Outlines that are drawn as rims are no hits, nor are outlines without a width.
     view.contourWidth = effects.lineWidth > 0.0 || width == 0.0 ? -1e30 : width;
 #endif
     bool more = true;  // the word before an empty list is the number of a primitive
@@ -286,11 +286,11 @@ void drawTile(uint index, bool last) {
     view.contourWidth = chosenWidth;
     if (chosenWidth > 0.0)
 #endif
-    view.contourWidth = 1e9;  // a chosen candidate that is not inside is on the line
+    view.contourWidth = 1e9;  // a chosen candidate that is not inside is on the outline
     view.contourDepth = 0.0;
 #ifdef SHADED
 #ifdef CYLINDERS
-    // Clears empty pixels, except for halos and lines over them, and for initial hits that turn out to be misses.
+    // Clears empty pixels, except for halos and outlines over them, and for initial hits that turn out to be misses.
 #ifdef RIMS
     for (int i = 0; i < kPixels; ++i) {
         uvec2 on = uvec2(i * kLanes) / uvec2(1u, kTile) % uint(kTile);

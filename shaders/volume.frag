@@ -1,7 +1,6 @@
 #version 440
-// Rays through a brick of a density map, front to back, in front of what is opaque. A step is at most half a voxel and
-// is sampled in its middle; steps are the same in all bricks, so that none shows its border.
-//   INPUT / SAMPLED   where the opaque depth is: an input attachment, a texture
+// Rays through a brick of a density map, front to back, in front of opaque surfaces. A step is at most half a voxel and
+// is sampled in its middle. All bricks have the same steps, so that no border shows.
 #extension GL_GOOGLE_include_directive : require
 #include "common/view.glsl"
 #include "common/effects.glsl"
@@ -21,7 +20,7 @@ layout(constant_id = kBehindLayerId) const bool kBehindLayer = false;
 layout(constant_id = kBeforeLayerId) const bool kBeforeLayer = false;
 layout(location = 0) out vec4 color;  // linear, premultiplied
 
-/// Z of an encoded depth; none in front of the far end is nothing.
+/// Z of an encoded depth; beyond the far end if nothing is there.
 float distanceOf(float d) { return d < 1.0 ? view.depthStart + d / view.perRange : kNoPlane; }
 
 /// Colour of a value, and its opacity over 1 Å.
@@ -53,7 +52,7 @@ void main() {
     if (kBehindLayer) begin = max(begin, distanceOf(texelFetch(behind, ivec2(gl_FragCoord.xy), 0).x));
     if (kBeforeLayer) end = min(end, distanceOf(texelFetch(before, ivec2(gl_FragCoord.xy), 0).x));
     if (!(begin < end)) discard;
-    begin = min(begin, end);  // invocations that are discarded may go on: without steps
+    begin = min(begin, end);  // discarded invocations may continue: without steps
 
     float angstroms = length(way), stepZ = brick.perSize.w / angstroms;  // of a Z of 1, and of a whole step
     int first = int(floor(begin / stepZ)), last = int(floor(end / stepZ));

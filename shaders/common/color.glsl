@@ -121,11 +121,11 @@ float meshOcclusion(Hit hit, uvec3 vertices) {
     return mean;
 }
 
-/// Occlusion is baked for the whole scene. Clipping lets in light that the bake does not know: brightens dark parts,
-/// keeping their order.
+/// Occlusion is baked for the whole scene. Clipping lets in light that the bake ignores: brightens dark parts, and
+/// keeps their order.
 float opened(float occlusion) { return mix(sqrt(occlusion), 1.0, 0.35); }
 
-/// For a molecule that moved since the bake, which lacks newly exposed surfaces.
+/// Minimum for a molecule that moved since its bake, which lacks newly exposed surfaces.
 float leastOcclusion() { return float(view.patchTexels >> 24) * (1.0 / 255.0); }
 
 /// Fraction of the direct light that reaches a hit: taps on a disc, in sunflower order, sample the light's depth map.

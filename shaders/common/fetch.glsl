@@ -1,5 +1,5 @@
 // Streams of a geometry pass for stages that fetch by index.
-//   READS   the stages read images, which precede the streams in the set
+//   READS   the stages also read images, which precede the streams in the set
 #ifdef READS
 #define FIRST 4
 #else

@@ -306,7 +306,7 @@ vec3 claimsOf(vec3 shares, uint division) {
 layout(constant_id = kFrontsOnlyId) const bool kFrontsOnly = false;
 /// A triangle from projected() corners. Depth is interpolated as a weighted mean of the corners', so a hit is never in
 /// front of or behind all of them. Triangles within kCapRise behind the near plane are its caps (mesh_caps.h). The inner
-/// side of a mesh without caps looks like one, at its own depth. Not of TRANSLUCENT ones, which are transparent.
+/// side of a mesh without caps looks like one, at its own depth. This excludes TRANSLUCENT meshes.
 /// @param division  as in claimsOf()
 Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint division, vec2 q) {
     Hit hit = noHit();

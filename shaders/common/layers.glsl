@@ -1,3 +1,3 @@
-// Layers of translucent primitives. At a common edge the depths of two triangles agree up to rounding: hits within this
-// distance of encoded depth are one layer.
+// Layers of translucent primitives. At a common edge the depths of two triangles agree up to rounding: hits closer than
+// this in encoded depth are one layer.
 const float kLayerStep = 2e-6;

@@ -14,7 +14,7 @@ using uint = std::uint32_t;
 #define constexpr const
 #endif
 
-// Specialization constants: a number has one meaning in all stages. View, and parts of the scene.
+// Specialization constants: each number has one meaning in all stages. View, and parts of the scene.
 const int kPerspectiveId = 0;   // bool
 const int kQuarterTurnsId = 1;  // clockwise, from the upright picture to the image
 const int kWholeImageId = 2;    // bool: the viewport is the whole image; false: it is centred on the view axis
@@ -23,14 +23,14 @@ const int kCutId = 4;           // bool: clipped parts cast no shadow
 const int kContoursId = 5;      // bool: primitives have outlines or rims
 const int kCopiesId = 6;        // bool: primitives have the transforms of copies
 const int kSpheresId = 7;       // bool: the scene has spheres
-const int kCylindersId = 8;     // bool: and cylinders
-const int kTrianglesId = 9;     // bool: and triangles
+const int kCylindersId = 8;     // bool: the scene has cylinders
+const int kTrianglesId = 9;     // bool: the scene has triangles
 const int kWiresId = 14;        // bool: there are wires among the cylinders
-const int kFrontsOnlyId = 17;   // bool: triangles are invisible from behind, as others of their meshes are in front
+const int kFrontsOnlyId = 17;   // bool: triangles are invisible from behind, hidden by fronts of their meshes
 // Polygons, and depth.
 const int kCornersId = 10;        // of a primitive's polygon
 const int kRimId = 11;            // float: of a plate, in radii of its sphere
-const int kPlateRoomId = 15;      // float: that a plate leaves to its sphere's rim, pixels
+const int kPlateRoomId = 15;      // float: margin between a plate and its sphere's rim, pixels
 const int kSnapId = 16;           // float: largest shift of a vertex by the rasteriser, pixels
 const int kDepthChannelsId = 12;  // of encoded depth
 const int kDepthStepsId = 13;     // per channel of encoded depth, less one; 0: the channel is the depth
@@ -46,11 +46,11 @@ const int kDeepeningId = 27;    // float: strength of occlusion, 0..1
 const int kCellsId = 28;        // bool: shaders interpolate occlusion themselves, from cells
 const int kCapId = 29;          // style of clipped surfaces: 0 plain, 1 dark, 2 hatched
 const int kFogId = 30;          // bool
-const int kShadowId = 31;       // bool: the light's depth map is asked
-const int kBlendColorsId = 33;  // bool: triangles go over from corner to corner in colour
-const int kMaterialId = 34;     // where a colour has none of its own
-const int kOwnMaterialId = 35;  // bool: some colours have one
-const int kCopyColorsId = 32;   // colours that the copies of an assembly take in turn; 0: they all look the same
+const int kShadowId = 31;       // bool: sample the light's depth map
+const int kBlendColorsId = 33;  // bool: triangles blend the colours of their corners
+const int kMaterialId = 34;     // of colours without their own
+const int kOwnMaterialId = 35;  // bool: some colours have their own material
+const int kCopyColorsId = 32;   // colours that copies of an assembly take in turn; 0: they look the same
 // Pictures.
 const int kCodedId = 40;    // bool: the target takes sRGB-coded colour unchanged
 const int kSamplesId = 41;  // n x n texels of a picture per pixel; 0: bilinear
@@ -59,15 +59,15 @@ const int kClearId = 43;    // float, four of them: clear colour of a picture, l
 // Drawing by tiles.
 const int kLanesId = 50;       // lanes of the subgroup that draws a tile
 const int kTilesInBinId = 51;  // per side, of tiles that share a list
-const int kSeededId = 52;      // bool: pixels begin with the triangle or sphere that the host found nearest
-const int kNumberedId = 53;    // bool: the frame has edges: numbers are sights; shading writes them as well
+const int kSeededId = 52;      // bool: pixels start with the nearest triangle or sphere that the host found
+const int kNumberedId = 53;    // bool: the frame has edges: numbers are sights, which shading also writes
 const int kEverywhereId = 54;  // bool: draw every pixel as an edge, where a bin may show a small primitive
 const int kListedId = 55;      // bool: samples of an edge search lists, not only neighbours
 const int kRowsId = 56;        // bool: edges are coded words among the other pixels
 const int kLayerId = 57;       // of translucent triangles: 0 the nearest
 // Density maps between translucent layers.
-const int kBehindLayerId = 70;  // bool: only what is behind a layer
-const int kBeforeLayerId = 71;  // bool: and before another
+const int kBehindLayerId = 70;  // bool: only parts behind a layer
+const int kBeforeLayerId = 71;  // bool: only parts in front of a layer
 // The occlusion bake.
 const int kBatchId = 60;       // depth maps per batch
 const int kMapsAcrossId = 61;  // maps per row of the image
@@ -85,12 +85,12 @@ const uint kSampleRowsHigh = 0x92E63DA7u;
 /// Bits of an atom's group for its residue; the rest is its chain. Residues this far apart are in different groups.
 const int kResidueBits = 12;
 const int kGroupResidues = 6;
-/// Caps lie in one plane: for comparison their depth is moved forward by up to this much, Å, the more the deeper a
-/// point is inside its atom. So the atom that contains it deepest shows, on every path, and nothing behind the plane.
+/// Caps lie in one plane. For comparison their depth is moved forward by up to this much, Å, more the deeper a point is
+/// inside its atom. So every path shows the atom that contains the point deepest, and nothing behind the plane.
 const float kCapDepth = 0.02f;
 // Å behind the near clipping plane within which a triangle is a cap of a mesh.
 const float kCapRise = 0.004f;
-/// Replaces the colour of an edge pixel, or a pixel in their list: not an edge.
+/// Replaces the colour of a pixel that is not an edge, and fills up the list of edge pixels.
 const uint kNoEdge = 0xffffffffu;
 /// Words before that list: number of full subgroups, and rows of pixels of the bins.
 const uint kEdgeHeader = 4u;
@@ -102,7 +102,7 @@ const uint kMaterials = 4u;
 const int kMostCopyColors = 16;
 
 /// Push constants of every geometry pass. Lengths in Å, view space as in engine/scene/view/camera.h. Z is the distance
-/// that layers report: origin - z (orthographic: origin = R, perspective: origin = eye).
+/// in layers: origin - z (orthographic: origin = R, perspective: origin = eye).
 struct ViewConstants {
     vec4 row0;  // of the current copy, xyz: a row of its rotation into view space, w: of its shift
     vec4 row1;
@@ -128,8 +128,8 @@ struct ViewConstants {
     float contourDepth;  // minimum depth jump of an outline, Å; of two views: the other's axisPixel, along the rows
 };
 
-/// A light's view neither clips nor draws outlines. If the viewer's near plane clips (kCutId), these hold that plane:
-/// its normal, and the distance along it beyond which nothing casts a shadow.
+/// A light's view neither clips nor draws outlines. If the viewer's near plane clips (kCutId), these members hold that
+/// plane: its normal, and the distance along it beyond which nothing casts a shadow.
 #ifdef __cplusplus
 inline void setCutPlane(ViewConstants& c, const vec4& plane) {
     c.clipNear = plane.x, c.clipFar = plane.y, c.contourWidth = plane.z, c.contourDepth = plane.w;
@@ -179,11 +179,11 @@ struct EffectConstants {
     vec4 halo;                       // linear colour, and its maximum density
     float haloWidth;                 // at z = 0
     float perHaloDepth;              // 1 / (distance behind a primitive at which its halo is densest, Å)
-    float lineWidth;                 // at z = 0, of outlines by group; 0: none
-    float lineDepth;                 // depth jump of the thinnest of them, Å
+    float lineWidth;                 // of outlines by group, at z = 0; 0: none
+    float lineDepth;                 // depth jump of the thinnest outline, Å
     uint bakedCylinders;             // cylinders with patches in the atlas; wires follow them
-    uint subsamples;                 // 1: pixels are samples of a picture's, and stand where those of an edge do
-    uint capColor;                   // of caps, as looks have it; 0: those of the atoms
+    uint subsamples;                 // 1: pixels are samples of a picture's pixels, at the positions of edge samples
+    uint capColor;                   // of caps, packed as in looks; 0: those of the atoms
     uint unused;
     vec4 copyColors[kMostCopyColors];  // linear
 };
@@ -193,7 +193,7 @@ const int kMostLevels = 8;
 struct BrickConstants {
     vec4 nodeX, nodeY, nodeZ;  // (position, 1) of the scene, Å -> node
     vec4 first;                // node of the box's corner; w: number of levels
-    vec4 last;                 // and of the opposite one; w: 1 if a second channel says what is known
+    vec4 last;                 // node of the opposite corner; w: 1 if a second channel marks known nodes
     vec4 perSize;              // 1 / nodes; w: longest step of a ray, Å
     vec4 levels[kMostLevels];  // ascending: value, 1 / (difference to the next)
     vec4 colors[kMostLevels];  // linear; a: share of light that 1 Å hides

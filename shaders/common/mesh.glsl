@@ -11,7 +11,7 @@ vec3 cornerOf(uvec4 vertex, float step) { return projected(toView(vertexPosition
 struct Facet {
     uvec4 a, b, c;
     uvec3 vertices;  // their numbers
-    float step;      // that they are in
+    float step;      // step of the vertices' positions
     uint division;   // among the looks of its corners, for triangleHitThrough()
 };
 

@@ -28,7 +28,7 @@ Seen seenFacet(uint index, vec2 q) {
 }
 #endif
 #ifdef CYLINDERS
-/// @param sideKnown  the pixel certainly shows its side
+/// @param sideKnown  the pixel certainly shows the cylinder's side
 Seen seenStick(uint index, vec2 q, const bool sideKnown) {
     Seen seen;
     index -= view.spheres;

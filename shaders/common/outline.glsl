@@ -3,7 +3,7 @@
 
 layout(constant_id = kCornersId) const int kCorners = 8;  // 8: octagon, 4: square, 9: pyramid
 
-// The comparison depth of a cap may be in front of the whole primitive; its polygon must be, too.
+// The comparison depth of a cap may be in front of the whole primitive, so its polygon must be in front as well.
 const float kCapRoom = kClip ? kCapDepth : 0.0;
 
 struct Outline {

@@ -1,10 +1,10 @@
-// Rims: lines and halos around a primitive. Their strength depends on what is behind them.
+// Rims: outlines and halos around a primitive. Their strength depends on the surface behind.
 // Includers define lookAt() and shapeBits(): words of the looks and of the shapes.
 #include "effects.glsl"
 #include "divide.glsl"
 
-// Touching chains separate where one sphere's silhouette is barely in front of the other sphere, or even behind it: a
-// line is drawn there as well.
+// Touching chains separate where one sphere's silhouette is barely in front of the other sphere, or even behind it: an
+// outline is drawn there as well.
 const float kTouching = 0.5;  // Å
 
 /// The surface in a pixel, or the one that a rim surrounds.
@@ -26,8 +26,8 @@ uint groupOf(uint index, bool secondHalf) {
 #endif
 }
 
-/// Line width as a fraction of the widest line's.
-/// @param behind  whether there is a surface behind @param Z  of that surface @returns 0: no line
+/// Width of an outline as a fraction of the widest one's.
+/// @param behind  whether there is a surface behind @param Z  of that surface @returns 0: none
 float lineShare(Hit hit, Owner here, bool behind, Owner there, float Z) {
     if (!behind) return 1.0;
     if (Z < hit.Z - kTouching) return 0.0;
@@ -38,8 +38,8 @@ float lineShare(Hit hit, Owner here, bool behind, Owner there, float Z) {
     return Z > hit.Z + effects.lineDepth ? 0.34 : 0.0;
 }
 
-/// Visibility of the line through fog, whether there is a line, density of the halo. Several rims in a pixel combine by
-/// MAX.
+/// Freedom of the outline from fog, whether there is an outline, density of the halo. Several rims in a pixel combine
+/// by MAX.
 /// @param hit  inside the rim
 vec3 rimOf(Hit hit, Owner here, bool behind, Owner there, float Z) {
     float away = hit.away * view.contourWidth;

@@ -1,4 +1,4 @@
-// Positions of the samples of a pixel with several. Each has its own row and column of 16.
+// Positions of a pixel's samples. Each has its own row and column of 16.
 #include "layout.h"
 
 const int kSamples = 16;

@@ -30,7 +30,7 @@ struct Reach {
 };
 /// Ambient light with bounces: the cubic that Jimenez, Wu, Pesce and Jarabo fitted to path tracing, "Practical
 /// Real-Time Strategies for Accurate Indirect Occlusion" (2016), sorted by powers of the albedo. Uses the mean albedo
-/// of the channels: neighbours have other colours, and a cubic per channel is further from path tracing. The result
+/// of the channels: neighbours have other colours, and a cubic per channel differs more from path tracing. The result
 /// approaches its minimum kLeastLight with slope zero, so that no border shows where few directions reach a point. It
 /// is exactly 1 under an open sky.
 /// @param base  linear base colour @param open  0 closed to 1 open

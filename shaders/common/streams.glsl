@@ -1,5 +1,5 @@
 // Streams for shaders that select primitives by number. TEXELS: texel buffers, which software devices gather vector by
-// vector; storage buffers would be read lane by lane. Otherwise storage buffers, which have no element limit.
+// vector, but storage buffers lane by lane. Otherwise storage buffers, which have no element limit.
 //   STREAMS   binding of the first: shapes, then rows of the copies
 //   LOOKS     binding of the looks, if read: two words per sphere, four per cylinder
 #include "divide.glsl"

@@ -8,9 +8,9 @@ layout(set = 0, binding = 0, std430) readonly buffer Shapes { uvec4 shapes[]; };
 layout(set = 0, binding = 0, std430) readonly buffer Shapes { vec4 shapes[]; };
 #endif
 
-/// The directions of a batch; missing ones are zero and add nothing. Addresses are constant (loops are unrolled), so
-/// that drivers can load directions once for all invocations. lavapipe 22.3 gathers them lane by lane anyway: with
-/// TEXELS each lane of a subgroup fetches its share and passes it on.
+/// The directions of a batch; missing ones are zero and contribute nothing. Addresses are constant (loops are
+/// unrolled), so that drivers can load directions once for all invocations. lavapipe 22.3 gathers them lane by lane
+/// anyway: with TEXELS each lane of a subgroup fetches its share and passes it on.
 layout(constant_id = kBatchId) const int kBatch = 16;
 layout(constant_id = kMapsAcrossId) const int kMapsAcross = 4;
 #ifdef TEXELS

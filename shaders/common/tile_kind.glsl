@@ -10,7 +10,7 @@ uint SIGHT_AT(uint number, vec2 q) {
     return number == 0u ? 0u : sightOf(HIT(index, q), number);
 }
 
-/// Marks a sight that changes between corners of its pixel: the tip of a contour line.
+/// Marks a sight that changes between corners of its pixel: the tip of an outline.
 uint MARKED(uint sight, vec2 pixel, float width, float depth) {
     if (!kContours || !kNumbered) return sight;
     view.contourWidth = width;

@@ -1,4 +1,4 @@
-// Lines and halos of a tile's pixels, after their nearest primitives are known: a second pass over the list. It ends
+// Outlines and halos of a tile's pixels, once their nearest primitives are known: a second pass over the list. It ends
 // where the first one did: a primitive behind the farthest pixel has no rim in front of it.
 #include "rims.glsl"
 

@@ -1,6 +1,6 @@
 // Initial hits of pixels that the host found (engine/software/front_triangles.h).
 
-/// A pixel starts with the nearest triangle or sphere if the host knows it; lists then omit that primitive.
+/// A pixel starts with the nearest triangle or sphere if the host found it; lists then omit that primitive.
 void begin(int i, uint seed, Hit hit) {
     float depth = encodedDepth(hit.order);
     bool sees = seed != 0u && hit.inside && depth < nearest[i];
@@ -19,7 +19,7 @@ void beginAll(uint seeds[kPixels]) {
         c[i] = shapeBits(record[i].z);
     }
     for (int i = 0; i < kPixels; ++i) {
-        place(max(seeds[i], 1u));  // selects its copy
+        place(max(seeds[i], 1u));  // selects the triangle's copy
         float step = stepOf(record[i].w);
         begin(i, seeds[i], triangleHitThrough(cornerOf(a[i], step), cornerOf(b[i], step), cornerOf(c[i], step), 0u,
                                               through[i]));

@@ -30,8 +30,8 @@ uint copyIndex = 0u;
 #define copyRow2 view.row2
 #endif
 
-// EYES: a draw call draws two views, which differ by a shift and by their axis. The second view's are in the members for
-// outlines, which such frames do not have.
+// EYES: a draw call draws two views, which differ by a shift and by their axis. The members for outlines, which such
+// frames lack, hold those of the second view.
 #if defined(EYES) && !defined(COPY_OF_PIXEL)
 #define copyShift (gl_ViewIndex == 0 ? view.row0.w : view.contourWidth)
 #else
@@ -90,15 +90,15 @@ bool isCutOff(vec3 center) {
 }
 #endif
 #ifdef RIMS
-float contourReach() { return max(view.contourWidth, 0.0); }  // negative: no lines
+float contourReach() { return max(view.contourWidth, 0.0); }  // negative: no outlines
 #else
 float contourReach() { return view.contourWidth; }
 #endif
-/// Radius of a ball that contains a sphere with its contour line, from any pixel. @param z  of the centre
+/// Radius of a ball that contains a sphere with its outline, seen from any pixel. @param z  of the centre
 float reachOf(float z, float radius) {
     if (!kContours) return radius;
     if (!kPerspective) return radius + contourReach();
-    // Lines have a constant width in the picture, so farther ones are wider in space.
+    // Outlines have a constant width in the picture, so farther ones are wider in space.
     return radius + contourReach() * (view.origin - z + radius) / (view.origin - contourReach());
 }
 #ifndef TILES

@@ -17,17 +17,17 @@ namespace {
 constexpr std::size_t kFewDrawn = 100;  // under this a molecule with bonds reads best as ball-and-stick
 constexpr std::uint32_t kBase = 0;      // the style and colour for all; rule i is i + 1
 
-/// Which rules settle how a drawn atom looks.
+/// The rules that decide how a drawn atom looks.
 struct AtomLook {
     std::uint32_t style = kBase, color = kBase;
     bool hidden = false;
     bool bare = false;     ///< not drawn as an atom
-    bool covered = false;  ///< nor if it is space-filling: a surface was put over it
+    bool covered = false;  ///< not drawn if space-filling: a surface was put over it
     bool cartoon = false, surface = false;
-    bool beside = false;                                     ///< beside a surface for all, which leaves it out
-    std::uint32_t cartoonRule = kBase, surfaceRule = kBase;  // that gave them
+    bool beside = false;                                     ///< left out of the surface for all
+    std::uint32_t cartoonRule = kBase, surfaceRule = kBase;  // rules that set them
 
-    /// For all, before any rule.
+    /// Before any rule: the style for all.
     explicit AtomLook(std::optional<Style> base)
         : bare(base == Style::cartoon || base == Style::surface),
           cartoon(base == Style::cartoon),
@@ -100,7 +100,7 @@ bool namesConformers(const Selection& selection) {
                        [](const SelectionStep& step) { return step.test == SelectionTest::alternate; });
 }
 
-/// The atoms that a colouring by a table names; empty: it is another. A warning tells of rows that name none.
+/// The atoms that a colour table matches; empty for other colourings. Warns about rows that match none.
 std::optional<TableMatch> matchOf(const ResidueFacts& facts, const Coloring& coloring,
                                   std::vector<std::string>& warnings) {
     if (coloring.scheme != ColorScheme::table || !coloring.table) return std::nullopt;
@@ -114,7 +114,7 @@ std::optional<TableMatch> matchOf(const ResidueFacts& facts, const Coloring& col
     return match;
 }
 
-/// By AtomLook::color: for all, of a rule, or a table behind those.
+/// The colouring of an AtomLook::color: for all, of a rule, or of a table (numbered after the rules).
 const Coloring& coloringOf(const RepresentationOptions& options, std::size_t number) {
     if (number == kBase) return options.color;
     return number <= options.rules.size() ? options.rules[number - 1].coloring
@@ -125,7 +125,7 @@ std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uin
                              const RepresentationOptions& options, std::vector<std::string>& warnings) {
     std::vector<AtomLook> looks(drawn.size(), AtomLook(options.style));
     const auto inPolymer = [&](std::uint32_t atom) { return facts.isPolymer(facts.molecule().atoms[atom].residue); };
-    // A ligand would fill its pocket.
+    // A ligand's surface would fill its pocket.
     if (options.style == Style::surface && std::ranges::any_of(drawn, inPolymer))
         for (std::size_t i = 0; i < drawn.size(); ++i)
             if (!inPolymer(drawn[i])) looks[i].leaveOut();
@@ -182,8 +182,8 @@ std::vector<bool> guideAtoms(const ResidueFacts& facts) {
     return guides;
 }
 
-/// Gives a surface over a cartoon the cartoon's colours, by the atom of each residue that the cartoon has its from,
-/// where one colouring by chain settles both. @param looks, inCartoon  of the seen atoms @param schemeOf  of a rule
+/// If one colouring by chain colours a surface and the cartoon in it, gives each residue of the surface the colour of
+/// the atom that its cartoon shows. @param looks, inCartoon  of the seen atoms @param schemeOf  of a rule
 template <typename SchemeOf>
 void colorAsCartoon(const Molecule& molecule, const std::vector<AtomLook>& looks, const std::vector<bool>& inCartoon,
                     const SchemeOf& schemeOf, Appearance& appearance) {
@@ -201,7 +201,7 @@ void colorAsCartoon(const Molecule& molecule, const std::vector<AtomLook>& looks
     }
 }
 
-/// Parts all that is seen by how it is drawn. @param looks  of the seen atoms
+/// Splits all seen atoms by how they are drawn. @param looks  of the seen atoms
 void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, const RepresentationOptions& options,
                  Appearance& appearance) {
     const std::vector<Rule>& rules = options.rules;
@@ -291,7 +291,7 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
         appearance.seen = 0;
 }
 
-/// A colouring with the general palette, if its kind fits and it names none itself.
+/// A colouring with the general palette, if its kind fits and the colouring has none of its own.
 Coloring withPalette(Coloring coloring, const AnyPalette& palette) {
     const PaletteUse use = paletteUse(coloring.scheme);
     const bool fits = palette != Palette::automatic && use == (isRamp(palette) ? PaletteUse::ramp : PaletteUse::kinds);
@@ -299,7 +299,7 @@ Coloring withPalette(Coloring coloring, const AnyPalette& palette) {
     return coloring;
 }
 
-/// Colours the atoms that one colouring settles, and adds its legend.
+/// Colours the atoms of one colouring, and adds its legend.
 void color(const ResidueFacts& facts, const Coloring& coloring, const std::string& selection,
            const std::vector<std::uint32_t>& slots, Appearance& appearance) {
     std::vector<std::uint32_t> atoms;

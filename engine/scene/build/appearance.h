@@ -19,16 +19,16 @@
 namespace nacre {
 
 /// The first three draw atoms. A cartoon replaces its residues' atoms; atoms that it does not draw (ligands, ions)
-/// become licorice, or small balls without bonds. A surface is added to the rest, but replaces space-filling atoms,
-/// which are as large. As the style for all it is that of proteins and nucleic acids; other atoms are drawn as beside a
-/// cartoon, unless there are no others.
+/// become licorice, or small balls without bonds. A surface is added to the others, but replaces space-filling atoms,
+/// which have its size. As the style for all it applies to proteins and nucleic acids; other atoms are drawn as with a
+/// cartoon, unless there are only those.
 ///
 /// Lines are bonds of constant width in the picture. A backbone is a tube through alpha carbons or phosphates;
 /// carbohydrate draws sugars as symbols (carbohydrates.h). Both leave other atoms as a cartoon does. Ellipsoids draw
 /// displacements (atom_ellipsoids.h), with thin sticks.
 enum class Style { spacefill, ballAndStick, licorice, cartoon, surface, line, backbone, carbohydrate, ellipsoids };
 
-/// Sugars beside a cartoon: as any ligand, as symbols, or as small symbols within their licorice.
+/// Sugars in addition to a cartoon: as any ligand, as symbols, or as small symbols within their licorice.
 enum class Carbohydrates : std::uint8_t { off, on, icon };
 
 /// Bonds whose order is drawn: none, those outside polymers, all.
@@ -65,32 +65,32 @@ struct Rule {
     Style style = Style::spacefill;         ///< for show
     Coloring coloring;                      ///< for color
     bool on = true;                         ///< false: the rule has no effect
-    std::optional<double> opacity = {};     ///< of what the rule shows; empty: that of all
-    std::optional<Material> material = {};  ///< of what is shown, where it is opaque; empty: the picture's
+    std::optional<double> opacity = {};     ///< of the shown atoms; empty: the opacity for all
+    std::optional<Material> material = {};  ///< of the shown atoms, if opaque; empty: the picture's
     friend bool operator==(const Rule&, const Rule&) = default;
 };
 
-/// Whether any of them gives a material.
+/// Whether any rule gives a material.
 bool haveMaterials(const std::vector<Rule>& rules);
 
 struct RepresentationOptions {
-    std::optional<Style> style;  ///< empty: defaultStyle() of the atoms that the rules leave
+    std::optional<Style> style;  ///< empty: defaultStyle() of the atoms that remain after the rules
     Coloring color = ColorScheme::element;
     std::vector<Rule> rules = {};
     std::string assembly = {};              ///< identifier from the file; empty: no assembly
-    AnyPalette palette = {};                ///< for schemes without one of their own, if it is of their kind
+    AnyPalette palette = {};                ///< for schemes without their own palette, if it is of their kind
     bool ownFrame = false;                  ///< the camera frames this model alone, not all models of its file
     std::optional<glm::dvec3> center = {};  ///< of the scene, Å in the file's frame; empty: of what is drawn
     CartoonOptions cartoon = {};
     SurfaceOptions surface = {};
-    /// kLeastOpacity to 1, where no rule sets one. Atoms: spheres and sticks of every style.
+    /// kLeastOpacity to 1, unless a rule sets one. Atoms: spheres and sticks of every style.
     double cartoonOpacity = 1, surfaceOpacity = 1, atomOpacity = 1;
     bool modelsOcclude = false;  ///< models drawn together occlude each other
     ContactOptions contacts = {};
     std::vector<Coloring> colorFrom = {};  ///< tables: override `color`; rules override them; the last one wins
     Carbohydrates carbohydrates = Carbohydrates::off;
     double sugarScale = 1;    ///< of symbols
-    bool sugarColors = true;  ///< those of the symbols; false: those of the sugars' atoms
+    bool sugarColors = true;  ///< colours of the symbols; false: of the sugars' atoms
     double lineWidth = 1.5;   ///< of Style::line, pixels
     Sizes sizes = {};
     SurfaceForm surfaceForm = SurfaceForm::solid;
@@ -108,7 +108,7 @@ struct Legend {
     std::vector<LegendEntry> entries;
     AnyPalette ramp = {};    ///< palette of the first `stops` entries, which are evenly spaced
     std::size_t stops = 0;   ///< the other entries are classes
-    std::string title = {};  ///< as a user words it, with the markup of labels; empty: by the scheme
+    std::string title = {};  ///< the user's wording, with the markup of labels; empty: by the scheme
 };
 
 /// Atoms drawn as one kind of mesh.
@@ -136,12 +136,12 @@ struct Appearance {
     std::vector<std::string> warnings;    ///< rules that match nothing, schemes without data in the file
 };
 
-/// Rules select among the drawn atoms only: hidden waters or other conformers stay hidden.
+/// Rules select among the drawn atoms only: hidden waters and other conformers stay hidden.
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending
 Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                         const RepresentationOptions& options);
 
-/// Everything drawn, as spheres: atoms with their style's radius, then atoms of meshes with a similar reach.
+/// Everything drawn, as spheres: atoms with their style's radius, then atoms of meshes with an approximate radius.
 struct SeenBalls {
     std::vector<std::uint32_t> atoms;
     std::vector<glm::dvec4> balls;  ///< of each: centre (Å, in the file's frame) and radius
@@ -149,10 +149,10 @@ struct SeenBalls {
 SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance);
 
 constexpr float kCartoonReach = 2.5f;  ///< largest distance of a cartoon from an atom, Å
-/// Radius of an atom's sphere, Å; for cartoons kCartoonReach. Ellipsoids have other ones (atom_ellipsoids.h).
+/// Radius of an atom's sphere, Å; for cartoons kCartoonReach. Not for ellipsoids (atom_ellipsoids.h).
 float drawnRadius(const Atom& atom, Style style, const Sizes& sizes = {});
 
-/// The default style: ball-and-stick for fewer than 100 drawn atoms with bonds, else spacefill, or another one.
+/// The default style: ball-and-stick for fewer than 100 drawn atoms with bonds, else spacefill, or the given one.
 Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn, Style usual = Style::spacefill);
 
 }  // namespace nacre

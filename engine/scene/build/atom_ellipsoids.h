@@ -1,5 +1,5 @@
 #pragma once
-// Style::ellipsoids: how large an atom's displacements are drawn.
+// Style::ellipsoids: sizes of atoms' displacements.
 
 #include <array>
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace nacre {
 
-/// The ellipsoids that hold atoms with a probability. An atom without a positive definite tensor is a sphere of its B
-/// factor; one without that, or a hydrogen, a small ball.
+/// Ellipsoids that contain atoms with a given probability. An atom without a positive definite tensor is a sphere by
+/// its B factor; without that, or for a hydrogen, a small ball.
 class AtomEllipsoids {
 public:
     /// @param percent  the probability
@@ -22,11 +22,11 @@ public:
 
     /// Half axes, Å; empty for a sphere.
     std::optional<std::array<glm::dvec3, 3>> axes(std::uint32_t atom) const;
-    /// Radius of the sphere of an atom, Å; one with axes has it inside its ellipsoid.
+    /// Radius of an atom's sphere, Å; inside its ellipsoid if it has axes.
     double ball(std::uint32_t atom) const;
     /// The largest distance from an atom's centre, Å.
     double reach(std::uint32_t atom) const;
-    /// Says which atoms are no ellipsoids, though they are not hydrogens.
+    /// Lists atoms, except hydrogens, that are not drawn as ellipsoids.
     std::vector<std::string> warnings(std::span<const std::uint32_t> atoms) const;
 
 private:
@@ -36,7 +36,7 @@ private:
     double scale_;
 };
 
-/// Of the bands in the colour of an atom.
+/// Colour of an ellipsoid's bands. @param color  of the atom
 std::uint32_t bandColor(std::uint32_t color);
 
 }  // namespace nacre

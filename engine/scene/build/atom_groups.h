@@ -9,7 +9,7 @@
 namespace nacre {
 
 /// As in shaders (shaders/common/layout.h): bits for a residue in an atom's word, and the distance in residues along a
-/// chain at which another group begins.
+/// chain from which another group begins.
 constexpr int kResidueBits = 12, kGroupResidues = 6;
 
 /// One word per atom: the residue's index in its chain in the low bits, the chain above. A ligand, ion or water is far

@@ -63,7 +63,7 @@ glm::dvec3 bondSide(const glm::dvec3& axis, const glm::dvec3& toward) {
     const glm::dvec3 across = toward - axis * glm::dot(axis, toward);
     const double length = glm::length(across);
     if (length > 1e-3) return across / length;
-    // Nearly straight through: the coordinate axis farthest from the bond gives a side that never degenerates.
+    // Nearly straight: the coordinate axis farthest from the bond gives a side that never degenerates.
     const glm::dvec3 size = glm::abs(axis);
     const glm::dvec3 other = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
                              : size.y <= size.z                   ? glm::dvec3(0, 1, 0)

@@ -17,7 +17,7 @@ struct BondStrands {
     };
     std::array<Strand, 3> strands{};  ///< from atom to atom
     int count = 0;
-    /// A shorter line with round ends on the side vector's side; dashed except for a double bond. Radius 0: none.
+    /// A shorter line with round ends, on the side vector's side; dashed except for a double bond. Radius 0: none.
     Strand inner{};
 };
 
@@ -25,10 +25,10 @@ struct BondStrands {
 /// three of 0.055 Å. Aromatic (4) and delocalised (5): one and a dashed line. No strand extends beyond 0.21 Å from the
 /// axis: that is inside the smallest ball, so every end is covered.
 BondStrands bondStrands(std::uint8_t order, bool inRing = false);
-/// Licorice: likewise, within its 0.25 Å.
+/// Strands of licorice: the same forms, within its 0.25 Å.
 BondStrands licoriceStrands(std::uint8_t order, bool inRing = false);
 
-/// The same strands, all lengths across the bond times a factor.
+/// Scales all lengths across the bond: offsets and radii.
 BondStrands scaled(BondStrands strands, double factor);
 
 constexpr float kDashRadius = 0.09f;  ///< of the dashes of metal coordination, Å
@@ -47,7 +47,7 @@ struct Dashes {
 Dashes bondDashes(double length, double radiusA, double radiusB);
 
 /// Unit vector across the bond, in the plane of the bond and `toward` (a sum of vectors to neighbours, any length). If
-/// that has no direction: a fixed one that depends on the axis alone.
+/// `toward` has no direction across: a fixed one that depends on the axis alone.
 /// @param axis unit vector along the bond
 glm::dvec3 bondSide(const glm::dvec3& axis, const glm::dvec3& toward);
 

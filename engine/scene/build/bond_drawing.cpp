@@ -13,7 +13,7 @@
 namespace nacre {
 namespace {
 
-constexpr std::uint8_t kTraceBond = 200;  // Bond::order of what is no bond, but a piece of a backbone
+constexpr std::uint8_t kTraceBond = 200;  // Bond::order of a piece of a backbone, which is no bond
 constexpr double kShortestBond = 1e-3;    // Å; below it the ends coincide and there is no direction to draw
 constexpr std::uint32_t kNotDrawn = std::numeric_limits<std::uint32_t>::max();
 
@@ -66,7 +66,7 @@ Style stouter(Style a, Style b) {
 
 BondStrands strandsOf(std::uint8_t order, bool inRing, Style style, const Sizes& sizes) {
     constexpr Sizes kUsual;
-    constexpr double kThin = 0.4;  // of the bonds in ball-and-stick
+    constexpr double kThin = 0.4;  // relative to bonds in ball-and-stick
     if (style == Style::ellipsoids) return scaled(bondStrands(1, false), kThin * sizes.bond / kUsual.bond);
     return style == Style::ballAndStick ? scaled(bondStrands(order, inRing), sizes.bond / kUsual.bond)
                                         : scaled(licoriceStrands(order, inRing), sizes.stick / kUsual.stick);
@@ -76,7 +76,7 @@ bool hasSticks(Style style) {
     return style == Style::licorice || style == Style::ballAndStick || style == Style::ellipsoids;
 }
 
-/// Coordination is what binds a metal to anything but metals, whatever order a file gives it.
+/// Whether a bond is coordination: it joins a metal and a non-metal, whatever order a file gives it.
 bool isCoordination(const Molecule& molecule, const Bond& bond) {
     return isMetal(molecule.atoms[bond.a].element) != isMetal(molecule.atoms[bond.b].element);
 }
@@ -195,7 +195,7 @@ private:
         return bondSide(axis, glm::length(sum) > 1e-2 ? sum : best);
     }
 
-    /// The line beside a bond, shorter than it: like a smaller ring's side, and from ball to ball. Three dashes, for
+    /// The line beside a bond. It is shorter: like the side of a smaller ring, and from ball to ball. Three dashes, for
     /// any length, or one.
     void addInner(const Bond& bond, const BondStrands::Strand& strand, const glm::dvec3& axis, const glm::dvec3& side) {
         const double offset = static_cast<double>(strand.offset), radius = static_cast<double>(strand.radius);
@@ -231,7 +231,7 @@ private:
     Representation& result_;
 };
 
-/// Coordination whose dashes an interaction draws.
+/// Coordination drawn as the dashes of an interaction.
 std::set<std::pair<std::uint32_t, std::uint32_t>> drawnMetals(std::span<const PlacedContact> contacts) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const auto& [contact, list, copy, image] : contacts)
@@ -240,7 +240,7 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> drawnMetals(std::span<const Pl
     return pairs;
 }
 
-/// Bonds that are drawn, with their orders: both their atoms are seen and apart, and either has a style with bonds.
+/// Bonds that are drawn, with their orders: both atoms are seen and do not coincide, and either has a style with bonds.
 std::vector<Bond> drawnBonds(const Molecule& molecule, const Appearance& appearance, const DrawnOrders& orders,
                              std::span<const PlacedContact> contacts, std::span<const std::uint32_t> slots) {
     const auto metals = drawnMetals(contacts);
@@ -256,7 +256,7 @@ std::vector<Bond> drawnBonds(const Molecule& molecule, const Appearance& appeara
     return bonds;
 }
 
-/// Adds what joins the neighbours of a backbone.
+/// Adds the tubes between neighbours in a backbone.
 void addTraces(const ResidueFacts& facts, const Appearance& appearance, std::span<const std::uint32_t> slots,
                std::vector<Bond>& bonds) {
     const auto drawn = [&](std::uint32_t atom) {

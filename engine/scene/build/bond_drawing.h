@@ -12,8 +12,8 @@
 
 namespace nacre {
 
-/// Adds the bonds of what has a style with bonds.
-/// @param contacts  that are drawn, too: coordination that one of them shows is left to it
+/// Adds the bonds of atoms in styles with bonds.
+/// @param contacts  also drawn: coordination that one of them shows is omitted here
 /// @param assembly  null: there is none @param result  has the atoms' spheres, in the order of the appearance
 void addBonds(const ResidueFacts& facts, const Appearance& appearance, const DrawnOrders& orders,
               std::span<const PlacedContact> contacts, AssemblyScene* assembly, Representation& result);

@@ -35,7 +35,7 @@ DrawnOrders::DrawnOrders(const ResidueFacts& facts, const Appearance& appearance
 
 void DrawnOrders::perceive(const ResidueFacts& facts, const std::vector<bool>& wanted) {
     const Molecule& molecule = facts.molecule();
-    // Atoms bonded to a ligand count for its valences.
+    // Atoms bonded to a ligand contribute to its valences.
     std::vector<bool> looked = wanted;
     for (const Bond& bond : molecule.bonds) {
         const std::uint32_t a = molecule.atoms[bond.a].residue, b = molecule.atoms[bond.b].residue;

@@ -1,5 +1,5 @@
 #pragma once
-// Decides which bonds are drawn as double, triple, aromatic or delocalised, and on which side their further strands
+// Decides which bonds are drawn as double, triple, aromatic or delocalised, and on which side their additional strands
 // lie. Used by representation.cpp.
 
 #include <cstdint>
@@ -19,7 +19,7 @@ constexpr std::uint8_t kDelocalised = 5;
 class DrawnOrders {
 public:
     /// Perceives nothing unless something is drawn as sticks. Perceives orders, rings and delocalised groups
-    /// (chemistry.h) of ligands and small molecules, and with BondOrders::on of polymers. Other polymer orders come
+    /// (chemistry.h) of ligands and small molecules, and of polymers with BondOrders::on. Other polymer orders come
     /// from the file or the residues' templates, in ball-and-stick only.
     DrawnOrders(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options);
 

@@ -22,8 +22,8 @@ constexpr std::uint32_t kBlue = packedColor(0x0090bc), kGreen = packedColor(0x00
                         kLightBlue = packedColor(0x8fcce9), kBrown = packedColor(0xa17a4d),
                         kRed = packedColor(0xed1c24);
 
-/// A sugar, and its residues in the chemical component dictionary, separated by blanks. Shapes and colours as the
-/// standard's table has them; residues as Mol* 5.6 assigns them (carbohydrates/constants.ts), and N,N'-diacetylated
+/// A sugar, and its residues in the chemical component dictionary, separated by blanks. Shapes and colours are those of
+/// the standard's table. Residues are those of Mol* 5.6 (carbohydrates/constants.ts), plus N,N'-diacetylated
 /// bacillosamine. Mol* draws apiose green; the standard says blue.
 struct SugarRow {
     SugarSymbol symbol;
@@ -197,7 +197,7 @@ private:
             mesh_.triangles.emplace_back(first, first + (outward ? i : i + 1), first + (outward ? i + 1 : i));
     }
 
-    /// Split along a diagonal, if crossed.
+    /// A cube, split along a diagonal if crossed.
     void cubes(bool crossed) {
         constexpr double a = 0.806;  // for the same volume as the sphere
         for (const double z : {-a, a}) {
@@ -249,7 +249,7 @@ private:
         }
     }
 
-    /// Thickened to both sides of the ring's plane; star-shaped about its centre.
+    /// A prism: an outline that is star-shaped about its centre, thickened to both sides of the ring's plane.
     void prism(const std::vector<glm::dvec2>& outline) {
         constexpr double kHalf = 0.4;
         for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -286,7 +286,7 @@ void addSticks(const Molecule& molecule, const std::map<std::uint32_t, SugarPlac
             const std::uint32_t other = sugarA != places.end() ? bond.b : bond.a;
             const glm::dvec3 end(molecule.atoms[other].position);
             addRod(mesh, sugar.center - origin, end - origin, radius, sugar.atom, sugar.atom, kSides);
-            // To the atom through which a cartoon or backbone passes.
+            // Ends at the atom through which a cartoon or backbone passes.
             const Residue& residue = molecule.residues[molecule.atoms[other].residue];
             for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i)
                 if (molecule.atoms[i].name.view() == "CA")

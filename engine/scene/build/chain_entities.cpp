@@ -59,7 +59,7 @@ ResidueEntities residueEntities(const ResidueFacts& facts) {
     std::vector<std::optional<std::uint32_t>> ofChain(molecule.chains.size());  // sequences may be long
     ResidueEntities result;
     result.ofResidue.reserve(molecule.residues.size());
-    // Keys start with a mark for one of three cases, so that names do not collide.
+    // Keys start with a character for one of three cases, so that names do not collide.
     for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) {
         const Residue& residue = molecule.residues[i];
         const std::string name(residue.name.view());

@@ -35,7 +35,7 @@ private:
     const std::vector<MeshVertex>& vertices_;
 };
 
-/// @param ballOf  of the primitive of a number
+/// @param ballOf  returns the ball of a primitive by index
 template <typename BallOf>
 std::vector<Chunk> chunksOfStream(std::size_t count, const BallOf& ballOf) {
     std::vector<Chunk> chunks;
@@ -60,7 +60,7 @@ std::vector<Chunk> chunksOfStream(std::size_t count, const BallOf& ballOf) {
     return chunks;
 }
 
-/// The lower ten bits, two places apart.
+/// Spreads the lower ten bits, with two zeros between them.
 std::uint32_t spread(std::uint32_t bits) {
     bits = (bits | bits << 16) & 0x030000ffu;
     bits = (bits | bits << 8) & 0x0300f00fu;
@@ -68,7 +68,7 @@ std::uint32_t spread(std::uint32_t bits) {
     return (bits | bits << 2) & 0x09249249u;
 }
 
-/// Numbers of a stream's primitives in the order that they are to have: where the runs begin, they stay apart.
+/// Indices of a stream's primitives in their new order; runs stay separate.
 template <typename Primitive, typename Look>
 std::vector<std::uint32_t> mortonOrder(const std::vector<Primitive>& stream, const std::vector<Look>& looks,
                                        const std::vector<std::uint32_t>& starts) {

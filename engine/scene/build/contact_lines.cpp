@@ -23,7 +23,7 @@ constexpr std::array<ContactLook, kInteractionKinds> kLooks{{{"Hydrogen bond", r
                                                              {"Hydrophobic", rgb(0x8a8a8a), {{0, 0.30, 0, 0}}},
                                                              {"Metal", rgb(0x8e44ad), {{0.45, 0.14, 0, 0}}},
                                                              {"Water bridge", rgb(0x5db8ff), {{0.22, 0.18, 0, 0.18}}}}};
-constexpr double kMarkWidths = 1.7;  // of marks, of the width of dashes
+constexpr double kMarkWidths = 1.7;  // of marks, relative to the width of dashes
 
 std::vector<bool> matched(const ResidueFacts& facts, const Selection& selection) {
     std::vector<bool> atoms = selectAtoms(facts, selection);
@@ -38,8 +38,8 @@ InteractionQuery queryOf(const ResidueFacts& facts, const ContactOptions& option
     return query;
 }
 
-/// Whether a contact may end at each atom: something is drawn of it. Beside residues of a cartoon that are
-/// drawn as atoms, too, the others are background.
+/// Whether a contact may end at each atom: the atom is drawn. If some residues of a cartoon are also drawn as atoms,
+/// the others are background.
 std::vector<bool> seenAtoms(const Molecule& molecule, const Appearance& appearance) {
     std::vector<bool> seen(molecule.atoms.size());
     for (const std::uint32_t atom : appearance.atoms) seen[atom] = true;
@@ -96,10 +96,10 @@ public:
 private:
     struct End {
         glm::dvec3 at{};    ///< from the scene's centre
-        double radius = 0;  ///< of what is drawn there
+        double radius = 0;  ///< of the ball drawn there
     };
 
-    /// In the file's frame.
+    /// Position in the file's frame.
     glm::dvec3 placeOf(std::uint32_t atom, bool image) const {
         const glm::dvec3 place(molecule_.atoms[atom].position);
         return image && image_ ? *image_ * glm::dvec4(place, 1) : place;
@@ -142,13 +142,13 @@ private:
         return {at(atom, end.image), ballOf(atom)};
     }
     bool isHydrogen(std::uint32_t atom) const { return nacre::isHydrogen(molecule_.atoms[atom].element); }
-    /// Whether an atom of a charged group bears the charge: its carbon does not.
+    /// Whether an atom of a charged group carries charge: its carbon does not.
     bool isPolar(std::uint32_t atom) const {
         constexpr Element kCarbon = 6;
         return molecule_.atoms[atom].element != kCarbon && !isHydrogen(atom);
     }
 
-    /// A bridging water is drawn even where water is hidden: as the ball of its oxygen.
+    /// A bridging water is drawn even if water is hidden: as its oxygen's ball.
     End waterEnd(std::uint32_t water, bool image) {
         const double radius = ballOf(water);
         if (radius > 0) return {at(water, image), radius};
@@ -174,7 +174,7 @@ private:
     double radius_;
     Representation& scene_;
     DashedLine line_;
-    const glm::dmat4x3* image_ = nullptr;  ///< of the contact that is drawn
+    const glm::dmat4x3* image_ = nullptr;  ///< of the current contact
     std::size_t buried_ = 0;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> slots_;
     std::set<std::uint32_t> drawnWaters_;
@@ -229,7 +229,7 @@ void fillUp(Representation& scene, std::size_t& spheres, std::size_t& cylinders)
     if (scene.spheres.empty() || scene.spheres.front().radius < 2 * kHidden) return;
     const Sphere ball{scene.spheres.front().center, kHidden};
     const SphereLook look = scene.sphereLooks.front();
-    // Room for a quarter more, so that the next frames find it.
+    // Room for a quarter more, for the next frames.
     const auto room = [](std::size_t wanted, std::size_t& had) {
         if (wanted > had) had = wanted + wanted / 4;
         return had;

@@ -13,19 +13,20 @@ namespace nacre {
 
 struct Representation;
 
-/// An interaction to draw, and of an assembly where.
+/// An interaction to draw, and its place in an assembly.
 struct PlacedContact {
     Interaction interaction;
-    std::uint32_t list = 0, copy = 0;   ///< of an assembly: the copies in whose place it is drawn, and their first
-    std::optional<glm::dmat4x3> image;  ///< takes ends that are images to their place, in the file's frame
+    std::uint32_t list = 0, copy = 0;   ///< in an assembly: the copies in whose place it is drawn, and their first
+    std::optional<glm::dmat4x3> image;  ///< moves ends that are images into place, in the file's frame
 };
 
-/// Finds the interactions that are asked for, of which every atom is seen, in whatever style. Keeps what does not move.
+/// Finds the requested interactions whose atoms are all seen, in any style. Keeps data that does not depend on
+/// positions.
 class ContactFinder {
 public:
     /// @throws Error if a selection matches no atoms
     ContactFinder(const ResidueFacts& facts, const ContactOptions& options);
-    /// @param molecule  the one that it was made for, with any positions
+    /// @param molecule  the one of the constructor, with any positions
     std::vector<PlacedContact> find(const Molecule& molecule, const Appearance& appearance) const;
     /// Contacts between the molecule and an image of it.
     std::vector<PlacedContact> findBetween(const Molecule& molecule, const Appearance& appearance,
@@ -36,9 +37,9 @@ private:
     InteractionQuery query_;
 };
 
-/// Adds their lines, marks of ring centres and of waters that are not drawn, and their legend. A line ends at the
-/// surfaces of the balls that are drawn of its atoms, or at the atoms' centres; those of rings at their middles; those
-/// of charged groups at the nearest atom. Where a donor's hydrogen is drawn, the line ends there.
+/// Adds the contacts' lines, marks of ring centres and of waters that are not drawn, and the legend. A line ends at the
+/// drawn balls of its atoms, or at the atoms' centres; for rings, at their middles; for charged groups, at the nearest
+/// atom. Where a donor's hydrogen is drawn, the line ends there.
 /// @param atoms  balls of the scene, as Appearance has them: its first spheres
 void addContacts(const Molecule& molecule, const Appearance& appearance, std::vector<PlacedContact> contacts,
                  const ContactOptions& options, Representation& scene);

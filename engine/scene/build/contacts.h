@@ -35,11 +35,12 @@ const ContactLook& contactLook(InteractionKind kind);
 /// Legend::scheme for interactions.
 constexpr std::string_view kContactScheme = "interactions";
 
-/// A drawn interaction. Primitives of the i-th have the number `atoms of the molecule` + 1 + i instead of an atom's.
+/// A drawn interaction. Primitives of the i-th one have the number (atoms of the molecule) + 1 + i instead of an
+/// atom's.
 struct DrawnContact {
     Interaction interaction;
     glm::dvec3 middle{};     ///< on its line, Å from the scene's centre
-    std::uint32_t copy = 0;  ///< of an assembly: the first copy (Copies::transforms) in whose place it is drawn
+    std::uint32_t copy = 0;  ///< in an assembly: the first copy (Copies::transforms) in whose place it is drawn
 };
 
 }  // namespace nacre

@@ -20,7 +20,7 @@ void refuseCrowd(const Representation& r) {
     };
     const auto disc = [](const Sphere& s) { return std::numbers::pi * static_cast<double>(s.radius) * s.radius; };
     const auto side = [](const Cylinder& c) { return 2.0 * static_cast<double>(c.radius) * glm::distance(c.a, c.b); };
-    // Averaged over all directions, half of its area.
+    // Averaged over all directions, a facet covers half of its area.
     const auto facet = [&](const Triangle& t) {
         const auto at = [&](std::uint32_t v) { return glm::dvec3(positionOf(r.meshVertices[v], t.step())); };
         return 0.25 * glm::length(glm::cross(at(t.b) - at(t.a), at(t.c) - at(t.a)));

@@ -12,7 +12,7 @@ namespace nacre {
 struct Representation;
 
 /// Lengths along a line, Å, with round ends: a dash and a gap, and optionally a second dash and gap. A dash no longer
-/// than the line's width is a dot. The pattern begins and ends with half of its last gap.
+/// than the line's width becomes a dot. The pattern begins and ends with half of its last gap.
 struct DashPattern {
     std::array<double, 4> lengths{0.3, 0.2, 0, 0};  ///< dash, gap, dash, gap; last gap 0: the first two only
 

@@ -24,7 +24,7 @@ public:
         return &cartoon_.colors[static_cast<std::size_t>(found - cartoon_.atoms.begin())];
     }
 
-    /// Null if it is drawn as neither.
+    /// Null if the residue is drawn as neither.
     const std::uint32_t* of(std::uint32_t atom) const {
         if (const std::uint32_t* color = inCartoon(atom)) return color;
         const auto found = backbone_.find(atom);
@@ -36,12 +36,12 @@ private:
     std::map<std::uint32_t, std::uint32_t> backbone_;
 };
 
-/// Whether a chain goes on after a break: residues are missing by their numbers, or the ends are so near that nothing
-/// but a bond is. Two ends of a cleaved chain drift apart.
+/// Whether a chain continues after a break: residue numbers are missing, or the ends are so near that only a bond is.
+/// Two ends of a cleaved chain drift apart.
 bool goesOn(const Residue& before, const Residue& after, double apart) {
     constexpr double kFarthestEnds = 10;  // Å
     if (before.chain != after.chain || before.subchain != after.subchain) return false;
-    // mmCIF counts the residues of the whole sequence; the author's numbers may jump back.
+    // mmCIF counts all residues of the sequence; the author's numbers may jump back.
     const bool counted = before.labelNumber != kNoLabelNumber && after.labelNumber != kNoLabelNumber &&
                          before.labelNumber != after.labelNumber;
     const std::int64_t steps =

@@ -6,8 +6,8 @@
 
 namespace nacre {
 
-/// Joins the ends of a chain's unbroken stretches where both ends are drawn as a cartoon or backbone, and residues are
-/// missing between them by number, or the ends are at most 10 Å apart.
+/// Joins the ends of a chain's unbroken stretches if both ends are drawn as a cartoon or backbone, and either residue
+/// numbers are missing between them or the ends are at most 10 Å apart.
 void addGaps(const ResidueFacts& facts, const Appearance& appearance, Representation& scene);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// Representations about the same centre, put one behind the other.
+// Appends representations about the same centre.
 
 #include "engine/scene/build/representation.h"
 

@@ -14,11 +14,11 @@
 namespace nacre {
 namespace {
 
-constexpr float kDotLength = 0.04f;  // Å along the normal: seen from most sides a dot as wide as it is long
+constexpr float kDotLength = 0.04f;  // Å along the normal: seen from most sides, a dot is as wide as long
 
 /// The colour of each vertex of a contour. Step kSteps stands for the contour's own colour.
 struct VertexColors {
-    std::vector<std::uint32_t> steps;  // empty: all have that
+    std::vector<std::uint32_t> steps;  // empty: all are kSteps
     std::vector<std::uint32_t> colors;
 
     VertexColors(const std::vector<glm::vec3>& positions, const MapContour& contour, Representation& scene) {
@@ -64,7 +64,7 @@ void addWires(const Isosurface& surface, const MapContour& contour, Representati
         scene.radius = std::max<double>({scene.radius, glm::length(wire.a), glm::length(wire.b)});
 }
 
-/// Adds a mesh in whose list of atoms each vertex has the number of its colour.
+/// Adds a mesh. Its list of atoms holds the number of each vertex's colour.
 void addColored(const Mesh& mesh, const std::vector<std::uint32_t>& colors, double opacity, Representation& scene) {
     appendMesh(
         mesh, {},
@@ -76,7 +76,7 @@ void addColored(const Mesh& mesh, const std::vector<std::uint32_t>& colors, doub
     scene.radius = std::max(scene.radius, meshReach(scene));
 }
 
-/// The list of the one copy that stands where it is stored.
+/// The list with one copy, the identity.
 std::uint32_t stillList(Copies& copies) {
     const auto placeIn = [](auto& list, const auto& value) {
         const auto found = std::find(list.begin(), list.end(), value);
@@ -88,8 +88,8 @@ std::uint32_t stillList(Copies& copies) {
     return placeIn(copies.lists, std::vector<std::uint32_t>{still});
 }
 
-/// Where a scene keeps apart what moves or occludes together, what is joined to it is a part of its own: what a stream
-/// has from `first` on. @param model  its number among the models; 0: there are none
+/// Makes the joined primitives of a stream, `first` to `end`, a run of their own, if the scene has runs of copies or
+/// models. @param model  number of the run's model; 0: no models
 void keepApart(Representation& scene, std::size_t first, std::size_t end, std::uint32_t model,
                std::vector<PrimitiveRun> Copies::*runs, std::vector<ModelRun> Representation::*models) {
     if (first == end) return;
@@ -99,7 +99,7 @@ void keepApart(Representation& scene, std::size_t first, std::size_t end, std::u
     if (model > 0) (scene.*models).push_back({from, count, model});
 }
 
-/// The model number of a scene that is joined to another: behind all of its models; 0 if it has one only.
+/// Model number for a scene that is joined to another: after all of its models; 0 if there are none.
 std::uint32_t modelBehind(const Representation& scene) {
     std::uint32_t model = 0;
     for (const auto* runs : {&scene.sphereModels, &scene.cylinderModels, &scene.triangleModels})

@@ -18,29 +18,29 @@ struct MapContour {
     std::uint32_t color = 0;                ///< as SphereLook has it
     double opacity = 1;                     ///< of surfaces
     double width = 1.5;                     ///< of lines and dots, pixels
-    const ValueColoring* values = nullptr;  ///< of another map, by which the contour is coloured; null: `color`
+    const ValueColoring* values = nullptr;  ///< colours the contour by values of another map; null: `color`
 };
 
-/// Adds a map's contour to a scene of maps alone, about its centre. Its pixels name no atom. Enlarges the scene's
-/// radius to hold it. @throws Error if it is too large
+/// Adds a map's contour to a scene that contains only maps, about its centre. Its pixels have no atom. Enlarges the
+/// scene's radius to contain it. @throws Error if it is too large
 void addContour(const MapRegion& region, const MapContour& contour, Representation& maps);
 
 /// A plane of a map's grid, across one of its axes.
 struct MapSlice {
     int axis = 2;        ///< 0, 1, 2: across a, b, c
-    double place = 0.5;  ///< along it, 0..1 of the region
+    double place = 0.5;  ///< along the axis, 0..1 of the region
     double opacity = 1;
-    double least = -std::numeric_limits<double>::infinity();  ///< what has lower values is left out
+    double least = -std::numeric_limits<double>::infinity();  ///< parts with lower values are omitted
 };
 constexpr std::size_t kMostSliceNodes = 4'000'000;
 
-/// Adds a slice through a region in the colours of its values, likewise. Where nothing is known it has holes.
+/// Adds a slice through a region, coloured by its values, in the same way. It has holes where values are unknown.
 /// @throws Error if it is too large
 void addSlice(const MapRegion& region, const MapSlice& slice, const ValueColoring& values, Representation& maps);
 
-/// Draws beside what a scene shows what another does about the same centre, as maps and primitives: it stands still,
-/// whatever copies or models the scene has, and the numbers of its looks follow the scene's. The radius holds both.
-/// Search the scene by atom before this: afterwards its looks stand for other things, too.
+/// Adds a static second scene about the same centre, such as maps and primitives: copies and models of the scene do not
+/// apply to it. The numbers of its looks follow the scene's. The radius covers both. Search the scene by atom before
+/// this call: afterwards some looks are not atoms'.
 void joinScenes(Representation& scene, const Representation& others);
 
 /// As above for a part of the scene: looks keep the numbers of its atoms.

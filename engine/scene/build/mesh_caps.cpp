@@ -14,11 +14,11 @@
 namespace nacre {
 namespace {
 
-// Å behind the plane: caps of cartoons stand before those of surfaces around them. Below half of kCapRise.
+// Å behind the plane: caps of cartoons lie in front of those of surfaces around them. Below half of kCapRise.
 constexpr double kCartoonDepth = 0.001, kSurfaceDepth = 0.002;
-constexpr double kCellSide = 0.5;     // Å: owners are found at the corners of cells
+constexpr double kCellSide = 0.5;     // Å: owners are found at cells' corners
 constexpr double kMostPerSide = 600;  // cells
-constexpr double kNearAtoms = 5;      // Å from the plane, and around a point: atoms that may own it
+constexpr double kNearAtoms = 5;      // Å from the plane, and from a point: range of atoms that may own the point
 
 bool isCapped(const Representation& r, const MeshRun& mesh) {
     return mesh.closed && mesh.count > 0 &&
@@ -36,10 +36,10 @@ struct Segment {
         const double share = std::clamp((y - from.y) / (to.y - from.y), 0.0, 1.0);
         return from.x + (to.x - from.x) * share;
     }
-    int winding() const { return to.y < from.y ? 1 : -1; }  // of points to its right
+    int winding() const { return to.y < from.y ? 1 : -1; }  // of points to the segment's right
 };
 
-/// The outlines of a mesh on a plane.
+/// The outlines of a mesh in a plane.
 class Slicer {
 public:
     /// @param toView  from the mesh to view space @param height  of the plane there
@@ -63,7 +63,7 @@ private:
         place.z -= height_;
         return {place, std::uint64_t{v.xz} << 32 | v.yz, v.look};
     }
-    /// Both triangles at an edge get the same bits.
+    /// Gives both triangles at an edge the same bits.
     glm::dvec2 crossing(const Corner& a, const Corner& b) const {
         const Corner &first = a.key < b.key ? a : b, &second = a.key < b.key ? b : a;
         const double share = first.place.z / (first.place.z - second.place.z);
@@ -97,9 +97,9 @@ public:
     }
     struct Owned {
         SphereLook look;
-        double margin = std::numeric_limits<double>::infinity();  ///< Å by which the nearest of another atom is farther
+        double margin = std::numeric_limits<double>::infinity();  ///< Å by which the nearest other atom is farther
     };
-    /// @param otherwise  where none is near
+    /// @param otherwise  the look where no atom is near
     Owned at(const glm::dvec2& point, const SphereLook& otherwise) const {
         const glm::ivec2 middle = cellOf(point);
         double least = std::numeric_limits<double>::infinity(), next = least;
@@ -136,7 +136,7 @@ private:
     std::unordered_map<std::uint64_t, std::vector<Owner>> cells_;
 };
 
-/// Fills outlines with triangles, by the cells of a grid: whole squares where no outline passes, else the trapezoids
+/// Fills outlines with triangles, cell by cell of a grid: whole squares where no outline passes, else trapezoids
 /// between the ends of its pieces. Neighbours overlap by `lap`, since vertices are rounded.
 class Filler {
 public:
@@ -157,7 +157,7 @@ public:
                 passing[static_cast<std::size_t>(row)].push_back(&s);
         for (int row = 0; row < rows; ++row) fillRow(row, passing[static_cast<std::size_t>(row)]);
     }
-    /// The lap leads from a corner to its vertex.
+    /// `lap` points from a corner to its vertex.
     struct Corner {
         glm::dvec2 at, lap;
     };
@@ -197,7 +197,7 @@ private:
         for (const Segment* s : passing) {
             for (const glm::dvec2& end : {s->from, s->to})
                 if (end.y > low.y && end.y < high.y && end.x >= low.x && end.x <= high.x) levels.push_back(end.y);
-            for (const double x : {low.x, high.x}) {  // where it leaves the cell
+            for (const double x : {low.x, high.x}) {  // ends at the cell's borders
                 if ((s->from.x <= x) == (s->to.x <= x)) continue;
                 const double y = s->from.y + (s->to.y - s->from.y) * ((x - s->from.x) / (s->to.x - s->from.x));
                 if (y > low.y && y < high.y) levels.push_back(y);
@@ -247,7 +247,7 @@ private:
     int columns_ = 0;
 };
 
-/// Adds the cap of a mesh where one of its copies stands.
+/// Adds the cap of one copy of a mesh.
 void addCap(const Representation& scene, const MeshRun& mesh, const glm::dmat4x3& place, const View& view,
             double height, Representation& caps) {
     const glm::dmat3 turn = view.rotation * glm::dmat3(place);
@@ -270,7 +270,8 @@ void addCap(const Representation& scene, const MeshRun& mesh, const glm::dmat4x3
     const double z = height - (mesh.surface ? kSurfaceDepth : kCartoonDepth);
     const glm::dmat3 back = glm::transpose(view.rotation);
     Mesh cap;
-    const double widestMargin = 3 * filler.side();  // margins change by twice the way at most, a cell's diagonal
+    const double widestMargin = 3 * filler.side();  // over a cell's diagonal, margins change by at most twice its
+                                                    // length
     std::vector<SphereLook> looks;
     std::unordered_map<std::uint64_t, std::uint32_t> numbers;
     std::map<std::pair<double, double>, std::pair<std::uint32_t, float>> known;  // look and margin; cells share corners

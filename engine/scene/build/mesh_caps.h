@@ -14,10 +14,10 @@ std::uint32_t packedCapColor(const Clip& clip);
 /// Whether there is a near clipping plane, and a mesh that gets caps: closed and opaque.
 bool needsCaps(const Representation& scene, const Clip& clip);
 
-/// The caps of a scene, with the scene's centre and atom numbers. They hold for one view and plane: rebuild them when
-/// these change. A cap has the colours and numbers of the atoms nearest to each of its points:
-/// Representation::surfaceAtoms of a surface, the outline's vertices of other meshes.
-/// Shaders know caps by their distance from the plane, kCapRise (shaders/common/hit.glsl).
+/// The caps of a scene, with the scene's centre and atom numbers. They are valid for one view and plane. Each point of
+/// a cap has the colour and number of the nearest atom: for a surface from Representation::surfaceAtoms, for other
+/// meshes from the vertices of the outline.
+/// Shaders recognise caps by their distance from the plane, kCapRise (shaders/common/hit.glsl).
 Representation meshCaps(const Representation& scene, const View& view, const Clip& clip);
 
 }  // namespace nacre

@@ -48,13 +48,13 @@ SphereLook sugarLook(const Molecule& molecule, const MeshLooks& looks, bool ownC
     return {withSurfaceOf(atom == index ? symbol->color : packedColor(0xffffff), looks(index).color), index + 1};
 }
 
-/// Whether an edge lies in a plane of the grid, as those of a contour do; others cross the grid's cells.
+/// Whether an edge lies in a plane of the grid, like a contour's lines; other edges cross cells.
 bool liesInPlane(const glm::vec3& a, const glm::vec3& b) {
     constexpr float kSame = 1e-4f;  // Å
     return glm::any(glm::lessThan(glm::abs(a - b), glm::vec3(kSame)));
 }
 
-/// A surface as wires, each half in the look of its end: where it crosses the grid's planes, or dots on its vertices.
+/// A surface as wires: its contours in the grid's planes, each half in the look of its end, or dots on its vertices.
 void addSurfaceWires(const Mesh& mesh, const RepresentationOptions& options, const MeshLooks& looks,
                      Representation& r) {
     constexpr float kCoarse = 0.1f;  // Å: error of the level whose vertices are drawn
@@ -86,7 +86,7 @@ void addSurfaceWires(const Mesh& mesh, const RepresentationOptions& options, con
         }
 }
 
-/// Lines of a mesh are so far apart that one sees through between them.
+/// Lines of a mesh are far enough apart to see through.
 SurfaceOptions wireOptions(const RepresentationOptions& options, std::size_t atoms) {
     constexpr double kApart = 0.8;  // Å
     SurfaceOptions result = options.surface;
@@ -95,7 +95,7 @@ SurfaceOptions wireOptions(const RepresentationOptions& options, std::size_t ato
     return result;
 }
 
-/// The atoms of an appearance that are ellipsoids.
+/// The atoms of an appearance that are drawn as ellipsoids.
 MeshAtoms ellipsoidAtoms(const Appearance& appearance, const AtomEllipsoids& ellipsoids) {
     std::vector<std::size_t> slots;
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i)

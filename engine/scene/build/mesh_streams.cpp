@@ -19,7 +19,7 @@ constexpr float kNormalSteps = 65535.0f;
 
 bool finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-/// The least power of two in whose steps every coordinate has its bits.
+/// The least power of two that fits every coordinate into its bits.
 float stepFor(double reach) {
     int exponent = 0;
     std::frexp(std::max(reach, 1e-6), &exponent);  // reach < 2^exponent
@@ -50,11 +50,11 @@ void checkMesh(const Mesh& mesh) {
     for (const MeshLevel& level : mesh.coarser) check(level.triangles);
 }
 
-/// The vertices of a mesh, those of its coarsest level first: then a view goes through no others.
+/// The vertices of a mesh, those of its coarsest level first: a view of a level reads no others.
 struct VertexOrder {
     std::vector<std::uint32_t> vertices;  // of the mesh
-    std::vector<std::uint32_t> places;    // of each of them there
-    std::vector<std::uint32_t> ends;      // of each coarser level's
+    std::vector<std::uint32_t> places;    // position of each vertex in that order
+    std::vector<std::uint32_t> ends;      // end of each coarser level's vertices
 
     explicit VertexOrder(const Mesh& mesh) : places(mesh.positions.size(), kNone), ends(mesh.coarser.size()) {
         vertices.reserve(places.size());
@@ -80,8 +80,8 @@ private:
     }
 };
 
-/// Whether each edge is shared by two triangles of opposite direction, vertices compared by position: a number for each
-/// directed edge is added where it is met, and subtracted where it is met the other way.
+/// Whether each edge is shared by two triangles of opposite direction, with vertices compared by position: adds a
+/// number for each directed edge, and subtracts it for the opposite direction.
 class EdgeSum {
 public:
     explicit EdgeSum(const Representation& r) : vertices_(r.meshVertices) {}

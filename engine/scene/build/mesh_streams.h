@@ -27,8 +27,8 @@ struct MeshVertex {
 /// Three vertices, counter-clockwise seen from outside. 16 bytes.
 struct Triangle {
     static constexpr std::uint32_t kWeightBits = 7, kWeightMask = (1u << kWeightBits) - 1;
-    /// What the corners' weights in the division of the triangle among their looks (Mesh::margins) lack to 1, in
-    /// 128ths: kWeightBits for a, then b, then c.
+    /// 1 minus each corner's weight in the division of the triangle among its looks (Mesh::margins), in 128ths:
+    /// kWeightBits for a, then b, then c.
     using Weights = std::uint32_t;
 
     std::uint32_t a = 0, b = 0, c = 0;  ///< indices into Representation::meshVertices
@@ -59,9 +59,9 @@ struct MeshRun {
     std::vector<Level> levels;           ///< by increasing error
     /// Range in Representation::meshVertices: first those of the coarsest level, then the additions of each finer one.
     std::uint32_t firstVertex = 0, endVertex = 0;
-    float error = 0;       ///< Å, of its own triangles: not 0 where all of them were too many for a device
+    float error = 0;       ///< Å, of its own triangles: not 0 if the finest ones were too many for a device
     bool surface = false;  ///< of a molecule
-    /// Each level is a closed surface with its front outside: where nothing cuts it, a back is behind some front.
+    /// Each level is a closed surface with its front outside: unless it is cut, every back is behind some front.
     bool closed = false;
 };
 
@@ -87,7 +87,7 @@ inline glm::vec3 positionOf(const MeshVertex& v, float step) {
 }
 glm::vec3 normalOf(const MeshVertex& vertex);
 
-/// Adds a mesh to the streams. Skips triangles that are not finite or have no area; the rest stays joined. Opaque
+/// Adds a mesh to the streams. Skips triangles that are not finite or have no area; the others stay connected. Opaque
 /// triangles come first (translucency.h), in each level.
 /// @param shift   Å, added to every position: from the mesh's origin to that of the representation
 /// @param lookOf  colour and number of an atom, called once per atom of the mesh

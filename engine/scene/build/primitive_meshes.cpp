@@ -113,7 +113,7 @@ std::uint32_t PrimitiveMeshes::numberOf(const PrimitiveLook& look) {
     return static_cast<std::uint32_t>(looks_.size() - 1);
 }
 
-/// Every level gets the finest mesh's triangles from a number on.
+/// Adds the finest mesh's triangles from `first` on to every level.
 void PrimitiveMeshes::toAllLevels(std::size_t first) {
     const auto from = solids_.triangles.begin() + static_cast<std::ptrdiff_t>(first);
     for (MeshLevel& level : solids_.coarser)
@@ -273,7 +273,7 @@ void PrimitiveMeshes::append(const Mesh& mesh) {
             return SphereLook{withOpacity(look.color, look.opacity), look.note};
         },
         scene_);
-    scene_.meshes.back().closed = false;  // a file may wind them inwards
+    scene_.meshes.back().closed = false;  // a file may orient its triangles inwards
 }
 
 void PrimitiveMeshes::finish() {

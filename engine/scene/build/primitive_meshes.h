@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-/// Combines the triangles of many small solids into one mesh with levels; given meshes stay separate.
+/// Combines the triangles of many small solids into one mesh with levels. Meshes of the file stay separate.
 class PrimitiveMeshes {
 public:
     /// @param all  all primitives: their number decides the detail
@@ -19,13 +19,13 @@ public:
 
     // Positions in the file's frame; see Primitives.
     void cylinder(const glm::dvec3& a, const glm::dvec3& b, double radius, const PrimitiveLook& look);
-    /// In the looks of its ends, each to the middle.
+    /// A cylinder whose halves have the looks of its ends.
     void cylinder(const glm::dvec3& a, const glm::dvec3& b, double radius, const PrimitiveLook& lookA,
                   const PrimitiveLook& lookB);
     void cone(const glm::dvec3& base, const glm::dvec3& tip, double radius, const PrimitiveLook& look);
     void ellipsoid(const glm::dvec3& center, const std::array<glm::dvec3, 3>& axes, const PrimitiveLook& look);
     void sector(const Primitives::Ellipse& ellipse);
-    /// @param corner  by bits: 1 for the far end of an axis
+    /// @param corner  by bits: bit i is 1 at the far end of axis i
     void boxFaces(const std::function<glm::dvec3(unsigned)>& corner, const PrimitiveLook& look);
     void mesh(const Primitives::Mesh& mesh);
 

@@ -52,7 +52,7 @@ private:
     glm::vec3 fromCenter(const glm::dvec3& p) const { return glm::vec3(p - scene_.center); }
     static bool isOpaque(const PrimitiveLook& look) { return look.opacity >= 1; }
 
-    /// Dashes may turn few primitives into many.
+    /// Dashes may multiply primitives.
     void checkRoom() const {
         constexpr std::size_t kMostPieces = 4 * kMostPrimitives;
         if (scene_.wires.size() + scene_.cylinders.size() >= kMostPieces)
@@ -157,7 +157,7 @@ private:
     PrimitiveMeshes meshes_;
 };
 
-/// Visits points and radii that bound everything drawn.
+/// Visits points and radii that bound all drawn primitives.
 template <typename Visit>
 void eachBall(const Primitives& all, const Visit& visit) {
     for (const auto& l : all.lines) visit(l.a, l.radius), visit(l.b, l.radius);
@@ -286,7 +286,7 @@ std::vector<glm::dvec4> outlineOf(const Primitives& primitives) {
                 for (int z = -2; z <= 2; ++z) {
                     const glm::dvec3 way(x, y, z);
                     if (way == glm::dvec3(0)) continue;
-                    // Where a plane across this way touches.
+                    // Point where a plane perpendicular to `way` touches.
                     const glm::dvec3 share(glm::dot(axes[0], way), glm::dot(axes[1], way), glm::dot(axes[2], way));
                     const double length = glm::length(share);
                     if (length > 0) add(center + (axes[0] * share.x + axes[1] * share.y + axes[2] * share.z) / length);

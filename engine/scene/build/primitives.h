@@ -1,6 +1,6 @@
 #pragma once
-// Geometry beside the atoms: lines, tubes, arrows, spheres, ellipsoids, ellipses, boxes, meshes and labels at points.
-// Every visibility path draws them; they occlude, cast shadows and are clipped like atoms, and exports include them.
+// Geometry in addition to atoms: lines, tubes, arrows, spheres, ellipsoids, ellipses, boxes, meshes and labels at
+// points. Every visibility path draws it. It occludes, casts shadows and is clipped like atoms, and exports include it.
 
 #include <array>
 #include <cstddef>
@@ -77,18 +77,18 @@ struct Primitives {
     struct Mesh {
         std::vector<glm::dvec3> positions;
         std::vector<std::array<std::uint32_t, 3>> triangles;
-        /// One for all, one per triangle or one per vertex: a point takes that of the nearest vertex.
+        /// One for all, one per triangle or one per vertex: a point takes the look of the nearest vertex.
         std::vector<PrimitiveLook> looks{{}};
         bool smooth = false;                   ///< vertex normals are means over triangles; false: flat triangles
-        std::optional<PrimitiveLook> wires{};  ///< its edges as lines
+        std::optional<PrimitiveLook> wires{};  ///< if set, its edges are drawn as lines
         double wireWidth = 1;                  ///< pixels
         bool faces = true;
     };
     struct Label {
         glm::dvec3 at{};
         std::string text;                      ///< with the markup of labels
-        double size = 0;                       ///< em size in Å, at `at`; 0: as all labels
-        std::optional<std::uint32_t> color{};  ///< packed; empty: as all labels
+        double size = 0;                       ///< em size in Å, at `at`; 0: that of all labels
+        std::optional<std::uint32_t> color{};  ///< packed; empty: that of all labels
     };
 
     std::vector<Line> lines;
@@ -99,7 +99,7 @@ struct Primitives {
     std::vector<Box> boxes;
     std::vector<Mesh> meshes;
     std::vector<Label> labels;
-    std::vector<std::string> notes;  ///< text for a primitive under the pointer in a window
+    std::vector<std::string> notes;  ///< shown for a primitive under the pointer in a window
 
     bool empty() const;
     /// Appends other primitives, and renumbers their notes.
@@ -117,7 +117,7 @@ double ellipsoidError(std::size_t count);
 /// Bounding sphere; empty if nothing is drawn. Labels count as points.
 std::optional<Bounds> boundsOf(const Primitives& primitives);
 
-/// Points that stand for the outlines of primitives without their labels: corners, and points on what is round.
+/// Points on the outlines of primitives, without labels: corners, and points on round shapes.
 std::vector<glm::dvec4> outlineOf(const Primitives& primitives);
 
 /// Adds primitives to a scene, about its centre; increases its radius. Their numbers are those of their notes.

@@ -75,7 +75,7 @@ void separateModels(const Molecule& molecule, Representation& result) {
     });
 }
 
-/// The farthest that a sphere reaches from the centre, Å.
+/// Largest distance of a sphere's surface from the centre, Å.
 double spheresReach(const Representation& r) {
     double farthest = 0;
     for (const Sphere& sphere : r.spheres)
@@ -85,8 +85,8 @@ double spheresReach(const Representation& r) {
     return farthest;
 }
 
-/// Removes legends of which nothing is drawn, and entries whose colour none of their atoms shows: a cartoon shows few
-/// of its atoms' colours. @param legendOf  as in Appearance
+/// Removes legends of undrawn atoms, and entries whose colour is not drawn: a cartoon shows few of its atoms' colours.
+/// @param legendOf  as in Appearance
 void dropUndrawn(const Representation& r, const std::vector<std::uint16_t>& legendOf, std::vector<Legend>& legends) {
     std::vector<std::unordered_set<std::uint32_t>> drawn(legends.size());
     const auto note = [&](std::uint32_t color, std::uint32_t number) {
@@ -100,7 +100,7 @@ void dropUndrawn(const Representation& r, const std::vector<std::uint16_t>& lege
     for (const SphereLook& look : r.meshLooks) note(look.color, look.atom);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         std::vector<LegendEntry>& entries = legends[i].entries;
-        if (legends[i].scheme == kContactScheme) continue;  // not of atoms
+        if (legends[i].scheme == kContactScheme) continue;  // not about atoms
         if (drawn[i].empty()) {
             entries.clear();
             continue;
@@ -118,7 +118,7 @@ void dropUndrawn(const Representation& r, const std::vector<std::uint16_t>& lege
     }
 }
 
-/// Atoms that are seen, in whatever style, in all their copies.
+/// Number of atoms seen, in any style, in all their copies.
 std::size_t countAtoms(const Appearance& appearance, const AssemblyScene* assembly) {
     if (!assembly) return appearance.seen;
     std::vector<std::uint32_t> seen = appearance.atoms;
@@ -129,7 +129,7 @@ std::size_t countAtoms(const Appearance& appearance, const AssemblyScene* assemb
     return assembly->countCopies(seen);
 }
 
-/// A contact belongs to the residue of its first atom, where lines are drawn between groups.
+/// Where outlines separate groups, a contact belongs to the residue of its first atom.
 void addContactGroups(Representation& r) {
     if (r.contacts.empty()) return;
     r.atomGroups.resize(r.firstContact - 1);
@@ -217,7 +217,7 @@ MovingScene::MovingScene(const ResidueFacts& facts, std::span<const std::uint32_
     options_ = options;
 }
 
-/// Contacts of the atoms where they are now; how many primitives they take hardly changes.
+/// Contacts at the atoms' current positions; their number of primitives hardly changes.
 void MovingScene::moveContacts(const Molecule& molecule, std::vector<PlacedContact> contacts) {
     if (!options_.contacts.of) return;
     std::erase_if(scene_.legends, [](const Legend& legend) { return legend.scheme == kContactScheme; });

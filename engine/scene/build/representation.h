@@ -25,10 +25,10 @@ struct Sphere {
     glm::vec3 center;  ///< Å, relative to Representation::center
     float radius;      ///< Å
 };
-/// Stream B, read by shading passes as well. 8 bytes.
+/// Stream B, which shading passes also read. 8 bytes.
 struct SphereLook {
     std::uint32_t color;  ///< sRGB, 8 bits per channel, red in the lowest byte
-    std::uint32_t atom;  ///< 1-based position of the atom in its file; beyond, contacts, then notes of primitives; or 0
+    std::uint32_t atom;   ///< 1-based atom in its file; higher numbers: contacts, then notes of primitives; or 0
 };
 
 /// A cylinder with flat caps from a to b. 32 bytes.
@@ -70,19 +70,19 @@ struct Representation {
     std::vector<Triangle> triangles;      ///< of cartoons and surfaces
     std::vector<MeshVertex> meshVertices;
     std::vector<MeshRun> meshes;            ///< all triangles together, in their order
-    std::vector<Triangle> coarseTriangles;  ///< of the meshes' levels: numbered on from the others where both are drawn
-    std::vector<SphereLook> meshLooks;      ///< that vertices share
+    std::vector<Triangle> coarseTriangles;  ///< of the meshes' levels; their numbers follow `triangles`
+    std::vector<SphereLook> meshLooks;      ///< shared by vertices
     std::vector<SurfaceAtom> surfaceAtoms;  ///< of closed surfaces (mesh_caps.h)
-    /// Triangles go over from corner to corner in colour; else a point has that of the nearest corner.
+    /// Triangles blend the colours of their corners; otherwise a point has that of the nearest corner.
     bool blendsColors = false;
-    bool ownMaterials = false;              ///< of some colours (engine/scene/color/colors.h)
+    bool ownMaterials = false;              ///< some colours have their own material (engine/scene/color/colors.h)
     std::vector<std::uint32_t> atomGroups;  ///< of the file's atoms in their order (atom_groups.h), then of contacts
-    Copies copies;                          ///< of an assembly; relative to center, too
-    std::shared_ptr<const Volume> volume;   ///< a density map that rays go through (volume.h); null: none
-    /// Models that are drawn together and do not occlude each other, in the order of the primitives; together all of
-    /// them. Empty: whatever is drawn occludes.
+    Copies copies;                          ///< of an assembly; also relative to `center`
+    std::shared_ptr<const Volume> volume;   ///< a density map drawn by rays (volume.h); null: none
+    /// Models that are drawn together and do not occlude each other, in the order of the primitives; together they
+    /// cover all. Empty: all primitives occlude.
     std::vector<ModelRun> sphereModels, cylinderModels, triangleModels;
-    /// Centre of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame; over all models of the file,
+    /// Centre of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame; of all models of the file,
     /// if they share a camera.
     glm::dvec3 center{};
     double radius = 0;           ///< max(|p - center| + r) over the same spheres and the meshes' vertices, Å
@@ -92,14 +92,14 @@ struct Representation {
     std::vector<Legend> legends;        ///< meaning of the colours
     std::vector<std::string> warnings;  ///< rules and schemes without effect, one sentence each
     std::vector<DrawnContact> contacts;
-    std::uint32_t firstContact = 0;  ///< a look's number for the first contact; above every atom's
+    std::uint32_t firstContact = 0;  ///< number of the first contact in looks; above every atom's
 
     /// The contact with a look's number; null if the number is an atom's.
     const DrawnContact* contactOf(std::uint32_t number) const {
         const bool any = !contacts.empty() && number >= firstContact && number - firstContact < contacts.size();
         return any ? &contacts[number - firstContact] : nullptr;
     }
-    /// The note, counted from 1, of a primitive that was joined to this (joinScenes()), by its number; 0: it is none's.
+    /// The 1-based note of a primitive that was joined to this (joinScenes()), by its number; 0 if it is not a note.
     std::uint32_t noteOf(std::uint32_t number) const {
         return number > atomGroups.size() ? number - static_cast<std::uint32_t>(atomGroups.size()) : 0;
     }
@@ -110,20 +110,21 @@ struct Representation {
     }
 };
 
-/// A bond is drawn if both its atoms are and either has a style with bonds; it takes the stouter style of the two:
+/// A bond is drawn if both its atoms are and either has a style with bonds. It takes the stouter style of the two,
 /// licorice before ball-and-stick, so that no stick changes its width halfway. In a space-filling atom it just ends.
-/// Cartoons and surfaces are made of what has the same copies, or of a model, by itself.
-/// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending, of which the rules may hide some
-/// An assembly stores atoms and bonds once, sorted by their copies; a bond is drawn where both its atoms are,
-/// and none joins two copies. Interactions do: such a one is stored in the frame of the first of its two copies.
-/// @param frame  the view's center and radius (shared_frame.h), which hold all that is drawn; empty: just that
-/// @throws Error if no atom is left, there is no such assembly, it has 2^32 primitives or more, or they lie over one
+/// Cartoons and surfaces are made separately for each model and each set of copies.
+/// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending; rules may hide some
+/// An assembly stores atoms and bonds once, sorted by their copies. A bond is drawn where both its atoms are, and never
+/// joins two copies. Interactions may: such a one is stored in the frame of the first of its two copies.
+/// @param frame  the view's centre and radius (shared_frame.h), which contain all that is drawn; empty: computed from
+/// that
+/// @throws Error if no atom is left, there is no such assembly, it has 2^32 primitives or more, or they cover one
 /// another more than 10,000 times
 Representation represent(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options, const std::optional<Bounds>& frame = {});
 
-/// A molecule whose atoms move: selected, styled and coloured once, by the first positions, with one camera. Selections
-/// by distance keep their first atoms.
+/// A molecule whose atoms move. It is selected, styled and coloured once, by the first positions, and has one camera.
+/// Selections by distance keep their first atoms.
 class MovingScene {
 public:
     /// As represent(). @throws Error for an assembly: its copies do not move
@@ -132,7 +133,7 @@ public:
 
     /// Its centre is that of the first positions, or of the frame; its radius always holds every atom.
     const Representation& scene() const { return scene_; }
-    /// @param molecule  the same with other positions @throws Error as represent()
+    /// @param molecule  the same molecule with other positions @throws Error as represent()
     void move(const Molecule& molecule);
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
-// How a scene file has its molecules drawn: several representations of the same atoms, each in colours of its own;
-// copies; labels; camera and background. A plain value that goes with the molecule it was written for.
+// How a scene file draws its molecules: several representations of the same atoms, each with its own colours; copies;
+// labels; camera and background. A plain value that accompanies its molecule.
 
 #include <array>
 #include <cstdint>
@@ -32,43 +32,43 @@ struct SceneLayer {
     bool ownColors = false;                        ///< of Style::carbohydrate: `colors` instead of the symbols' colours
 };
 
-/// Text that some atoms have.
+/// Text of some atoms.
 struct SceneNote {
     std::vector<std::uint32_t> atoms;  ///< ascending
     std::string text;                  ///< plain
 };
 
-/// A camera that looks at a ball: perspective, with an angle across the picture's height.
+/// A camera that looks at a ball, in perspective; its angle spans the picture's height.
 struct SceneCamera {
     glm::dvec3 target{}, direction{0, 0, -1}, up{0, 1, 0};  ///< Å, in the file's frame; directions of any length
-    double radius = 1;    ///< Å: what is farther from the target along the view is cut away
+    double radius = 1;    ///< Å; parts farther from the target along the view are cut away
     double distance = 0;  ///< Å from the eye to the target; 0: the ball fills the picture
-    double nearest = 0;   ///< Å from the eye to what is seen next to it; 0: 5, or less in a small scene
+    double nearest = 0;   ///< Å from the eye to the nearest visible point; 0: 5, or less in a small scene
     double fovDegrees = 45;
 };
 
-/// A density map as a scene shows it, as far as its file reaches: a contour, or a slice of its grid.
+/// A density map in a scene, over the extent of its file: a contour, or a slice of its grid.
 struct SceneVolume {
     std::shared_ptr<const DensityMap> map;
-    double level = 0;  ///< of the contour, in the map's unit; a negative one encloses lower values
+    double level = 0;  ///< of the contour, in the map's unit; negative: encloses lower values
     bool faces = true, wires = false;
-    int axis = -1;                     ///< across which the slice lies: 0, 1, 2; -1: a contour
-    double place = 0;                  ///< of the slice along it, 0 to 1
-    std::optional<double> least = {};  ///< of the slice: lower values are left out
+    int axis = -1;                     ///< normal to the slice: 0, 1, 2; -1: a contour
+    double place = 0;                  ///< of the slice along the axis, 0 to 1
+    std::optional<double> least = {};  ///< of the slice: parts with lower values are omitted
     std::uint32_t color =
         0xffffffffu;  ///< packed as in colors.h; a slice is black at the least value, this at the largest
     double opacity = 1;
-    Bounds ball;  ///< about it, Å
+    Bounds ball;  ///< around the map, Å
 };
 
 struct SceneGuide {
     std::vector<SceneLayer> layers;
-    /// Where residues stand: each at all transforms of its list. Empty: once, where its atoms are.
-    std::vector<glm::dmat4x3> transforms;           ///< in the file's frame, rigid, no two the same
-    std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms, ascending, no two the same
+    /// Copies of residues: each is drawn at all transforms of its list. Empty: once, where its atoms are.
+    std::vector<glm::dmat4x3> transforms;           ///< in the file's frame, rigid, all different
+    std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms, ascending, all different
     std::vector<std::uint32_t> listOfResidue;       ///< by residue
     std::vector<SceneNote> tooltips;
-    Primitives primitives;  ///< labels of atoms, too
+    Primitives primitives;  ///< includes labels of atoms
     std::vector<SceneVolume> volumes;
     std::optional<SceneCamera> camera;
     std::optional<std::array<float, 4>> background;  ///< sRGB-coded, straight alpha

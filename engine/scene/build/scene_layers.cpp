@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kMostWires = 10'000'000;
 
-/// Keeps those atoms of a layer that `wanted(slot)` says.
+/// Keeps the atoms of a layer for which `wanted(slot)` is true.
 template <typename Wanted>
 SceneLayer filtered(const SceneLayer& layer, const Wanted& wanted) {
     SceneLayer kept = layer;
@@ -37,7 +37,7 @@ SceneLayer filtered(const SceneLayer& layer, const Wanted& wanted) {
     return kept;
 }
 
-/// A layer of all atoms that `chosen` has of some, in one colouring.
+/// A layer of the drawn atoms in `chosen`, in one colouring.
 SceneLayer newLayer(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, const std::vector<bool>* chosen,
                     Style style, const Coloring& coloring, const RepresentationOptions& options, double opacity) {
     SceneLayer layer;
@@ -186,7 +186,7 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
     return part;
 }
 
-/// Puts a part behind a whole, with a run of copies of its own.
+/// Appends a part to a whole, as its own run of copies.
 void placePart(const Representation& part, std::uint32_t list, Representation& whole) {
     const auto run = [&](std::vector<PrimitiveRun>& runs, std::size_t first, std::size_t count, const auto& ballsOf) {
         if (count == 0) return;
@@ -207,7 +207,7 @@ void placePart(const Representation& part, std::uint32_t list, Representation& w
     const std::size_t wires = whole.wires.size();
     appendPart(whole, part);
     whole.drawnBonds += part.drawnBonds;
-    // Lines have no copies: each stands for itself.
+    // Lines have no copies: each is stored separately.
     whole.wires.resize(wires);
     whole.wireLooks.resize(wires);
     if (part.wires.size() * whole.copies.lists[list].size() > kMostWires)
@@ -227,7 +227,7 @@ std::uint32_t listOf(const Molecule& molecule, const SceneGuide& guide, std::uin
     return guide.listOfResidue[molecule.atoms[atom].residue];
 }
 
-/// The farthest that anything reaches from the centre, Å, in all copies.
+/// Largest distance of any surface from the centre, Å, in all copies.
 double reachOf(const Representation& r) {
     double reach = meshReach(r);
     for (const Sphere& sphere : r.spheres)
@@ -245,7 +245,7 @@ double reachOf(const Representation& r) {
     return reach;
 }
 
-/// Layers whose cartoons and surfaces are as fine as the residues and atoms of all copies together allow.
+/// Layers whose cartoons and surfaces have the detail for the number of residues and atoms in all copies.
 std::vector<SceneLayer> coarseInCopies(const Molecule& molecule, std::vector<SceneLayer> layers) {
     const SceneGuide& guide = *molecule.guide;
     if (guide.transforms.empty()) return layers;

@@ -1,5 +1,5 @@
 #pragma once
-// From the layers of a scene file to what is drawn. Used by representation.cpp's callers in place of represent().
+// Converts the layers of a scene file to primitives. representation.cpp's callers use it instead of represent().
 
 #include "engine/scene/build/representation.h"
 #include "engine/scene/build/scene_guide.h"
@@ -7,8 +7,8 @@
 
 namespace nacre {
 
-/// The layers of a molecule's guide as rules leave them: `hide` takes atoms away, `show` adds a layer, `color` colours
-/// atoms wherever they are. A style for all replaces the layers, a colouring for all their colours.
+/// The layers of a molecule's guide after rules: `hide` removes atoms, `show` adds a layer, `color` colours atoms
+/// wherever they are. A style for all replaces the layers, and a colouring for all their colours.
 struct GuidedLayers {
     std::vector<SceneLayer> layers;
     std::vector<Legend> legends;
@@ -23,10 +23,10 @@ std::vector<SceneLayer> layersOf(const Appearance& appearance, const Representat
 /// The tooltips of a scene for an atom, in the order of its nodes; empty if there are none.
 std::string tooltipOf(const SceneGuide& guide, std::uint32_t atom);
 
-/// The sphere about all that layers show, in all copies; of 1 Å at the origin if they show nothing.
+/// The bounding sphere of all that layers show, in all copies; of 1 Å at the origin if they show nothing.
 Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers);
 
-/// Builds the layers of a molecule that has a guide. @param frame  centre and radius, as represent() takes it
+/// Builds the layers of a molecule that has a guide. @param frame  centre and radius, as in represent()
 /// @throws Error as represent() does
 Representation representLayers(const ResidueFacts& facts, const GuidedLayers& layers,
                                const RepresentationOptions& options, const Bounds& frame);

@@ -16,7 +16,7 @@ namespace {
 constexpr float kUnknown = -1000;  // of the second channel: hides every cell at the node
 constexpr double kMostHalf = 60000;
 
-/// Least and most of the corners of what a brick shows.
+/// Lowest and highest corner of a brick's visible part.
 struct NodeBox {
     glm::ivec3 first{1 << 30}, last{-1};
     bool empty() const { return last.x < 0; }
@@ -94,7 +94,7 @@ private:
         });
     }
 
-    /// The nodes of a brick's blocks that may show anything.
+    /// The nodes of a brick's blocks that may be visible.
     NodeBox shownIn(const glm::ivec3& place) const {
         constexpr int kBlock = MapRegion::kBlock;
         const glm::ivec3 from = place * (cells_ / kBlock), to = glm::min(from + cells_ / kBlock, region_.blocks());

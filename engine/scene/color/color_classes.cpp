@@ -46,8 +46,8 @@ Classes byElement(const Molecule& molecule, std::span<const std::uint32_t> atoms
     return classes;
 }
 
-/// A chain looks the same in every model. Chains of one model with equal names are distinguished by order; chains of
-/// different molecules always are.
+/// A chain has the same colour in every model. Chains of one model with equal names are distinguished by order; chains
+/// of different molecules always are.
 /// @param before  prefix of a chain's name in the legend
 Classes byChain(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const AnyPalette& palette,
                 const std::string& before = "") {
@@ -70,7 +70,7 @@ Classes byChain(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
     return classes;
 }
 
-/// Carbons of ligands beside a polymer keep the element's colour, which tells them from their chain's.
+/// Carbons of ligands keep the element's colour if there is a polymer, which distinguishes them from their chain.
 Classes byChainCarbons(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const AnyPalette& palette) {
     constexpr Element kCarbon = 6;
     const Molecule& molecule = facts.molecule();
@@ -106,7 +106,7 @@ Classes byInput(const Molecule& molecule, std::span<const std::uint32_t> atoms, 
     return classes;
 }
 
-/// A class with its sort key in the legend: the rank, then the label.
+/// A class with its sort key in the legend: rank, then label.
 struct RankedEntry {
     LegendEntry entry;
     double rank = 0;
@@ -172,7 +172,7 @@ enum Charge { kNegative, kNeutral, kPositive };
 
 /// @param kind  of the atom's residue
 Charge chargeOf(const Atom& atom, const Residue& residue, ResidueKind kind) {
-    if (kind == ResidueKind::nucleic) return kNegative;  // its phosphate
+    if (kind == ResidueKind::nucleic) return kNegative;  // for its phosphate
     if (kind == ResidueKind::protein) {
         const std::string_view name = residue.name.view();
         for (const std::string_view neutral : {"ASH", "GLH", "LYN"})
@@ -248,7 +248,7 @@ Classes byConfidence(const Molecule& molecule, std::span<const std::uint32_t> at
     return classes;
 }
 
-/// Entities of several compartments ("root.membrane.spike") get shades of the compartments' colours.
+/// Entities of several compartments ("root.membrane.spike") get shades of their compartments' colours.
 void shadeByCompartment(std::vector<LegendEntry>& entities, const AnyPalette& palette) {
     std::map<std::string_view, std::size_t> compartments;
     std::vector<std::size_t> compartmentOf, members;
@@ -316,7 +316,7 @@ std::vector<std::string> chainLabels(const ResidueFacts& facts, const std::strin
     const Molecule& molecule = facts.molecule();
     std::vector<std::string> labels;
     for (const Chain& chain : molecule.chains) labels.push_back(chain.name.empty() ? "" : before + chain.name);
-    // Names an entity without a name by its kind: a polymer, residues of one name except water, or several.
+    // Names an entity without a name by its contents: a polymer, residues of one name except water, or several.
     constexpr std::string_view kWater = "water";
     std::vector<bool> polymer(labels.size());
     for (std::uint32_t r = 0; r < molecule.residues.size(); ++r) {

@@ -8,7 +8,7 @@ namespace nacre {
 /// Legend labels of the chains. @param before  prefix of each name
 std::vector<std::string> chainLabels(const ResidueFacts& facts, const std::string& before);
 
-/// Legend label of what has no hydropathy.
+/// Legend label of residues without hydropathy.
 inline constexpr std::string_view kNoAminoAcid = "not an amino acid";
 
 /// colorAtoms() for element, chain, input, residue, hydrophobicity, charge, secondaryStructure, plddt and entity.

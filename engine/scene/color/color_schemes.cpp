@@ -23,7 +23,7 @@ namespace {
 
 using Atoms = std::span<const std::uint32_t>;
 
-constexpr std::uint32_t kOutside = packedColor(0xc4beb4);  // what a scheme says nothing about: warm grey
+constexpr std::uint32_t kOutside = packedColor(0xc4beb4);  // atoms without a value: warm grey
 constexpr std::size_t kMostLabels = 100;                   // of a table's colours in the legend
 constexpr int kStops = 5;                                  // of a palette in the legend
 
@@ -31,7 +31,7 @@ struct SchemeName {
     std::string_view name;
     ColorScheme scheme;
 };
-// The first name of a scheme is the one it goes by.
+// The first name of a scheme is its main one.
 constexpr SchemeName kNames[] = {{"element", ColorScheme::element},
                                  {"chain", ColorScheme::chain},
                                  {"chain-carbons", ColorScheme::chainCarbons},
@@ -55,7 +55,7 @@ constexpr SchemeName kNames[] = {{"element", ColorScheme::element},
                                  {"distance", ColorScheme::distance},
                                  {"entity", ColorScheme::entity}};
 
-/// Two decimals at most, no more than are needed.
+/// At most two decimals, without trailing zeros.
 std::string shortNumber(double value) {
     const double rounded = std::round(value * 100) / 100;
     std::string text = std::to_string(rounded == 0 ? 0.0 : rounded);
@@ -80,18 +80,18 @@ void alignDecimals(std::vector<LegendEntry>& numbers) {
     }
 }
 
-/// Twelve digits at most: as it was written.
+/// At most twelve digits: as written.
 std::string exactNumber(double value) {
     std::array<char, 32> digits{};
     return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.12g", value))};
 }
 
-/// The palette that a colouring asks for, else the scheme's own.
+/// The palette of a colouring, else the scheme's own.
 AnyPalette rampOf(const Coloring& coloring, Palette own) {
     return coloring.palette == Palette::automatic ? own : coloring.palette;
 }
 
-/// Colours by a number of each atom, the ramp spread over the range.
+/// Colours by a number per atom, with the ramp spread over the range.
 template <typename Value>
 ColoredAtoms byNumber(Atoms atoms, const AnyPalette& ramp, const ColorRange& range, const Value& valueOf) {
     ColoredAtoms result;
@@ -122,7 +122,7 @@ ColoredAtoms byNumber(Atoms atoms, const AnyPalette& ramp, const ColorRange& ran
     return result;
 }
 
-/// From the 2nd to the 98th percentile: one atom that moves freely would leave a single colour for the rest.
+/// From the 2nd to the 98th percentile: otherwise one very mobile atom would leave a single colour for all others.
 ColorRange usualRange(std::vector<double> values) {
     const auto percentile = [&](std::size_t percent) {
         const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * percent / 100);
@@ -176,7 +176,7 @@ ColoredAtoms byFitDistance(const ResidueFacts& facts, Atoms atoms, const Colorin
     return result;
 }
 
-/// The centre of a shell of many copies, as capsids are; else of the atoms.
+/// The centre of an assembly of many copies, such as a capsid's shell; otherwise of the atoms.
 glm::dvec3 centerOf(const Molecule& molecule, Atoms atoms) {
     constexpr std::size_t kShell = 12;  // copies
     glm::dvec3 middle(0);
@@ -195,13 +195,13 @@ glm::dvec3 centerOf(const Molecule& molecule, Atoms atoms) {
     return middle;
 }
 
-/// By the file's partial charges, over a range with 0 in its middle.
+/// By the file's partial charges, over a range centred on 0.
 ColoredAtoms byPartialCharge(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
     const auto valueOf = [&](std::uint32_t atom) { return static_cast<double>(molecule.partialCharges[atom]); };
     std::vector<double> sizes;
     sizes.reserve(atoms.size());
     for (const std::uint32_t atom : atoms) sizes.push_back(std::abs(valueOf(atom)));
-    // The 98th percentile, the largest of few: ions would leave pale colours for the rest.
+    // The 98th percentile, or the largest of few: ions would make all other colours pale.
     const auto at = sizes.begin() + static_cast<std::ptrdiff_t>((sizes.size() * 98 + 99) / 100 - 1);
     std::nth_element(sizes.begin(), at, sizes.end());
     const double most = *at;
@@ -221,7 +221,7 @@ ColoredAtoms byDistance(const Molecule& molecule, Atoms atoms, const Coloring& c
     return byNumber(atoms, rampOf(coloring, Palette::viridis), range, valueOf);
 }
 
-/// Colours as a table has them, values along a ramp. What it does not name is grey.
+/// Colours of a table, or values along a ramp. Atoms that the table does not match are grey.
 ColoredAtoms byTable(const ResidueFacts& facts, Atoms atoms, const Coloring& coloring) {
     static const ColorTable kEmpty;
     const ColorTable& table = coloring.table ? *coloring.table : kEmpty;

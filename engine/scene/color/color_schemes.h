@@ -41,7 +41,7 @@ enum class ColorScheme {
 /// Kind of palette that a scheme uses.
 enum class PaletteUse : std::uint8_t { none, kinds, ramp };
 PaletteUse paletteUse(ColorScheme scheme);
-/// Whether the ends of its ramp can be set.
+/// Whether the range of the scheme's ramp can be set.
 bool takesRange(ColorScheme scheme);
 
 /// The scheme's name for `--color` ("b-factor"); empty for uniform.
@@ -64,7 +64,7 @@ struct Coloring {
     AnyPalette palette = {};
     std::optional<ColorRange> range = {};          ///< of a ramp; empty: automatic
     std::shared_ptr<const ColorTable> table = {};  ///< null: no atom
-    std::string source = {};                       ///< what a frontend reads the table from
+    std::string source = {};                       ///< where a frontend reads the table from
     std::string column = {};                       ///< column of its values; empty: the only one
 
     Coloring() = default;
@@ -97,10 +97,10 @@ struct ColoredAtoms {
     AnyPalette ramp = {};               ///< palette of the first `stops` entries
     std::size_t stops = 0;              ///< entries along the ramp, end to end; classes follow
     std::vector<std::uint32_t> tints;   ///< tint of the copy's colour, per atom; empty: not coloured by copy
-    std::string warning;                ///< why the colours mean little here; empty: they do not
+    std::string warning;                ///< why the colours are of little use here; empty: they are useful
 };
 
-/// @param atoms  indices of the atoms to colour; the others serve only as context
+/// @param atoms  indices of the atoms to colour; others only provide context
 ColoredAtoms colorAtoms(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring);
 
 }  // namespace nacre

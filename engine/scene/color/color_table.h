@@ -12,7 +12,7 @@
 
 namespace nacre {
 
-/// Each row selects atoms by all its keys, and gives them a colour or a value. The last matching row wins.
+/// Each row selects atoms that match all its keys, and gives them a colour or a value. The last matching row wins.
 struct ColorTable {
     struct Numbers {
         std::int32_t first = 0, last = 0;

@@ -36,7 +36,7 @@ struct NamedColor {
     std::uint32_t rgb;
 };
 
-// One hue a family, one shade a residue; protonation variants and selenomethionine share their parent's.
+// One hue per family, one shade per residue; protonation variants and selenomethionine share their parent's.
 constexpr NamedColor kResidues[] = {
     {"ASP", 0xe0645c}, {"GLU", 0xd4584f}, {"ASH", 0xe0645c}, {"GLH", 0xd4584f},  {"LYS", 0x6f8fe0},  {"ARG", 0x5b79d2},
     {"HIS", 0x94a8ea}, {"HID", 0x94a8ea}, {"HIE", 0x94a8ea}, {"HIP", 0x94a8ea},  {"HSD", 0x94a8ea},  {"HSE", 0x94a8ea},

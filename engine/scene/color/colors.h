@@ -15,10 +15,10 @@ namespace nacre {
 /// Hues after the CPK and Jmol conventions, less saturated. Every element has one; an unknown element is pink.
 std::uint32_t elementColor(Element element);
 
-/// Default palette of chains, inputs and copies, of whole atoms as of carbons alone.
+/// Default palette of chains, inputs and copies, for whole atoms or carbons alone.
 constexpr Palette kChainPalette = Palette::distinct;
 
-/// A tint of the copy's colour: a grey that darkens it. The first is white, the copy's own colour.
+/// A tint of the copy's colour: a grey that darkens it. The first is white, which keeps the copy's colour.
 std::uint32_t copyTint(std::size_t tint, std::size_t count);
 constexpr bool isCopyTint(std::uint32_t color) { return (color >> 24 & 1) == 0; }
 /// A copy's colour in a tint, as shaders mix them: multiplied in linear light.
@@ -27,10 +27,10 @@ std::uint32_t tintedColor(std::uint32_t color, std::uint32_t tint);
 /// The mean, in linear light. @param colors  at least one @param shares  same length, above 0
 std::uint32_t meanColor(std::span<const std::uint32_t> colors, std::span<const float> shares);
 
-/// The other seven bits of the highest byte store opacity in steps of 1/128. The lowest of these codes are
-/// materials of opaque colours instead, so that the least opacity is 5/128. Other colours have the picture's material.
+/// The other seven bits of the highest byte store opacity in steps of 1/128. The lowest codes denote materials of
+/// opaque colours instead, so that the least opacity is 5/128. Other colours have the picture's material.
 constexpr std::uint32_t kOpacitySteps = 128, kMaterials = 4, kSurfaceBits = 0xfe000000u;
-/// An opaque colour stays as it is.
+/// Returns an opaque colour unchanged.
 std::uint32_t withOpacity(std::uint32_t color, double opacity);
 constexpr std::uint32_t opacitySteps(std::uint32_t color) {
     return color >> 25 < kMaterials ? kOpacitySteps : (color >> 25) + 1;
@@ -38,7 +38,7 @@ constexpr std::uint32_t opacitySteps(std::uint32_t color) {
 constexpr std::uint32_t withMaterial(std::uint32_t color, Material material) {
     return (color & ~kSurfaceBits) | static_cast<std::uint32_t>(material) << 25;
 }
-/// A colour with another's opacity or material.
+/// A colour with the opacity or material of `other`.
 constexpr std::uint32_t withSurfaceOf(std::uint32_t color, std::uint32_t other) {
     return (color & ~kSurfaceBits) | (other & kSurfaceBits);
 }

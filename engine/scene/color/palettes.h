@@ -34,8 +34,8 @@ enum class Palette : std::uint8_t {
     viridis,        ///< dark violet to yellow: matplotlib's (S. van der Walt and N. Smith, 2015, CC0)
     plasma,         ///< dark blue over red to yellow: likewise
     sunset,         ///< blue over pale yellow to red: Tol
-    blueWhiteRed,   ///< our own, as crystallographers draw B factors
-    redWhiteBlue,   ///< the same from its other end, as potentials are drawn
+    blueWhiteRed,   ///< our own, as crystallographers colour B factors
+    redWhiteBlue,   ///< the reverse, as potentials are drawn
     rainbow,        ///< blue over green and yellow to red: Tol's "smooth rainbow", from its blue to its red
     lipophilicity,  ///< dark cyan over white to dark goldenrod (CSS colour names), as ChimeraX shows lipophilicity
     grays,          ///< dark to light
@@ -60,7 +60,7 @@ struct AnyPalette {
 
 /// "okabe-ito"; empty for automatic.
 std::string_view paletteName(Palette palette);
-/// Own colours as text: "#ffffff:#ff0000".
+/// The palette's name, or its own colours: "#ffffff:#ff0000".
 std::string paletteName(const AnyPalette& palette);
 std::optional<Palette> paletteFromName(std::string_view name);
 /// Whether it is a ramp, for numbers.

@@ -104,7 +104,7 @@ std::optional<ColorRange> colorSurfaces(const ValueColoring& coloring, Represent
         vertex.look = look->second;
     }
     scene.blendsColors = true;
-    // Where nothing else is seen, the other colours are gone.
+    // If nothing else is drawn, the other colours are gone.
     if (scene.spheres.empty() && scene.cylinders.empty() &&
         std::all_of(scene.meshes.begin(), scene.meshes.end(), [](const MeshRun& run) { return run.surface; }))
         scene.legends.clear();

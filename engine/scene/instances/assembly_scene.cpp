@@ -55,7 +55,7 @@ Palette paletteOf(std::string_view scheme) {
     return named.value_or(kChainPalette);
 }
 
-/// A transform of the file's frame, of points relative to a centre.
+/// A transform of the file's frame, for points relative to a centre.
 glm::dmat4x3 about(const glm::dmat4x3& transform, const glm::dvec3& center) {
     glm::dmat4x3 moved = transform;
     moved[3] = transform * glm::dvec4(center, 1.0) - center;
@@ -87,7 +87,7 @@ std::span<const std::uint32_t> AssemblyScene::place(std::span<const std::uint32_
     return atoms_;
 }
 
-/// Orders copies so that those of one colour are far apart.
+/// Orders copies so that those of equal colour are far apart.
 void AssemblyScene::spread(std::size_t colors) {
     glm::dvec3 middle(0);
     for (const std::uint32_t atom : atoms_)
@@ -118,7 +118,7 @@ void AssemblyScene::colorByCopy(Appearance& appearance) {
         if (!legend.scheme.starts_with(colorSchemeName(ColorScheme::copy))) continue;
         if (copyColors_.empty()) {
             const Palette palette = paletteOf(legend.scheme);
-            // Darker tones of the palette would look like tints.
+            // The palette's darker tones would look like tints.
             const std::size_t tones = legend.entries.size() > 1 ? 1 : 2;
             for (std::size_t i = 0; i < std::min({count, tones * kindCount(palette), kMostCopyColors}); ++i)
                 copyColors_.push_back(kindColor(i, palette));
@@ -151,7 +151,7 @@ void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {
     for (const Bond& bond : bonds) {
         std::uint32_t list = commonListOf(bond.a, bond.b);
         if (list == Placement::kNowhere) continue;
-        // An atom on a special position of a crystal stands in fewer copies than its bonds.
+        // An atom on a special position of a crystal occurs in fewer copies than its bonds.
         if (molecule_.file.format == "cif-core")
             for (const std::uint32_t atom : {bond.a, bond.b})
                 if (placement_.lists[listOf(atom)].size() > placement_.lists[list].size()) list = listOf(atom);
@@ -164,7 +164,7 @@ void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {
     bonds = inOrder(bonds, order);
 }
 
-/// A water that bridges two atoms may stand in fewer copies; then it is their line that counts.
+/// A water that bridges two atoms may occur in fewer copies; the line between the atoms decides.
 void AssemblyScene::placeContacts(const ContactFinder& finder, const Appearance& appearance,
                                   std::vector<PlacedContact>& contacts, std::vector<std::string>& warnings) {
     for (PlacedContact& contact : contacts) {
@@ -247,7 +247,7 @@ Bounds AssemblyScene::bounds(const SeenBalls& seen, const std::optional<glm::dve
     return boundsOfEach([&](const auto& visit) { eachBall(seen, visit); }, about);
 }
 
-/// By a ball about what has the same copies: at most its radius too large.
+/// Bounds from one ball per set of copies: at most the ball's radius too large.
 Bounds AssemblyScene::roughBounds(const SeenBalls& seen) const {
     std::vector<std::pair<Bounds, std::uint32_t>> parts;
     eachRun(
@@ -317,7 +317,7 @@ void AssemblyScene::finish(Representation& r) {
             }));
         });
     keepWholeMeshes(r);
-    // Moves rather than copies: millions of transforms are never in memory twice.
+    // Moves instead of copying: millions of transforms are never in memory twice.
     for (glm::dmat4x3& transform : placement_.transforms) transform = about(transform, r.center);
     copies.transforms = std::move(placement_.transforms);
     copies.lists = std::move(placement_.lists);

@@ -23,31 +23,31 @@ public:
     /// The given atoms that are in the assembly. The span lives as long as this. @throws Error if there are none
     std::span<const std::uint32_t> place(std::span<const std::uint32_t> atoms);
     /// Turns the colours of atoms coloured by copy into tints, and lists the copies' colours in the legend. If several
-    /// palettes are asked for, the first one is used.
+    /// palettes are requested, the first one is used.
     void colorByCopy(Appearance& appearance);
     /// Groups atoms by their copies; otherwise they keep their order.
     void sortByCopies(Appearance& appearance) const;
     /// As above for bonds, without those whose atoms are never drawn together.
     void sortByCopies(std::vector<Bond>& bonds);
     /// Drops interactions of atoms that are never drawn together, adds those between copies, and sorts them by the
-    /// copies in whose place they are drawn. @param warnings  says why if those between copies are left out
+    /// copies in whose place they are drawn. @param warnings  receives the reason if those between copies are omitted
     void placeContacts(const ContactFinder& finder, const Appearance& appearance, std::vector<PlacedContact>& contacts,
                        std::vector<std::string>& warnings);
     /// Visits the balls in all their copies.
     void eachBall(const SeenBalls& seen, const std::function<void(const glm::dvec3&, double)>& visit) const;
     /// Bounds of the balls in all copies.
     Bounds bounds(const SeenBalls& seen, const std::optional<glm::dvec3>& about = {}) const;
-    /// Number of the list of copies that an atom has; atoms with the same copies share it.
+    /// Index of an atom's list of copies; atoms with the same copies share a list.
     std::uint32_t listOf(std::uint32_t atom) const;
-    /// Visits the copies that have both of two atoms: their transforms about a centre, and their numbers.
+    /// Visits the copies that contain two atoms: their transforms about a centre, and their indices.
     void eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm::dvec3& center,
                   const std::function<void(const glm::dmat4x3&, std::uint32_t)>& visit);
     /// The colour of a tint (copyTint()) in a copy.
     std::uint32_t colorOf(std::uint32_t tint, std::uint32_t copy) const;
-    /// Atoms in all their copies.
+    /// Number of atoms in all their copies.
     std::size_t countCopies(std::span<const std::uint32_t> atoms) const;
-    /// Sets the copies of a representation that has its primitives, and has none itself then. @throws Error if there
-    /// are too many
+    /// Sets the copies of a representation that has its primitives but no copies yet. @throws Error if there are too
+    /// many
     void finish(Representation& representation);
 
 private:

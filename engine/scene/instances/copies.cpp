@@ -37,7 +37,7 @@ const Assembly& assemblyOf(const Molecule& molecule, const std::string& id) {
     throw Error("cannot draw assembly", id, "the file has no such assembly; it has " + names);
 }
 
-/// The different transforms of all parts, in the order in which they come first, and by part their numbers.
+/// The different transforms of all parts, in order of first use, and their indices by part.
 std::vector<std::vector<std::uint32_t>> numberTransforms(const Assembly& assembly,
                                                          std::vector<glm::dmat4x3>& transforms) {
     std::vector<const glm::mat4x3*> all;
@@ -73,7 +73,7 @@ std::vector<std::vector<std::uint32_t>> numberTransforms(const Assembly& assembl
     return byPart;
 }
 
-/// Shape and size must stay: a radius has no direction in which it could be stretched.
+/// Shape and size must stay: a radius cannot be stretched in one direction.
 void checkRigid(const Assembly& assembly) {
     constexpr float kLargest = 0.01f;
     for (const AssemblyPart& part : assembly.parts)
@@ -119,7 +119,7 @@ Placement placeAssembly(const Molecule& molecule, const std::string& id) {
     checkRigid(assembly);
     Placement placement;
     const std::vector<std::vector<std::uint32_t>> copiesOfPart = numberTransforms(assembly, placement.transforms);
-    // Subchains that the same parts mention have the same copies.
+    // Subchains that occur in the same parts have the same copies.
     std::vector<std::vector<std::uint32_t>> partsOf(molecule.subchains.size());
     for (std::uint32_t part = 0; part < assembly.parts.size(); ++part)
         for (const std::uint32_t subchain : assembly.parts[part].subchains) partsOf[subchain].push_back(part);
@@ -149,7 +149,7 @@ Placement placeAssembly(const Molecule& molecule, const std::string& id) {
 
 namespace {
 
-/// Along a curve through space (G. M. Morton, 1966): neighbours mostly follow each other, in different colours.
+/// Orders copies along a space-filling curve (G. M. Morton, 1966): neighbours mostly get different colours.
 std::vector<std::uint32_t> alongCurve(const std::vector<glm::dvec3>& centers) {
     constexpr int kBits = 10;
     Box box;
@@ -175,12 +175,12 @@ std::vector<std::uint32_t> alongCurve(const std::vector<glm::dvec3>& centers) {
 }  // namespace
 
 std::vector<std::uint32_t> spreadCopies(const std::vector<glm::dvec3>& centers, std::size_t colors) {
-    constexpr std::size_t kMostCompared = std::size_t{1} << 16;  // each with each other
+    constexpr std::size_t kMostCompared = std::size_t{1} << 16;  // all pairs
     const std::size_t count = centers.size();
     if (count > kMostCompared) return alongCurve(centers);
     std::vector<std::uint32_t> order;
     std::vector<bool> used(count);
-    // Squared distance from each copy to the nearest that has a colour already.
+    // Squared distance from each copy to the nearest one that already has each colour.
     std::vector<double> apart(count * colors, std::numeric_limits<double>::infinity());
     for (std::size_t turn = 0; turn < count; ++turn) {
         const std::size_t color = turn % colors;

@@ -29,16 +29,16 @@ struct Copies {
     std::vector<std::vector<std::uint32_t>> lists;  ///< indices of transforms, ascending; all different
     /// In primitive order; together they cover all.
     std::vector<PrimitiveRun> spheres, cylinders, triangles;
-    /// Colours that copies cycle through, packed as in colors.h, at most kMostCopyColors, where a primitive's colour is
-    /// a tint (isCopyTint). Empty: all copies look the same.
+    /// Colours that copies cycle through if a primitive's colour is a tint (isCopyTint), packed as in colors.h, at most
+    /// kMostCopyColors. Empty: all copies look the same.
     std::vector<std::uint32_t> colors;
 };
 
 /// Limit of the shaders (shaders/common/layout.h).
 constexpr std::size_t kMostCopyColors = 16;
 
-/// An order of copies in which those that share one of `colors` cycled colours are far apart; of more than 65,536, one
-/// in which neighbours mostly differ.
+/// An order of copies in which those that share one of `colors` cycled colours are far apart; for more than 65,536
+/// copies, one in which neighbours mostly differ.
 /// @param centers  of the copies
 std::vector<std::uint32_t> spreadCopies(const std::vector<glm::dvec3>& centers, std::size_t colors);
 
@@ -54,15 +54,15 @@ struct Placement {
 /// long
 Placement placeAssembly(const Molecule& molecule, const std::string& id);
 
-/// Finds lists of copies by what they hold. Bonds between many parts ask for as many lists as there are bonds.
+/// Finds lists of copies by their contents. Bonds between many parts need as many lists as there are bonds.
 class CopyLists {
 public:
-    /// @param lists  outlives this and stays in its place; call index() after its lists were changed
+    /// @param lists  outlives this and is not moved; call index() after changing its lists
     explicit CopyLists(std::vector<std::vector<std::uint32_t>>& lists) : lists_(lists), order_(Order{this}) { index(); }
     CopyLists(const CopyLists&) = delete;
     void index();
 
-    /// The list that holds these copies; added if there is none yet. @param list  ascending
+    /// The list of these copies; added if missing. @param list  ascending
     std::uint32_t add(std::vector<std::uint32_t> list);
     /// The list with the intersection of two lists; added if missing. Placement::kNowhere if it is empty.
     /// @throws Error if the lists added for this are too long
@@ -84,24 +84,24 @@ private:
     std::size_t added_ = 0;  // places in lists of common()
 };
 
-/// How one copy stands to another, and all pairs of copies that stand so: the second is where `image` takes the first,
-/// seen from the first one's place.
+/// The relative placement of two copies, and all pairs of copies with it: in the first copy's own frame, `image` moves
+/// the first to the second.
 struct CopyRelation {
     glm::dmat4x3 image;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
 };
 
-constexpr std::size_t kMostRelations = 400;  ///< a capsid has some ten
+constexpr std::size_t kMostRelations = 400;  ///< a capsid has about ten
 constexpr std::size_t kMostRelatedCopies = 4096;
 
-/// Relations of copies whose spheres come within `reach` (Å) of each other; each pair of copies is in one of them.
+/// Relations of copies whose spheres come within `reach` (Å) of each other; each pair is in one relation.
 /// Empty if there are more than kMostRelatedCopies copies or kMostRelations relations.
 std::optional<std::vector<CopyRelation>> copyRelations(const std::vector<glm::dmat4x3>& transforms,
                                                        const Bounds& sphere, double reach);
 
-/// Copies that stand for all: an assembly that looks the same from the place of one copy as from that of another
-/// (60 copies of a capsid's protein) needs only one of them looked at. Found by numbers: the motions that take copy 0
-/// to another one and every copy onto some copy.
+/// Representatives of equivalent copies: if an assembly looks the same from one copy as from another (60 copies of a
+/// capsid's protein), only one of them is needed. Found numerically: by the motions that take copy 0 to another one and
+/// every copy onto some copy.
 /// @param reach  Å from the origin within which copies must agree to 0.1 Å
 /// @param list   of transforms; with more than 4,096, each represents itself
 std::vector<std::uint32_t> representativeCopies(const std::vector<glm::dmat4x3>& transforms,

@@ -17,15 +17,15 @@ glm::dmat4x3 inverse(const glm::dmat4x3& transform) {
     return {back[0], back[1], back[2], -(back * transform[3])};
 }
 
-/// First `first`, then `second`.
+/// Applies `first`, then `second`.
 glm::dmat4x3 after(const glm::dmat4x3& second, const glm::dmat4x3& first) {
     glm::dmat4x3 result;
     for (int i = 0; i < 4; ++i) result[i] = second * glm::dvec4(first[i], i == 3 ? 1.0 : 0.0);
     return result;
 }
 
-/// Relations that are equal but for rounding have the same key, but for those on the border of two keys, which are
-/// then searched twice. Files state five to ten digits.
+/// Relations that are equal up to rounding have the same key, except on the border of two keys, where they are searched
+/// twice. Files state five to ten digits.
 std::array<long long, 12> keyOf(const glm::dmat4x3& image, const glm::dvec3& centre) {
     std::array<long long, 12> key{};
     const glm::dvec3 moved = image * glm::dvec4(centre, 1.0);

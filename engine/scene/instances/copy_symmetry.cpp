@@ -11,10 +11,10 @@
 namespace nacre {
 namespace {
 
-constexpr std::size_t kMostCopies = 4096;  // the search takes their square
+constexpr std::size_t kMostCopies = 4096;  // the search takes quadratic time
 constexpr double kTolerance = 0.1;         // Å
 
-/// A rigid motion, by its rotation (or reflection) and shift.
+/// A rigid motion: rotation (or reflection) and shift.
 struct Motion {
     glm::dmat3 turn{1.0};
     glm::dvec3 shift{};
@@ -30,14 +30,14 @@ struct Motion {
     }
 };
 
-/// Finds a motion among others, in the time of a binary search: by where each puts one generic point.
+/// Finds a motion among others by binary search, on where each moves one generic point.
 class MotionTable {
 public:
     MotionTable(const std::vector<Motion>& motions, double reach) : motions_(motions), reach_(reach) {
         for (std::uint32_t i = 0; i < motions.size(); ++i) sorted_.push_back({markOf(motions[i]), i});
         std::sort(sorted_.begin(), sorted_.end());
     }
-    /// Index of the motion that moves nothing within reach by more than the tolerance from where `wanted` does; or -1.
+    /// Index of a motion that agrees with `wanted` within the tolerance everywhere within reach; or -1.
     std::int64_t find(const Motion& wanted) const {
         const double mark = markOf(wanted);
         const std::pair<double, std::uint32_t> from{mark - kTolerance, 0};
@@ -48,12 +48,12 @@ public:
     }
 
 private:
-    /// A coordinate of a point within reach that lies on no axis of anything.
+    /// Coordinate of the moved generic point, which is within reach and on no symmetry axis.
     double markOf(const Motion& m) const {
         return (m.turn * (glm::dvec3(0.4273, -0.6131, 0.5417) * reach_) + m.shift).x;
     }
     bool same(const Motion& a, const Motion& b) const {
-        // The ends of the axes move the farthest; the shift alone is where the origin goes.
+        // The ends of the axes move the farthest; the origin moves by the shift.
         double most = 0;
         for (int axis = 0; axis < 3; ++axis)
             for (const double side : {-reach_, reach_}) {

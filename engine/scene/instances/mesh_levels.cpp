@@ -8,7 +8,7 @@
 namespace nacre {
 namespace {
 
-/// Where a mesh is drawn from at an error.
+/// The triangles of a mesh that are drawn for an error.
 struct Drawn {
     std::uint32_t first = 0, count = 0;
 };
@@ -20,7 +20,7 @@ Drawn drawnOf(const Representation& r, const MeshRun& mesh, double error) {
     return drawn;
 }
 
-/// Puts triangles behind others of the same list, or begins a run of their own.
+/// Extends a run of the same list by these triangles, or begins a new run.
 void addDrawn(const PrimitiveRun& bounds, const Drawn& drawn, std::vector<PrimitiveRun>& runs) {
     if (drawn.count == 0) return;
     if (!runs.empty() && runs.back().list == bounds.list && runs.back().first + runs.back().count == drawn.first) {
@@ -32,7 +32,7 @@ void addDrawn(const PrimitiveRun& bounds, const Drawn& drawn, std::vector<Primit
     runs.back().count = drawn.count;
 }
 
-/// The least error that a level has.
+/// The smallest error of any level.
 float finestLevel(const Representation& r) {
     float finest = std::numeric_limits<float>::max();
     for (const MeshRun& mesh : r.meshes)
@@ -40,7 +40,7 @@ float finestLevel(const Representation& r) {
     return finest;
 }
 
-/// For all meshes that have it.
+/// Drops the finest level of all meshes that have it.
 void dropFinestLevel(Representation& r) {
     const float finest = finestLevel(r);
     std::vector<Triangle> kept;
@@ -60,7 +60,7 @@ std::uint64_t finestBytes(const Representation& r) {
     return shapeBytes(r) - r.coarseTriangles.size() * sizeof(Triangle);
 }
 
-/// Leaves vertices out that no triangle has.
+/// Drops vertices that no triangle uses.
 void dropVertices(Representation& r) {
     std::vector<std::uint32_t> places(r.meshVertices.size() + 1);
     for (const auto* stream : {&r.triangles, &r.coarseTriangles})
@@ -79,7 +79,7 @@ void dropVertices(Representation& r) {
     }
 }
 
-/// Keeps the finest level only of each mesh that has several.
+/// Keeps only the finest level of each mesh that has several.
 void dropFinestMeshes(Representation& r) {
     const float finest = finestLevel(r);
     std::vector<Triangle> kept;

@@ -15,7 +15,7 @@
 namespace nacre {
 namespace {
 
-/// The nearest sphere in each cell of a grid across a direction.
+/// The nearest sphere in each cell of a grid perpendicular to a direction.
 class Sight {
 public:
     Sight(std::span<const Sphere> spheres, const glm::vec3& way) : way_(way) {
@@ -80,7 +80,7 @@ const std::vector<glm::vec3>& cubeDirections() {
     return kWays;
 }
 
-/// A share of each sphere's area that is seen along parallel lines from these directions, Å², summed over them.
+/// Estimates each sphere's area visible in parallel projection from these directions, Å², summed over them.
 std::vector<float> exposedAreas(std::span<const Sphere> spheres) {
     std::vector<float> areas(spheres.size());
     for (const glm::vec3& way : cubeDirections()) Sight(spheres, way).addTo(areas);
@@ -89,15 +89,15 @@ std::vector<float> exposedAreas(std::span<const Sphere> spheres) {
 
 constexpr float kFarOff = std::numeric_limits<float>::max();
 
-/// A part's atoms as a tree that halves boxes, and a sphere for each of its nodes.
+/// A tree of a part's atoms that halves boxes, with a sphere for each node.
 class Tree {
 public:
-    /// A sphere that stands for atoms order()[first] to order()[end - 1].
+    /// A sphere that represents atoms order()[first] to order()[end - 1].
     struct Node {
         std::uint32_t first = 0, end = 0;
-        std::uint32_t halves = 0;  ///< number of the first of two; 0: it is an atom
+        std::uint32_t halves = 0;  ///< number of the first of two halves; 0: an atom
         Sphere sphere{};
-        float error = 0;  ///< Å: half the range of how far its atoms reach in different directions
+        float error = 0;  ///< Å: half the range of its atoms' reach over directions
     };
 
     explicit Tree(std::span<const Sphere> spheres) : spheres_(spheres), order_(spheres.size()) {
@@ -109,7 +109,7 @@ public:
     std::span<const std::uint32_t> atoms(const Node& node) const {
         return std::span(order_).subspan(node.first, node.end - node.first);
     }
-    /// The largest nodes within an error, neighbours next to each other.
+    /// The largest nodes within an error, in spatial order.
     std::vector<const Node*> within(float error) const {
         std::vector<const Node*> found;
         std::vector<std::uint32_t> open{0};
@@ -151,7 +151,7 @@ private:
         nodes_.push_back({middle, node.end, 0, {}, 0});
     }
 
-    /// Half way between the nearest and the farthest that its atoms reach from their middle.
+    /// Sets the radius midway between the least and the largest reach of its atoms from their middle.
     void fit(Node& node) const {
         glm::vec3 low(kFarOff), high(-kFarOff);
         for (const std::uint32_t i : atoms(node)) {
@@ -167,7 +167,7 @@ private:
             nearest = std::min(nearest, reach);
             farthest = std::max(farthest, reach);
         }
-        constexpr float kBetween = 1.25f;  // for other directions, and for gaps between its atoms
+        constexpr float kBetween = 1.25f;  // allowance for other directions, and for gaps between atoms
         node.error = kBetween * 0.5f * (farthest - nearest);
         node.sphere.radius = (farthest + nearest) * 0.5f;
     }
@@ -177,7 +177,7 @@ private:
     std::vector<Node> nodes_;
 };
 
-/// The atoms' mean colour as far as they are seen, and the number of the one that is seen most.
+/// The atoms' mean colour, weighted by visible area, and the number of the most visible one.
 SphereLook lookOf(std::span<const SphereLook> looks, std::span<const float> areas,
                   std::span<const std::uint32_t> atoms) {
     const std::uint32_t most =
@@ -188,7 +188,7 @@ SphereLook lookOf(std::span<const SphereLook> looks, std::span<const float> area
     for (const std::uint32_t i : atoms) {
         if (isCopyTint(looks[i].color)) return look;
         colors.push_back(looks[i].color);
-        shares.push_back(areas[i] + 1e-3f);  // one that is not seen at all has the mean of all
+        shares.push_back(areas[i] + 1e-3f);  // if none is visible at all, all weigh the same
     }
     if (atoms.size() > 1) look.color = meanColor(colors, shares);
     return look;
@@ -197,7 +197,7 @@ SphereLook lookOf(std::span<const SphereLook> looks, std::span<const float> area
 /// One part with its levels, numbered from 0.
 SphereLevels levelsOfPart(const Representation& r, const PrimitiveRun& run) {
     constexpr std::uint32_t kSpheres = SphereLevels::kSpheres;
-    constexpr float kFewer = 0.8f;  // of a level's spheres has the next one
+    constexpr float kFewer = 0.8f;  // the next level has at most this fraction of a level's spheres
     const std::span<const Sphere> spheres(r.spheres.data() + run.first, run.count);
     const std::span<const SphereLook> looks(r.sphereLooks.data() + run.first, run.count);
     const std::vector<float> areas = exposedAreas(spheres);

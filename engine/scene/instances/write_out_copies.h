@@ -1,5 +1,5 @@
 #pragma once
-// Copies as primitives of their own, where a view needs a part of each.
+// Converts copies to separate primitives, for views that need a part of each.
 
 #include <functional>
 
@@ -7,12 +7,11 @@
 
 namespace nacre {
 
-/// More spheres, sticks and triangles than these are not written out.
+/// Largest number of spheres, sticks and triangles that are written out.
 constexpr std::size_t kMostWrittenOut = 4'000'000;
 
-/// Writes out those copies of runs whose bounding spheres are wanted; the others go, and so do coarser levels of
-/// meshes.
-/// @param wanted  a sphere's centre and radius, Å @returns false, and changes nothing, if they were too many
+/// Writes out the copies of runs whose bounding spheres are wanted; drops the others and coarser levels of meshes.
+/// @param wanted  a sphere's centre and radius, Å @returns false, and changes nothing, if there are too many
 bool writeOutCopies(Representation& scene, const std::function<bool(const glm::dvec3&, double)>& wanted);
 
 }  // namespace nacre

@@ -27,7 +27,7 @@ struct Box {
 };
 
 /// Bounds of balls that may be too many to store. Without any ball the centre is NaN.
-/// @param eachBall  calls its argument with the centre and radius of each ball, Å; it is called twice
+/// @param eachBall  calls its argument with the centre and radius of each ball, Å; called twice
 /// @param about  another centre
 template <typename EachBall>
 Bounds boundsOfEach(const EachBall& eachBall, const std::optional<glm::dvec3>& about = {}) {
@@ -48,7 +48,7 @@ inline Bounds boundsOf(std::span<const glm::dvec4> balls, const std::optional<gl
     return boundsOfEach(each, about);
 }
 
-/// The same balls about another centre: a sphere that holds the first.
+/// Bounds of the same balls about another centre: a sphere that contains the first.
 inline Bounds movedTo(const std::optional<glm::dvec3>& center, const Bounds& bounds) {
     return center ? Bounds{*center, bounds.radius + glm::length(*center - bounds.center)} : bounds;
 }

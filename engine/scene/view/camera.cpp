@@ -7,7 +7,7 @@
 namespace nacre {
 namespace {
 
-constexpr double kFill = 0.95;  // share of the shorter side that the bounding sphere takes
+constexpr double kFill = 0.95;  // fraction of the shorter side that the bounding sphere fills
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
@@ -28,7 +28,7 @@ struct Turn {
     }
 };
 
-/// Where the bounding sphere fills the picture.
+/// Distance at which the bounding sphere fills the picture.
 double eyeDistanceOf(const Camera& camera, double radius) {
     return radius / (kFill * std::sin(radians(camera.fovDegrees) / 2.0));
 }
@@ -37,7 +37,7 @@ double eyeDistanceOf(const Camera& camera, double radius) {
 
 glm::dmat3 rotationMatrix(const glm::dvec3& degrees) {
     const Turn x(degrees.x), y(degrees.y), z(degrees.z);
-    // GLM is column-major: each row below is a column of the matrix.
+    // GLM is column-major: each triple below is a column of the matrix.
     const glm::dmat3 rx(1, 0, 0, 0, x.cosine, x.sine, 0, -x.sine, x.cosine);
     const glm::dmat3 ry(y.cosine, 0, -y.sine, 0, 1, 0, y.sine, 0, y.cosine);
     const glm::dmat3 rz(z.cosine, z.sine, 0, -z.sine, z.cosine, 0, 0, 0, 1);
@@ -56,7 +56,7 @@ View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint3
     if (camera.projection == Projection::orthographic) {
         view.pixelsPerAngstrom = kFill * shorter / (2.0 * radius);
     } else {
-        constexpr double kNearest = 1.02;  // of the radius, to the eye
+        constexpr double kNearest = 1.02;  // minimum distance of the eye, relative to the radius
         const double half = radians(camera.fovDegrees) / 2.0;
         view.eyeDistance = eyeDistanceOf(camera, radius);
         if (camera.eyeDistance) view.eyeDistance = std::max(*camera.eyeDistance, radius * kNearest);

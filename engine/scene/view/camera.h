@@ -11,28 +11,28 @@ namespace nacre {
 
 enum class Projection { orthographic, perspective };
 
-/// An absolute scale of the image plane, independent of what is drawn.
+/// An absolute scale of the image plane, independent of the drawn scene.
 struct ViewScale {
     enum class Unit {
         pixelsPerAngstrom,
-        angstromAcross,  ///< Å that the picture's shorter side shows
+        angstromAcross,  ///< width of the picture's shorter side, Å
     };
     Unit unit = Unit::angstromAcross;
     double value = 1;
     friend bool operator==(const ViewScale&, const ViewScale&) = default;
 };
 
-/// Camera settings of the user. Without `center` and `scale` it depends on what is drawn.
+/// Camera settings of the user. Without `center` and `scale` the camera depends on the drawn scene.
 struct Camera {
     Projection projection = Projection::orthographic;
     glm::dvec3 rotationDegrees{0.0};      ///< right-handed, about the view axes, x first: v = Rz Ry Rx Q (p - C)
-    glm::dquat orientation{1, 0, 0, 0};   ///< Q, a unit quaternion; where the three angles are not available
+    glm::dquat orientation{1, 0, 0, 0};   ///< Q, a unit quaternion, for uses without the three angles
     glm::dvec2 pan{0.0};                  ///< position of C on the image plane, Å from the picture's centre
     double zoom = 1.0;                    ///< scales the image plane
     double fovDegrees = 30.0;             ///< perspective: field of view across the shorter side
-    std::optional<glm::dvec3> center{};   ///< C, Å in the file's frame; empty: of what is drawn
-    std::optional<ViewScale> scale{};     ///< at zoom 1, on the plane through C; empty: the bounding sphere fills
-    std::optional<double> eyeDistance{};  ///< perspective: Å from C; empty: by the bounding sphere
+    std::optional<glm::dvec3> center{};   ///< C, Å in the file's frame; empty: of the drawn scene
+    std::optional<ViewScale> scale{};     ///< at zoom 1, on the plane through C; empty: the bounding sphere fills it
+    std::optional<double> eyeDistance{};  ///< perspective: Å from C; empty: computed from the bounding sphere
 
     /// Whether position or scale are given.
     bool isPlaced() const { return zoom != 1 || pan != glm::dvec2(0) || center || scale; }
@@ -51,39 +51,39 @@ struct View {
     double pixelsPerAngstrom = 1.0;  ///< at z = 0
     glm::dvec2 pan{0.0};             ///< Å
     glm::dvec3 shift{0.0};           ///< translation after the rotation, Å: for an eye beside the view axis
-    /// Of two eyes' views this is the left one; the right one differs by these alone.
+    /// If this is the left one of two eyes' views: differences of the right one.
     struct OtherEye {
-        double shift = 0, pan = 0;  ///< by which its shift.x and pan.x are larger
+        double shift = 0, pan = 0;  ///< added to shift.x and pan.x
     };
     std::optional<OtherEye> other{};
     int quarterTurns = 0;  ///< 0..3: clockwise quarter turns of the picture in the image (pre-rotation)
 
-    /// From the scene, relative to C, to view space.
+    /// Transforms a point of the scene, relative to C, to view space.
     glm::dvec3 seen(const glm::dvec3& p) const { return rotation * p + shift; }
 };
 
 glm::dmat3 rotationMatrix(const glm::dvec3& degrees);
 
 /// Orthographic: the sphere (C, R) fills 95 % of the shorter side at zoom 1. Perspective: the eye is at R / (0.95
-/// sin(fov / 2)) and zoom scales the image plane. A scale or eye distance of the camera takes the place of these; the
-/// eye stays outside the sphere.
+/// sin(fov / 2)) and zoom scales the image plane. A scale or eye distance of the camera replaces these; the eye stays
+/// outside the sphere.
 View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint32_t height);
 
-/// The camera of a view without reference to what is drawn: viewOf() makes the same view of it, whatever the radius.
+/// The camera of a view, independent of the drawn scene: viewOf() returns the same view for any radius.
 /// @param center  of the view's scene, Å in the file's frame
 Camera absoluteCamera(const View& view, double fovDegrees, const glm::dvec3& center);
 
-/// The same camera, with zoom and radius in place of scale and eye distance. @param radius  of the scene, Å; becomes
-/// that by which viewOf() finds the eye
+/// The same camera, with zoom and radius instead of scale and eye distance. @param radius  of the scene, Å; becomes the
+/// one from which viewOf() computes the eye
 Camera relativeCamera(Camera camera, double& radius);
 
 /// The view of an eye beside the axis of a perspective view: parallel to it, with a shifted frustum.
 /// @param aside  Å to the right @param screen  Å from the eyes: points at this distance stay where they are
 View fromAside(View view, double aside, double screen);
 
-/// The left eye's view with the right one's beside it (View::other), so that one frame can draw both.
+/// The left eye's view with the right one's difference (View::other), so that one frame can draw both.
 View paired(View left, const View& right);
-/// The right eye's view of two, alone. @param view  has View::other
+/// The right eye's view alone. @param view  has View::other
 View otherView(View view);
 
 /// The same picture with `factor` times the pixels per side, at least one.

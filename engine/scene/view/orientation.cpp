@@ -35,7 +35,7 @@ PrincipalAxes axesOf(const Balls& balls, const glm::dvec3& mean) {
     return principalAxes(covariance / static_cast<double>(balls.size()));
 }
 
-/// The axis in the direction in which the points reach farther.
+/// The axis, with the sign of the side on which the points reach farther.
 glm::dvec3 directed(const glm::dvec3& axis, const Balls& balls, const glm::dvec3& mean) {
     constexpr double kSkewed = 1e-3;
     double squares = 0, cubes = 0;
@@ -61,10 +61,10 @@ glm::dvec3 acrossFrom(const glm::dvec3& unit, int wanted) {
         const glm::dvec3 across = file - unit * unit[i];
         if (glm::length(across) > 0.5) return glm::normalize(across);
     }
-    return {1, 0, 0};  // cannot be: of three axes, one at most is near to the vector
+    return {1, 0, 0};  // impossible: at most one of three axes is near the vector
 }
 
-/// Directions evenly over the sphere, by falling z: spherical Fibonacci, as the occlusion has them.
+/// Directions spread evenly over the sphere, by falling z: spherical Fibonacci, as in the occlusion bake.
 std::vector<glm::dvec3> directionsAround(std::size_t count) {
     std::vector<glm::dvec3> ways;
     for (std::size_t i = 0; i < count; ++i) {
@@ -76,7 +76,7 @@ std::vector<glm::dvec3> directionsAround(std::size_t count) {
     return ways;
 }
 
-/// For each direction the share of the targets that see out of the molecule by it.
+/// For each direction, the fraction of targets that are visible along it from outside the molecule.
 std::vector<double> openShares(const Balls& targets, const Balls& others, const std::vector<glm::dvec3>& ways) {
     const auto count = static_cast<double>(ways.size());
     std::vector<double> open(ways.size());
@@ -114,7 +114,7 @@ Balls without(const Balls& all, Balls some) {
     return rest;
 }
 
-/// Some of many, evenly through the list.
+/// A sample of the balls, spread evenly through the list.
 Balls sampleOf(const Balls& balls, std::size_t most) {
     Balls some;
     const std::size_t step = (balls.size() + most - 1) / most;
@@ -137,12 +137,12 @@ void forEachCopy(const Copies& copies, const std::vector<PrimitiveRun>& runs, st
                 add(i, copies.transforms[copy]);
 }
 
-/// Calls add(vertex, step, transform) for the vertices of triangles; shared ones once or more.
+/// Calls add(vertex, step, transform) for the vertices of triangles; for shared ones once or more.
 template <typename Add>
 void forEachVertex(const Representation& scene, std::size_t mostCopies, Add&& add) {
     const auto addTriangle = [&](std::size_t i, const glm::dmat4x3& place) {
         const Triangle& triangle = scene.triangles[i];
-        // Neighbours in a strip have two in common.
+        // Neighbours in a strip share two vertices.
         const auto before = [&](std::uint32_t vertex) {
             if (i == 0) return false;
             const Triangle& last = scene.triangles[i - 1];
@@ -154,7 +154,7 @@ void forEachVertex(const Representation& scene, std::size_t mostCopies, Add&& ad
     forEachCopy(scene.copies, scene.copies.triangles, scene.triangles.size(), mostCopies, addTriangle);
 }
 
-/// Ends of lines, with the number of their atom (0: none). Those of an assembly are in place.
+/// Ends of lines, with the number of their atom (0: none). In an assembly, lines are stored in place.
 template <typename Visit>
 void eachLineEnd(const Representation& scene, const Visit& visit) {
     for (std::size_t i = 0; i < scene.wires.size(); ++i) {
@@ -177,7 +177,7 @@ void eachDrawnBall(const Representation& scene, const Visit& visit) {
     eachLineEnd(scene, [&](const glm::dvec4& end, std::uint32_t) { visit(end); });
 }
 
-/// As above for maps and primitives beside a molecule, which may consist of sticks.
+/// As above for maps and primitives in addition to a molecule; they may contain sticks.
 template <typename Visit>
 void eachBallBeside(const Representation& beside, const Visit& visit) {
     eachDrawnBall(beside, visit);
@@ -225,7 +225,7 @@ std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vect
     std::vector<bool> known(scene.copies.transforms.empty() ? 0 : chosen.size());
     eachLineEnd(scene, [&](const glm::dvec4& end, std::uint32_t number) {
         if (number == 0 || number > chosen.size() || !chosen[number - 1]) return;
-        if (!known.empty() && known[number - 1]) return;  // of a further copy
+        if (!known.empty() && known[number - 1]) return;  // a further copy
         if (!known.empty()) known[number - 1] = true;
         balls.push_back(end);
     });
@@ -256,7 +256,7 @@ glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide)
 }
 
 bool isSlab(const std::vector<glm::dvec4>& balls) {
-    constexpr double kThin = 0.4;  // of the next variance: 63 % of the spread
+    constexpr double kThin = 0.4;  // relative to the next variance: 63 % of the spread
     if (balls.size() < 3) return false;
     const PrincipalAxes axes = axesOf(balls, meanOf(balls));
     return axes.values[2] < kThin * axes.values[1];
@@ -269,9 +269,9 @@ glm::dquat edgeOnOrientation(const std::vector<glm::dvec4>& slab) {
     return glm::normalize(glm::quat_cast(glm::transpose(glm::dmat3(right, up, glm::cross(right, up)))));
 }
 
-/// How much of the picture a target covers as seen along each of some ways: of the ellipse of its spread.
+/// How much of the picture a target covers, seen along each direction: the area of its spread's ellipse.
 std::vector<double> breadthsOf(const Balls& target, const std::vector<glm::dvec3>& ways) {
-    constexpr double kAtom = 1;  // Å², of an atom alone
+    constexpr double kAtom = 1;  // Å², of a single atom
     const glm::dvec3 middle = meanOf(target);
     glm::dmat3 spread(0.0);
     for (const glm::dvec4& ball : target) {
@@ -314,7 +314,7 @@ glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::v
         const double score = seen + kOutward * glm::dot(way, outward);
         if (score > most) most = score, best = way;
     }
-    // The shortest turn from where `best` points to now, to the viewer.
+    // The shortest rotation that turns `best` from its current direction to the viewer.
     const glm::dvec3 now = from * best;
     const glm::dvec3 axis = glm::cross(now, glm::dvec3(0, 0, 1));
     const double sine = glm::length(axis), angle = std::atan2(sine, now.z);
@@ -363,7 +363,7 @@ Camera fitted(Camera camera, const Representation& scene, const Representation* 
 
 double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
                    const glm::dmat3& rotation) {
-    // Å: vertices of a surface or cartoon are so dense that nothing shows between
+    // Å: vertices of a surface or cartoon are so dense that they leave no gaps
     constexpr double kVertexReach = 0.6;
     constexpr std::size_t kMostAsked = 1000;
     Balls seen = sampleOf(target, kMostAsked);
@@ -378,7 +378,7 @@ double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm:
     for (const glm::dvec4& other : without(all, target)) {
         const double reach = other.w > 0 ? other.w : kVertexReach;
         const glm::dvec3 at = rotation * glm::dvec3(other);
-        // Most of a large scene is outside of it.
+        // Most of a large scene is outside the target's picture.
         if (at.x < low.x - reach || at.y < low.y - reach || at.x > high.x + reach || at.y > high.y + reach) continue;
         std::erase_if(seen, [&](const glm::dvec4& ball) {
             const glm::dvec2 way = glm::dvec2(at) - glm::dvec2(ball);

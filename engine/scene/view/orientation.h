@@ -1,6 +1,5 @@
 #pragma once
-// Views computed from the molecule: along its principal axes, from the side that shows a part best, and close-ups of a
-// part.
+// Views computed from the molecule: along its principal axes, from the best side of a part, and close-ups of a part.
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -23,7 +22,7 @@ std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vect
 /// The rotation that aligns the principal axes of some points (equal weights) with the picture's: the longest along its
 /// longer side, the shortest towards the viewer. Signs: points extend farther from their mean to the right (in a tall
 /// picture: upwards) and to the viewer; if equally far, the axis has its largest component in the file's frame
-/// positive. Axes whose variances differ by less than 1 % are ambiguous: the file's frame decides.
+/// positive. If variances of axes differ by less than 1 %, the file's frame decides.
 /// @param wide  the picture is at least as wide as high
 glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide);
 
@@ -43,20 +42,20 @@ glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::v
 /// @param radius  of the scene, Å
 Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radius, double margin, double mostZoom);
 
-/// The camera that centres a scene and fits its projection into 95 % of both sides, times the camera's zoom. That is
-/// larger than zoom 1, which fits the bounding sphere. Keeps the centre and the scale that the camera gives. Returns
-/// the camera unchanged for scenes of more than 10^7 spheres and vertices, copies included.
+/// The camera that centres a scene and fits its projection into 95 % of both sides, times the camera's zoom. The result
+/// is larger than at zoom 1, which fits the bounding sphere. Keeps the camera's centre and scale, if given. Returns the
+/// camera unchanged for scenes of more than 10^7 spheres and vertices, copies included.
 /// @param radius  of the scene's view, Å
 /// @param width, height  of the picture
-/// @param beside  maps and primitives about the same centre, likewise; or null
+/// @param beside  maps and primitives about the same centre, also fitted; or null
 Camera fitted(Camera camera, const Representation& scene, const Representation* beside, double radius,
               std::uint32_t width, std::uint32_t height, double mostZoom);
 
-/// Fraction of a target's atoms whose centre other atoms cover, along the view axis.
+/// Fraction of a target's atoms whose centres other atoms cover, along the view axis.
 double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
                    const glm::dmat3& rotation);
 
-/// Columns: the directions in which points spread most, less and least; of unit length, of either sense.
+/// Columns: unit vectors in the directions of largest, middle and least spread; their signs are arbitrary.
 /// @param points  at least one
 glm::dmat3 principalAxesOf(std::span<const glm::dvec3> points);
 

@@ -31,7 +31,7 @@ public:
             high_ = glm::max(high_, (glm::dvec2(center) + radius) * larger);
         }
     }
-    /// Call after everything was added to the bounds.
+    /// Call once everything was added to the bounds.
     void begin() {
         constexpr double kMost = 256, kLeast = 0.05;  // cells per side; Å
         const glm::dvec2 size = high_ - low_;

@@ -14,8 +14,8 @@
 namespace nacre {
 namespace {
 
-// Å from the eye that planes stand at least, as in Mol*; less for a small scene. Of it, primitives may stand out of a
-// plane by a share, so that all of them are before the eye.
+// Least distance of planes from the eye, Å, as in Mol*; less for a small scene. Primitives may extend beyond a plane by
+// a fraction of it, so that all of them are in front of the eye.
 constexpr double kNearestPlane = 5, kRoomShare = 0.8;
 
 glm::dvec3 unitOf(const glm::dvec3& v, const glm::dvec3& otherwise) {
@@ -33,7 +33,7 @@ glm::dmat3 rotationOf(const SceneCamera& camera) {
     return glm::transpose(glm::dmat3(right, glm::cross(back, right), back));
 }
 
-/// 49 directions that stand for both of their senses: permutations of (1,0,0) (1,1,0) (1,1,1) (2,1,0) (2,1,1) (2,2,1).
+/// 49 directions, each for both signs: permutations of (1,0,0) (1,1,0) (1,1,1) (2,1,0) (2,1,1) (2,2,1).
 std::vector<glm::dvec3> extremeDirections() {
     std::vector<glm::dvec3> directions;
     for (int x = 0; x <= 2; ++x)
@@ -69,7 +69,7 @@ void keepCylinders(std::vector<Cylinder>& sticks, std::vector<CylinderLook>& loo
     looks.resize(kept);
 }
 
-/// Keeps triangles; levels go, since what is left of each is another part. Runs of meshes shrink.
+/// Keeps some triangles. Drops levels, which have other triangles. Runs of meshes shrink.
 template <typename Keep>
 void keepTriangles(Representation& r, const Keep& keep) {
     std::uint32_t kept = 0;
@@ -115,7 +115,7 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
     view.eyeDistance = distance;
     if (reach > before) result.clip.near = -before;
     if (reach > camera.radius) result.clip.far = camera.radius;
-    // All depths are before the eye.
+    // All depths are in front of the eye.
     const double deepest = std::max(before, camera.radius) + result.room;
     view.radius = std::min({reach, deepest, distance - (nearest - result.room) / 2});
     result.clip.far = std::min(result.clip.far, view.radius < reach ? view.radius : Clip::kNone);
@@ -130,7 +130,7 @@ SceneCamera cameraOf(const View& view, const glm::dvec3& center, bool whole) {
     camera.target = center - back * glm::dvec3(view.pan, 0);
     camera.direction = -back[2];
     camera.up = back[1];
-    constexpr double kFill = 0.65;  // of its ball, what a molecule fills of a picture at least
+    constexpr double kFill = 0.65;  // least fraction of the picture that a molecule in the ball fills
     const double side = view.height / (2 * view.pixelsPerAngstrom) * shape;
     camera.radius = side * std::cos(half);
     if (whole) camera.radius = std::max(camera.radius, std::min(view.radius, side / kFill));

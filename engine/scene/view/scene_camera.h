@@ -11,23 +11,23 @@ namespace nacre {
 struct SceneView {
     View view;        ///< about the camera's target
     Clip clip;        ///< planes of the camera: Å from the target, away from the viewer
-    double room = 0;  ///< Å that anything may stand out of the planes, and is before the eye still
+    double room = 0;  ///< Å by which anything may extend beyond the planes, and is still in front of the eye
 };
 
-/// The view of a camera, turned and zoomed further as a user asks. Its depths hold what the planes leave.
-/// @param hand   rotation in degrees, zoom and pan; its projection and angle are not asked for
-/// @param ortho  instead of perspective, in the same scale at the target
-/// @param reach  Å from the target that anything drawn has at most
+/// The view of a camera, further rotated and zoomed by the user. Its depth range covers all that the planes leave.
+/// @param hand   rotation in degrees, zoom and pan; its projection and angle are ignored
+/// @param ortho  orthographic instead of perspective, with the same scale at the target
+/// @param reach  largest distance of the scene from the target, Å
 SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, double reach, std::uint32_t width,
                  std::uint32_t height);
 
-/// The camera that sees a view's picture, in perspective: at the plane through the target in the same scale.
+/// The perspective camera with a view's picture: it has the same scale at the plane through the target.
 /// @param center  of the view's scene, in the file's frame @param whole  steps back until its planes cut away little of
-/// what the view shows, and nothing of a scene that fills the picture
+/// the view, and nothing of a scene that fills the picture
 SceneCamera cameraOf(const View& view, const glm::dvec3& center, bool whole);
 
-/// Leaves out what is wholly before or behind the planes: an eye may stand among atoms. Copies that the planes
-/// meet are written out.
+/// Omits primitives that are entirely before or behind the planes: an eye may be among atoms. Copies that cross a plane
+/// are written out.
 void dropOutside(Representation& scene, const SceneView& view);
 
 /// The extreme points of some balls in 98 directions (T. Larsson, Fast and Tight Fitting Bounding Spheres, SIGRAD
@@ -35,11 +35,12 @@ void dropOutside(Representation& scene, const SceneView& view);
 /// @param balls  centre and radius; at least one
 std::vector<glm::dvec3> extremePoints(std::span<const glm::dvec4> balls);
 
-/// Extreme points moved outwards, as Mol* makes room for what is drawn around them: along the points' principal axes,
-/// and not farther from the centre than the sphere's radius and the room. @param sphere  about the points
+/// Extreme points moved outwards, as Mol* makes room for drawn shapes around them: along the points' principal axes,
+/// and at most by the sphere's radius and the room from the centre. @param sphere  about the points
 std::vector<glm::dvec3> movedOut(std::span<const glm::dvec3> points, const Bounds& sphere, double room);
 
-/// The least sphere about some balls, nearly: the mean of their extreme points, and what holds them.
+/// Approximately the smallest sphere around some balls: centred on the mean of their extreme points, and large enough
+/// for all.
 /// @param balls  centre and radius; at least one
 Bounds extremeSphere(std::span<const glm::dvec4> balls);
 

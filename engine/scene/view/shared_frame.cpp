@@ -66,7 +66,7 @@ public:
             try {
                 nacre::eachBall(placed, drawn_, options_, visit);
             } catch (const Error&) {
-                // The assembly contains nothing of it.
+                // The assembly contains none of the model's atoms.
             }
         }
     }
@@ -76,7 +76,7 @@ private:
     const Molecule& molecule_;
     DrawnAtomsOptions drawn_;
     RepresentationOptions options_;
-    bool simple_ = false;  // whatever model it is, the same atoms are drawn
+    bool simple_ = false;  // the same atoms are drawn in every model
     SeenBalls seen_;
 };
 

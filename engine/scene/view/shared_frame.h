@@ -1,5 +1,5 @@
 #pragma once
-// One camera for all models of a file, so that a trajectory or ensemble does not wobble.
+// One camera for all models of a file, so that a trajectory or ensemble does not jump.
 
 #include <optional>
 
@@ -10,8 +10,8 @@
 
 namespace nacre {
 
-/// The bounds of the drawn atoms of a molecule and of its file's other models (Molecule::others), as represent() takes
-/// them; the same for every model. Empty if there are no others, or the camera frames the model alone. @throws Error as
+/// The bounds of the drawn atoms of a molecule and of its file's other models (Molecule::others), for represent().
+/// Every model has the same. Empty if there are no others, or the camera frames the model alone. @throws Error as
 /// represent()
 std::optional<Bounds> sharedFrame(const ResidueFacts& facts, const DrawnAtomsOptions& drawn,
                                   const RepresentationOptions& options);

@@ -43,7 +43,7 @@ public:
             visit(i, at(place, scene_.spheres[i].center), static_cast<double>(scene_.spheres[i].radius));
         });
     }
-    /// Sticks as strings of balls.
+    /// Visits sticks as strings of balls.
     template <typename Visit>
     void eachStick(bool first, const Visit& visit) const {
         each(scene_.copies.cylinders, scene_.cylinders.size(), first, [&](std::size_t i, const glm::dmat4x3& place) {
@@ -81,14 +81,14 @@ public:
     Covers(const Representation& scene, const std::vector<bool>& chosen)
         : scene_(scene), chosen_(chosen), through_(!translucentParts(scene).triangles.empty()) {}
 
-    /// A contact's dashes are of nothing, and cover nothing: they go with its atoms.
+    /// A contact's dashes belong to no atom and cover nothing: they go with its atoms.
     bool isContact(std::uint32_t number) const { return number > chosen_.size(); }
     bool isPart(std::uint32_t atom) const { return !isContact(atom) && chosen_[atom - 1]; }
     std::array<std::uint32_t, 3> atomsOf(const Triangle& t) const {
         const auto atom = [&](std::uint32_t v) { return scene_.meshLooks[scene_.meshVertices[v].look].atom; };
         return {atom(t.a), atom(t.b), atom(t.c)};
     }
-    /// Sticks and triangles between the part and its neighbours neither are it nor cover it.
+    /// Sticks and triangles between the part and its neighbours neither belong to it nor cover it.
     std::size_t chosenOf(const Triangle& t) const {
         std::size_t count = 0;
         for (const std::uint32_t atom : atomsOf(t)) count += isPart(atom);
@@ -98,17 +98,17 @@ public:
         return std::size_t{isPart(look.atomA)} + std::size_t{isPart(look.atomB)};
     }
 
-    /// Not where it is translucent.
+    /// Whether a triangle covers the part: a translucent one does not.
     bool covers(const Triangle& t) const {
         return chosenOf(t) == 0 && (!through_ || translucencyOf(scene_, t) == Translucency::opaque);
     }
 
     void count(const Placed& placed, const PartPicture& picture, double nearest);
-    /// @param most  cells that may stay covered @returns those that do, at most
+    /// @param most  cells that may stay covered @returns upper bound of those that do
     std::size_t choose(std::size_t most);
     /// Also removes primitives whose centre is nearer than a plane.
     void peel(const Placed& placed, double nearest);
-    /// A stick goes with its atoms, an atom with its last stick.
+    /// Removes sticks with their atoms, and an atom with its last stick.
     void settle();
     /// Removes small pieces that are no longer connected to the rest.
     void dropScraps();
@@ -211,7 +211,7 @@ void Covers::settle() {
     }
 }
 
-/// Sets of connected atoms, by their numbers: by sticks, triangles, and coinciding mesh vertices.
+/// Sets of connected atoms, by number: through sticks, triangles, and coinciding mesh vertices.
 class Connections {
 public:
     explicit Connections(std::size_t atoms) : sets_(atoms + 1) {}
@@ -240,7 +240,7 @@ void Covers::dropScraps() {
         const CylinderLook& look = scene_.cylinderLooks[i];
         join(look.atomA, look.atomB, !sticksGone_.contains(i) && stays(look.atomA) && stays(look.atomB));
     }
-    std::unordered_map<std::uint64_t, std::uint32_t> atomAt, leftAt;  // by the vertices' places
+    std::unordered_map<std::uint64_t, std::uint32_t> atomAt, leftAt;  // by vertex position
     for (const Triangle& t : scene_.triangles) {
         const auto atoms = atomsOf(t);
         const bool left = !isGone(t);
@@ -265,7 +265,7 @@ void Covers::dropScraps() {
     };
     for (const SphereLook& look : scene_.sphereLooks) count(look.atom);
     for (const SphereLook& look : scene_.meshLooks) count(look.atom);
-    std::unordered_map<std::uint32_t, Box> boxes;  // by the roots of what is left
+    std::unordered_map<std::uint32_t, Box> boxes;  // by the roots of the remaining sets
     const auto widen = [&](std::uint32_t atom, const glm::dvec3& place) {
         if (seen.contains(atom) && stays(atom)) boxes[after.rootOf(atom)].add(place);
     };
@@ -296,7 +296,7 @@ void shorten(std::vector<Run>& runs, const std::vector<std::uint32_t>& before) {
     std::erase_if(runs, [](const Run& run) { return run.count == 0; });
 }
 
-/// @returns how many stay before each, and at the end of all
+/// @returns the number of kept primitives before each one, and in all
 template <typename Gone>
 std::vector<std::uint32_t> staying(std::size_t count, const Gone& gone) {
     std::vector<std::uint32_t> before(count + 1, 0);
@@ -344,7 +344,7 @@ void remove(const Covers& covers, Representation& scene, Uncovered& result) {
     shorten(scene.meshes, triangles);
 }
 
-/// The part alone. @returns whether there is any
+/// Draws the part alone. @returns whether it has anything to draw
 bool draw(const Placed& placed, const Representation& scene, const Covers& covers, PartPicture& picture) {
     // Twice: to find its extent, and its frontmost points.
     const auto eachOfPart = [&](const auto& ball, const auto& triangle) {

@@ -1,5 +1,5 @@
 #pragma once
-// Uncovers a part of a scene, also in a deep pocket: removes everything in front of it in a view.
+// Uncovers a part of a scene, even in a deep pocket: removes everything in front of it in a view.
 
 #include <cstddef>
 #include <vector>
@@ -13,11 +13,11 @@ constexpr double kStillCovered = 0.02;  ///< largest fraction of a part that may
                                         ///< outline
 constexpr double kBuried = 0.1;         ///< from this fraction on a part counts as buried: its pocket is opened
 
-/// Removed primitives, as stored: missing in every copy of an assembly.
+/// Removed primitives, as stored: in an assembly they are removed from every copy.
 struct Uncovered {
     std::size_t spheres = 0, cylinders = 0, triangles = 0;
     double before = 1;  ///< visible fraction of the part's own picture before
-    double after = 1;   ///< and after, at least
+    double after = 1;   ///< likewise after it, at least
 };
 
 /// Removes atoms, sticks and patches of meshes that cover chosen atoms (in their first copy); those that cover least

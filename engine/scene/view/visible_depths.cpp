@@ -40,7 +40,7 @@ std::vector<double> visibleDepths(const std::vector<glm::dvec4>& balls, const Vi
 }
 
 std::optional<DepthRange> frontRange(const std::vector<double>& depths, double radius) {
-    constexpr double kBehind = 0.1;  // of the radius: what is seen reaches behind the centre
+    constexpr double kBehind = 0.1;  // of the radius: visible surfaces extend this far behind the centre
     constexpr double kNear = 0.1, kFar = 0.95;
     if (depths.empty()) return std::nullopt;
     const auto at = [&](double share) {

@@ -10,7 +10,7 @@
 namespace nacre {
 
 /// Depth of the nearest ball in each covered cell of a coarse grid over the scene: Å from the centre away from the
-/// viewer, ascending. Atoms and vertices stand for sticks and meshes.
+/// viewer, ascending. Atoms and vertices represent sticks and meshes.
 /// @param balls  from drawnBalls()
 std::vector<double> visibleDepths(const std::vector<glm::dvec4>& balls, const View& view);
 
