@@ -64,7 +64,7 @@ private:
         return sum;
     }
 
-    /// Pairs within a distance; at least three, for which the distance grows.
+    /// Pairs within a distance; if these are fewer than three, the distance grows.
     Pairs within(const Pairs& pairs, const Superposition& motion, double distance) const {
         Pairs close;
         for (; close.size() < 3; distance += 0.5) {
@@ -75,8 +75,8 @@ private:
         return close;
     }
 
-    /// The superposition with the largest score that is found from fragments of the alignment, each time of the pairs
-    /// that come near. @param step  between the fragments' beginnings
+    /// The best-scoring superposition found from fragments of the alignment, each refined by the pairs that come near.
+    /// @param step  between the starts of fragments
     std::pair<double, Superposition> bestMotion(const Pairs& pairs, std::size_t step, double half) {
         constexpr int kMostTurns = 20;
         constexpr std::size_t kShortest = 4, kHalvings = 6;
@@ -120,7 +120,7 @@ private:
         }
     }
 
-    /// Equal folds score one. @param weight  of it beside the scores that are there; 0: it alone
+    /// Equal secondary structure scores one. @param weight  of it relative to existing scores; 0: replaces them
     void scoreByFold(double weight) {
         for (std::size_t i = 0; i < moving_.size(); ++i)
             for (std::size_t j = 0; j < fixed_.size(); ++j) {
@@ -129,7 +129,7 @@ private:
             }
     }
 
-    /// The alignment with the largest sum of scores. A gap costs once, and none where it follows one; ends are free.
+    /// The alignment with the largest sum of scores. Opening a gap has a cost, extending it has none; ends are free.
     Pairs aligned(double gap) {
         const std::size_t rows = moving_.size() + 1, columns = fixed_.size() + 1;
         for (std::size_t i = 0; i < rows; ++i) best_[i * columns] = 0, paired_[i * columns] = false;
@@ -194,7 +194,7 @@ private:
         return best;
     }
 
-    /// The best alignment by distance after one fragment was superposed on another.
+    /// The best alignment by distance after superposing one fragment on another.
     Pairs byFragments(std::size_t length) {
         length = std::max(length, kFewestAligned);
         const auto stepOf = [&](std::size_t count) {
@@ -249,7 +249,7 @@ private:
         StructureAlignment found;
         if (top_.empty()) return found;
         found.motion = bestMotion(top_, 1, half_).second;
-        // Residues farther apart have nothing in common.
+        // Residues farther apart score nothing.
         const double reach = 1.5 * std::pow(static_cast<double>(shorter_), 0.3) + 3.5;
         found.pairs = within(top_, found.motion, reach);
         const auto normalised = [&](std::size_t length) {
@@ -264,7 +264,7 @@ private:
 
     std::span<const TraceResidue> moving_, fixed_;
     std::size_t shorter_;
-    double half_, near_;  // Å: a score of one half; within which pairs are superposed
+    double half_, near_;  // Å: distance of a score of one half; within it, pairs are superposed
     std::vector<double> scores_, best_;
     std::vector<char> paired_;
     std::vector<glm::dvec3> from_, to_;

@@ -13,7 +13,7 @@
 
 namespace nacre {
 
-/// A residue as the alignment sees it.
+/// A residue for the alignment.
 struct TraceResidue {
     glm::dvec3 place{};  ///< of its alpha carbon, Å
     SecondaryStructure fold = SecondaryStructure::none;
@@ -27,10 +27,10 @@ struct StructureAlignment {
 
 constexpr std::size_t kFewestAligned = 5, kMostAligned = 3'000;  ///< residues of a chain
 
-/// Begins with alignments of five kinds (gapless; by secondary structure; by fragments that superpose; by distance and
+/// Starts from alignments of five kinds (gapless; by secondary structure; by fragments that superpose; by distance and
 /// secondary structure together), improves each by superposition and dynamic programming in turn, and takes the best.
-/// Pairs are residues that end within a distance that grows with the chains' length. Time grows with the product of the
-/// lengths.
+/// Pairs are residues that end up within a distance that grows with the chains' length. Time grows with the product of
+/// the lengths.
 /// @param moving, fixed  kFewestAligned to kMostAligned residues each
 StructureAlignment alignStructures(std::span<const TraceResidue> moving, std::span<const TraceResidue> fixed);
 

@@ -14,7 +14,7 @@
 
 namespace nacre {
 
-/// Why an assembly is left out; becomes a warning.
+/// Why an assembly is omitted; becomes a warning.
 struct AssemblyFault : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -27,8 +27,8 @@ TransformRows multiply(const TransformRows& first, const TransformRows& second);
 /// @throws AssemblyFault if a number is not finite or beyond ±1e9
 glm::mat4x3 toMatrix(const TransformRows& rows);
 
-/// Limits for all assemblies of a file together. There may be as many transforms as atoms: one takes less memory on its
-/// way to the device, with its name (memory_bound.h).
+/// Limits for all assemblies of a file together. There may be as many transforms as atoms: with its name, a transform
+/// takes less memory until it is on the device (memory_bound.h).
 class AssemblyLimits {
 public:
     static constexpr std::size_t kMaxAssemblies = 10'000;
@@ -36,11 +36,11 @@ public:
     static constexpr std::size_t kMaxTransforms = std::size_t{1} << 22;  ///< 200 MB
     static constexpr std::size_t kMaxSubchains = std::size_t{1} << 22;   ///< mentions of subchains, 17 MB
 
-    /// @param maxAtoms  that there is memory for
+    /// @param maxAtoms  number of atoms that fit into memory
     explicit AssemblyLimits(std::size_t maxAtoms)
         : maxTransforms_(std::clamp(maxAtoms, kFewTransforms, kMaxTransforms)), transforms_(maxTransforms_) {}
 
-    /// @throws AssemblyFault if more is asked for than is left
+    /// @throws AssemblyFault if less than that is left
     void spend(std::size_t transforms, std::size_t subchains);
 
 private:
@@ -61,10 +61,10 @@ void addPart(Assembly& assembly, const std::vector<glm::mat4x3>& transforms, std
 
 /// The warning about an assembly that cannot be placed.
 std::string leftOutWarning(std::string_view id, const std::string& why);
-/// The warning that a molecule has about an assembly, or about any. Empty: none.
+/// The molecule's warning about an assembly, or about any. Empty: none.
 std::string leftOutWarningOf(const Molecule& molecule, std::string_view id = {});
 
-/// One molecule's assemblies for another molecule, whose subchains are numbered differently.
+/// Assemblies of one molecule for another, whose subchains are numbered differently.
 std::vector<Assembly> assembliesFor(const Molecule& to, const Molecule& from);
 
 }  // namespace nacre

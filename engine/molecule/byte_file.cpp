@@ -15,7 +15,7 @@ namespace nacre {
 std::shared_ptr<ByteFile> ByteFile::open(const std::string& path) {
     struct stat status {};
     errno = 0;
-    // A pipe that is opened may be waited for without an end.
+    // Opening a pipe may block forever.
     if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return nullptr;
     const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) return nullptr;

@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-/// A regular file, or an unnamed temporary one, which the system removes however the program ends. Several threads may
+/// A regular file, or an unnamed temporary one, which the system removes when the program ends. Several threads may
 /// read at once.
 class ByteFile {
 public:
@@ -23,7 +23,7 @@ public:
     ByteFile& operator=(const ByteFile&) = delete;
 
     std::uint64_t size() const { return size_; }
-    /// @throws Error if the file does not hold these bytes (any more)
+    /// @throws Error if the file does not (or no longer) contain these bytes
     void read(std::uint64_t at, void* to, std::size_t count) const;
     /// @returns false if there is no space left
     bool append(const void* bytes, std::size_t count);

@@ -1,5 +1,5 @@
 #pragma once
-// Contents of a molecule, and of each chain as far as it has coordinates: the polymer's sequence, ligands, ions, water.
+// Contents of a molecule, and of each chain as far as it is modelled: the polymer's sequence, ligands, ions, water.
 
 #include <array>
 #include <cstddef>

@@ -22,7 +22,7 @@ struct Crystal {
     gemmi::UnitCell cell;
     std::vector<gemmi::Op> operations;
     glm::dvec3 middle{};   ///< of the atoms, Å
-    gemmi::Fractional at;  ///< the same, in parts of the cell
+    gemmi::Fractional at;  ///< the same in fractional coordinates
 };
 
 glm::dvec3 middleOf(const Molecule& molecule) {
@@ -36,7 +36,7 @@ Crystal crystalOf(const Molecule& molecule) {
     const auto fail = [](const std::string& why) -> void { throw Error("cannot build symmetry", "", why); };
     const FileSummary& file = molecule.file;
     if (!file.cell && !file.box) fail("the file states no unit cell");
-    const bool boxed = file.box && !file.cell;  // a periodic box has translations alone
+    const bool boxed = file.box && !file.cell;  // a periodic box has only translations
     const auto& repeats = file.boxRepeats;
     if (boxed && std::find(repeats.begin(), repeats.end(), true) == repeats.end()) fail("its box does not repeat");
     const gemmi::SpaceGroup* group = spaceGroupOf(boxed ? "P 1" : file.spaceGroup);
@@ -63,7 +63,7 @@ Crystal crystalOf(const Molecule& molecule) {
     return crystal;
 }
 
-/// An operation as a motion in space, into the cell of the middle plus some cells.
+/// An operation as a motion in space, into the cell of the middle, shifted by some cells.
 glm::dmat4x3 motionOf(const Crystal& crystal, const gemmi::Op& operation, const std::array<int, 3>& cells) {
     gemmi::Transform fractional;
     for (int i = 0; i < 3; ++i) {
@@ -90,7 +90,7 @@ bool isIdentity(const glm::dmat4x3& motion) {
     return true;
 }
 
-/// Atoms by cells of a atomGrid, to ask which lie near a point.
+/// Atoms in a grid, to find those near a point.
 class AtomGrid {
 public:
     AtomGrid(const Molecule& molecule, double distance) : molecule_(molecule), distance_(distance), edge_(distance) {
@@ -121,7 +121,7 @@ private:
     }
     const Molecule& molecule_;
     double distance_, edge_;
-    mutable std::size_t looked_ = 0;  ///< atoms, by all calls
+    mutable std::size_t looked_ = 0;  ///< atoms, in all calls
     std::map<Cell, std::vector<std::uint32_t>> cells_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Symmetry of a crystal: where the copies of a molecule stand around it.
+// Symmetry of a crystal: positions of a molecule's copies around it.
 
 #include <array>
 #include <glm/mat4x3.hpp>
@@ -16,18 +16,18 @@ constexpr std::size_t kMostSymmetryCopies = 20'000;
 /// Edges of the periodic box or the unit cell, Å; none if the file states neither.
 std::optional<std::array<glm::dvec3, 3>> cellEdges(const FileSummary& file);
 
-/// Where these edges begin, Å: the corner of a periodic box; of unit cells the one that the middle of the atoms is in.
+/// Origin of these edges, Å: the corner of a periodic box; of unit cells, the corner of the one that contains the
+/// middle of the atoms.
 glm::dvec3 cellCorner(const Molecule& molecule);
 
-/// The copies in a range of cells, the molecule itself first. Cells are counted from the one that the molecule's middle
-/// is in, and a copy belongs to the cell that its middle is in.
+/// The copies in a range of cells, the molecule itself first. Cells are counted from the one that contains the
+/// molecule's middle; a copy belongs to the cell of its middle.
 /// @param low, high  first and last cell along each axis
-/// @throws Error if the file states no cell or no space group, or the copies are too many
+/// @throws Error if the file states no cell or no space group, or there are too many copies
 std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::array<int, 3>& low,
                                         const std::array<int, 3>& high);
 
-/// The copies of which an atom is within a distance (Å) of an atom of the molecule, itself first. @throws Error as
-/// above
+/// The copies that have an atom within a distance (Å) of an atom of the molecule, itself first. @throws Error as above
 std::vector<glm::dmat4x3> crystalMates(const Molecule& molecule, double distance);
 
 }  // namespace nacre

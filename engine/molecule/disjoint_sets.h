@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-/// Union-find: sets of the numbers below a count, which are alone at first.
+/// Union-find: sets of the numbers below a count, initially one set per number.
 class DisjointSets {
 public:
     explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }

@@ -16,7 +16,7 @@ constexpr double kLargestDisplacement = 1000;          ///< Å^2; ANISOU holds n
 glm::dmat3 matrixOf(const Displacement& u);
 Displacement displacementOf(const glm::dmat3& u);
 
-/// Symmetric matrices by their eigenvalues, largest first, with orthonormal eigenvectors.
+/// Eigenvalues of a symmetric matrix, largest first, with orthonormal eigenvectors.
 struct PrincipalAxes {
     std::array<double, 3> values{};
     std::array<glm::dvec3, 3> ways{};
@@ -27,12 +27,12 @@ PrincipalAxes principalAxes(glm::dmat3 symmetric);
 /// positive definite.
 std::optional<std::array<glm::dvec3, 3>> displacementAxes(const Displacement& u);
 
-/// By how much an ellipsoid that holds an atom with a probability is larger than its root mean square displacements:
-/// the quantile of the chi distribution with three degrees of freedom, 1.5382 at 50 %.
+/// Ratio of the ellipsoid that contains an atom with a given probability to its root mean square displacements: the
+/// quantile of the chi distribution with three degrees of freedom, 1.5382 at 50 %.
 /// @param percent  above 0, below 100
 double probabilityScale(double percent);
 
-/// Turns the displacement of an atom with the atom, if it has one. @param rotation  or another linear map
+/// Rotates an atom's displacement, if it has one, along with the atom. @param rotation  or another linear map
 void turnDisplacement(Molecule& molecule, std::size_t atom, const glm::dmat3& rotation);
 
 }  // namespace nacre

@@ -41,7 +41,7 @@ public:
         }
         for (const auto& [position, alternates] : found) {
             const auto mean = [](const Alternate& a) { return a.occupancySum / static_cast<double>(a.count); };
-            // Means of equal occupancies may differ in the last bits; the first in the file must still win.
+            // Means of equal occupancies may differ in the last bits; the first in the file still has to win.
             constexpr double kEqual = 1e-6;
             const Alternate* best = &alternates.front();
             for (const Alternate& candidate : alternates)

@@ -8,14 +8,14 @@
 namespace nacre {
 namespace {
 
-/// Elements come from files; whatever lies outside the table counts as unknown.
+/// Elements come from files; numbers outside the table count as unknown.
 gemmi::El known(Element element) { return static_cast<gemmi::El>(element <= 119 ? element : 0); }
 
 }  // namespace
 
 Element elementFromSymbol(std::string_view symbol) {
     if (symbol.empty() || symbol.size() > 2) return 0;
-    // gemmi's own look-up masks bits and so takes "C1" for "C"; compare letters instead.
+    // gemmi's own look-up masks bits and so accepts "C1" as "C"; compare letters instead.
     const char first = upperCase(symbol[0]);
     const char second = symbol.size() == 2 ? upperCase(symbol[1]) : '\0';
     for (int number = 1; number <= 119; ++number) {

@@ -13,7 +13,7 @@ std::string_view elementSymbol(Element element);
 
 /// van der Waals radius, Å (gemmi's table; its value for an unknown element).
 float vanDerWaalsRadius(Element element);
-/// The same of an atom, whose own radius comes first.
+/// The radius of an atom: its own, if it has one.
 inline float vanDerWaalsRadius(const Atom& atom) {
     return atom.radius > 0 ? atom.radius : vanDerWaalsRadius(atom.element);
 }
@@ -23,7 +23,7 @@ float covalentRadius(Element element);
 bool isHydrogen(Element element);
 bool isMetal(Element element);
 
-/// The element of a mass (u), hydrogens with redistributed mass included; 0: no element is near it.
+/// The element of a mass (u), also of hydrogens with repartitioned mass; 0: no element is near it.
 Element elementFromMass(double mass);
 
 }  // namespace nacre

@@ -20,7 +20,7 @@ namespace nacre {
 namespace portable {
 namespace {
 
-/// The program may have set a locale whose numbers have a comma.
+/// The program's locale may use decimal commas.
 locale_t plainLocale() {
     static const locale_t only = newlocale(LC_ALL_MASK, "C", nullptr);
     return only;
@@ -29,7 +29,7 @@ locale_t plainLocale() {
 }  // namespace
 
 std::from_chars_result fromChars(const char* first, const char* last, double& value) {
-    // strtod() also takes blanks, a plus and hexadecimals, which are no numbers here.
+    // strtod() also accepts blanks, a plus and hexadecimals, which are no numbers here.
     const char* const begin = first != last && *first == '-' ? first + 1 : first;
     const bool starts = begin != last && (isDigit(*begin) || *begin == '.' || isLetter(*begin));
     const bool hexadecimal = last - begin > 1 && begin[0] == '0' && (begin[1] | 0x20) == 'x';
@@ -51,7 +51,7 @@ std::to_chars_result toChars(char* first, char* last, double value) {
     for (int digits = 1; digits <= std::numeric_limits<double>::max_digits10; ++digits) {
         std::array<char, 32> text{};
         const int length = std::snprintf(text.data(), text.size(), "%.*g", digits, value);
-        std::replace(text.begin(), text.begin() + length, ',', '.');  // of the program's locale
+        std::replace(text.begin(), text.begin() + length, ',', '.');  // in the program's locale
         if (strtod_l(text.data(), nullptr, plainLocale()) != value && !std::isnan(value)) continue;
         const std::string_view found(text.data(), static_cast<std::size_t>(length));
         const bool plain = found.find('e') == std::string_view::npos;

@@ -13,7 +13,7 @@ std::from_chars_result fromChars(const char* first, const char* last, Integer& v
     return std::from_chars(first, last, value);
 }
 
-/// std::to_chars: the fewest digits that give the same number again.
+/// std::to_chars: the fewest digits that parse to the same number.
 std::to_chars_result toChars(char* first, char* last, double value);
 
 /// Fallbacks where the library lacks these functions; declared for tests.

@@ -8,7 +8,7 @@
 namespace nacre {
 namespace {
 
-/// Joins lists of names, and maps the indices of a further list.
+/// Joins lists of names, and maps indices of the added list.
 class Names {
 public:
     explicit Names(std::vector<std::string>& names) : names_(names) {
@@ -77,7 +77,7 @@ private:
         }
     }
 
-    /// Those of a file that states none are not stated.
+    /// If the first file states no displacements, the joined molecule has none.
     void addDisplacements(const std::vector<Displacement>& more, std::size_t atoms) {
         std::vector<Displacement>& all = whole_.displacements;
         if (all.empty() && more.empty()) return;
@@ -86,7 +86,7 @@ private:
         all.resize(whole_.atoms.size());
     }
 
-    /// One value per atom, in both or in neither.
+    /// One value per atom, if both molecules have such values.
     template <typename Value>
     void addValues(std::vector<Value>& values, const std::vector<Value>& more, std::size_t atoms) {
         if (values.size() == atoms && values.size() + more.size() == whole_.atoms.size())

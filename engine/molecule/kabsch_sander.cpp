@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kCouplingOfCharges = -27.888;  // -332 * 0.42 * 0.2 kcal/mol Å: the dipoles of N-H and C=O
 constexpr double kWeakestBond = -0.5;           // kcal/mol
-constexpr double kStrongestBond = -9.9;         // where atoms are upon one another
+constexpr double kStrongestBond = -9.9;         // for nearly coinciding atoms
 constexpr double kLeastDistance = 0.5;          // Å
 constexpr double kLongestPeptideBond = 2.5;     // Å
 constexpr float kFarthestCa = 9;                // Å, between residues whose peptide groups may be bonded
-constexpr std::size_t kMostNeighbours = 400;    // there is room for some sixty
+constexpr std::size_t kMostNeighbours = 400;    // real structures have about sixty
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 struct HydrogenBond {
@@ -28,7 +28,7 @@ struct HydrogenBond {
 /// A residue with a whole backbone.
 struct Peptide {
     std::uint32_t residue = 0;
-    std::uint32_t piece = 0;  ///< of the chain, from break to break
+    std::uint32_t piece = 0;  ///< unbroken part of the chain
     int model = 1;
     bool donates = false;  ///< has a hydrogen: neither proline nor the first of its piece
     glm::dvec3 n{}, ca{}, c{}, o{}, h{};
@@ -78,7 +78,7 @@ void findPiecesAndHydrogens(const Molecule& molecule, std::vector<Peptide>& pept
     }
 }
 
-/// kcal/mol, to three digits as the original has it.
+/// kcal/mol, to three digits as in the original program.
 double bondEnergy(const Peptide& donor, const Peptide& acceptor) {
     const double on = glm::distance(acceptor.o, donor.n), ch = glm::distance(acceptor.c, donor.h);
     const double oh = glm::distance(acceptor.o, donor.h), cn = glm::distance(acceptor.c, donor.n);
@@ -132,7 +132,7 @@ private:
     std::vector<Entry> entries_;
 };
 
-/// The pairs of residues, the smaller first, that may be bonded.
+/// Pairs of residues that may be bonded, lower index first.
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 Pairs nearPairs(const std::vector<Peptide>& peptides) {
@@ -150,7 +150,7 @@ Pairs nearPairs(const std::vector<Peptide>& peptides) {
 
 enum class BridgeKind { none, parallel, antiparallel };
 
-/// Bridges that follow one another, i upwards, j upwards or downwards.
+/// Consecutive bridges, with i ascending and j ascending or descending.
 struct Ladder {
     BridgeKind kind = BridgeKind::none;
     std::vector<std::uint32_t> i, j;  ///< both ascending
@@ -168,14 +168,14 @@ public:
     }
 
 private:
-    /// Whether the N-H of one is bonded to the C=O of another.
+    /// Whether the N-H of one residue is bonded to the C=O of another.
     bool bonded(std::uint32_t donor, std::uint32_t acceptor) const {
         for (const HydrogenBond& bond : peptides_[donor].bonds)
             if (bond.acceptor == acceptor && bond.energy < kWeakestBond) return true;
         return false;
     }
 
-    /// Whether from one to the other the chain does not break.
+    /// Whether the chain has no break from one to the other.
     bool whole(std::uint32_t from, std::uint32_t to) const {
         return to < peptides_.size() && peptides_[from].piece == peptides_[to].piece;
     }
@@ -214,7 +214,7 @@ private:
         return all;
     }
 
-    /// Whether two ladders are one with a bulge: at most one residue more on one strand, four on the other.
+    /// Whether two ladders form one with a bulge: at most one extra residue on one strand, and four on the other.
     bool bulge(const Ladder& a, const Ladder& b) const {
         const auto between = [](std::uint32_t from, std::uint32_t to) {
             return static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from);
@@ -232,7 +232,7 @@ private:
     void joinBulges(std::vector<Ladder>& all) const {
         std::stable_sort(all.begin(), all.end(), [](const Ladder& a, const Ladder& b) { return a.i[0] < b.i[0]; });
         for (std::size_t a = 0; a < all.size(); ++a)
-            // Sorted: once one begins six residues behind the end, all do.
+            // Sorted: once one begins six residues after the end, all others do.
             for (std::size_t b = a + 1; b < all.size() && all[b].i.front() < all[a].i.back() + 6; ++b) {
                 if (all[a].kind == BridgeKind::none || !bulge(all[a], all[b])) continue;
                 all[a].i.insert(all[a].i.end(), all[b].i.begin(), all[b].i.end());
@@ -254,7 +254,7 @@ private:
     /// Two consecutive n-turns make a helix of the n residues between. Alpha takes precedence over strands, the others
     /// fill gaps, the pi helix also replaces alpha.
     void helices() {
-        std::vector<int> turns(kinds_.size());  // of the helix that a residue is in
+        std::vector<int> turns(kinds_.size());  // turn length of the residue's helix
         for (const std::uint32_t n : {4u, 3u, 5u})
             for (std::uint32_t i = 1; i + n < peptides_.size(); ++i) {
                 if (!turn(i - 1, n) || !turn(i, n)) continue;

@@ -7,7 +7,7 @@
 namespace nacre {
 namespace {
 
-/// Sugars of glycans, and what crystals are grown from: less often meant by "the ligand" than others.
+/// Sugars of glycans, and crystallisation additives: "the ligand" seldom means these.
 constexpr std::string_view kMinorLigands[] = {"NAG", "NDG", "MAN", "BMA", "FUC", "FUL", "GAL", "GLA", "GLC", "BGC",
                                               "XYS", "XYP", "SIA", "SLB", "A2G", "NGA", "GOL", "EDO", "PEG", "PGE",
                                               "1PE", "PG4", "SO4", "PO4", "ACT", "ACY", "DMS", "MPD", "FMT", "CIT",
@@ -17,7 +17,7 @@ constexpr std::string_view kMinorLigands[] = {"NAG", "NDG", "MAN", "BMA", "FUC",
 constexpr std::string_view kTails[] = {"DL", "DM", "DP", "DO", "DS", "DA", "PO",
                                        "PL", "PA", "SO", "SL", "SA", "PY", "DY"};
 constexpr std::string_view kHeads[] = {"PC", "PE", "PG", "PS", "PA", "PI", "SM"};
-/// Sterols, sphingomyelin, and AMBER's heads and tails, which are residues of their own.
+/// Sterols, sphingomyelin, and AMBER's heads and tails, which are separate residues.
 constexpr std::string_view kLipids[] = {"CHL1", "CHOL", "CLR", "ERG", "PSM", "SSM", "PC",  "PE",  "PGR",
                                         "PH-",  "PA",   "OL",  "MY",  "LAL", "ST",  "AR",  "DHA", "TLCL",
                                         "CDL",  "PCW",  "PEE", "PGV", "LHG", "PTY", "POV", "DLP", "DPP"};

@@ -1,5 +1,5 @@
 #pragma once
-// Small molecules by what they are in a structure.
+// Roles of small molecules in a structure.
 
 #include <cstdint>
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace nacre {
 
-/// The residue that "the ligand" means: the largest ligand, the first of equal ones. Sugars of glycans, buffers and
+/// The residue that "the ligand" means: the largest ligand, the first among equals. Sugars of glycans, buffers and
 /// cryoprotectants only if there is no other. Empty: there is no ligand.
 std::optional<std::uint32_t> mainLigandOf(const ResidueFacts& facts);
 

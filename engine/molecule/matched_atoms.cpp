@@ -44,10 +44,10 @@ constexpr std::int8_t kBlosum62[] = {4,                                         
                                      0,  -3, -3, -3, -1, -2, -2, -3, -3, 3,  1,  -2, 1,  -1, -2, -2, 0,  -3, -1, 4};
 constexpr int kSameName = 5, kOtherName = -4, kGapBegin = -11, kGapMore = -1;
 
-/// A residue as the alignment sees it.
+/// A residue for the alignment.
 struct Unit {
     Name name;
-    std::size_t letter = std::string_view::npos;  ///< index into kLetters, if it is an amino acid of these
+    std::size_t letter = std::string_view::npos;  ///< index into kLetters, if it is one of these amino acids
     friend auto operator<=>(const Unit& a, const Unit& b) {
         return std::tie(a.letter, a.name.bytes) <=> std::tie(b.letter, b.name.bytes);
     }
@@ -60,7 +60,7 @@ int scoreOf(const Unit& a, const Unit& b) {
     return kBlosum62[high * (high + 1) / 2 + low];
 }
 
-/// Fills the table of an alignment and walks back through it.
+/// Fills an alignment's table, and traces the best path back.
 class Alignment {
 public:
     Alignment(std::span<const Unit> a, std::span<const Unit> b)
@@ -90,7 +90,7 @@ public:
     }
 
 private:
-    /// How the best alignment of two beginnings ends; and whether the gaps that end there are longer than one.
+    /// How the best alignment of two prefixes ends, and whether gaps that end there are longer than one.
     enum : std::uint8_t { kPair = 0, kGapInA = 1, kGapInB = 2, kStates = 3, kMoreInA = 4, kMoreInB = 8 };
 
     void fillRow(std::size_t i) {
@@ -116,12 +116,12 @@ private:
 
     std::span<const Unit> a_, b_;
     std::vector<std::uint8_t> from_;
-    std::vector<int> best_, gapInB_;  ///< of the latest row
+    std::vector<int> best_, gapInB_;  ///< of the current row
     int endScore_ = 0;
     std::size_t endA_ = 0, endB_ = 0;  ///< where the best alignment ends
 };
 
-/// Selected atoms, at each position those of the conformer that is drawn, if there are any.
+/// Selected atoms; at each position only those of the drawn conformer, if any is selected.
 std::vector<bool> inDrawnConformer(const ResidueFacts& facts, const std::vector<bool>& selected) {
     const Molecule& molecule = facts.molecule();
     std::vector<bool> drawn(selected.size()), settled(molecule.residues.size());
@@ -177,10 +177,10 @@ std::vector<std::uint32_t> namedAtoms(const Molecule& molecule, const Residue& r
 /// Selected residues of one chain.
 struct Strand {
     std::vector<std::uint32_t> residues;
-    std::size_t sequence = 0;  ///< its number; equal sequences share one
+    std::size_t sequence = 0;  ///< index of the sequence; equal sequences share one
 };
 
-/// Two strands' paired residues, as positions in them.
+/// Paired residues of two strands, as positions in them.
 struct StrandPair {
     std::size_t first = 0, second = 0;  ///< strands
     double rmsd = 0;                    ///< of the first paired atoms of each residue, as placed
@@ -195,8 +195,8 @@ struct Likeness {
     std::size_t same = 0;  ///< pairs of equal names
 };
 
-/// Equal residues from which two sequences are alike. Short ones agree by chance: Sander and Schneider, Proteins 9
-/// (1991) 56 ask for 290.15 * length^-0.562 percent from 10 to 80 residues.
+/// Fraction of equal residues from which two sequences are similar. Short ones agree by chance: Sander and Schneider,
+/// Proteins 9 (1991) 56, require 290.15 * length^-0.562 percent for 10 to 80 residues.
 double leastSame(std::size_t length) {
     constexpr double kLeast = 0.3, kShortest = 10;
     const double most = static_cast<double>(length);
@@ -329,7 +329,7 @@ private:
         return place;
     }
 
-    /// Adds the nearest pairs of like strands to those that are settled.
+    /// Adds the nearest pairs of similar strands to the settled pairs.
     std::vector<StrandPair> nearest(std::vector<StrandPair> settled, const Superposition& motion, double most) {
         std::vector<StrandPair> near;
         for (std::size_t i = 0; i < first_.size(); ++i)
@@ -350,7 +350,7 @@ private:
         return settled;
     }
 
-    /// Tries each best pair of strands as the first.
+    /// Tries each best pair of strands as the first pair.
     std::vector<StrandPair> bestStart() {
         StrandPair top;
         for (std::size_t i = 0; i < first_.size(); ++i)

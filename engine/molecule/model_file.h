@@ -9,10 +9,10 @@
 
 namespace nacre {
 
-/// Text formats (PDB, mmCIF, PDBQT, PQR, SDF, MOL2, XYZ, GRO) are scanned once for the positions of models; each model
-/// is then read from its own part: of the file, of a temporary file if the input is compressed, or of memory while it
-/// is short. Models of BinaryCIF, mmJSON and MMTF share tables: the packed file is held, with as many models as
-/// ModelReader reads in one pass. If models cannot be separated, all are held if the file is short.
+/// Text formats (PDB, mmCIF, PDBQT, PQR, SDF, MOL2, XYZ, GRO) are scanned once for the positions of models. Each model
+/// is then read from its own part of the file, of a temporary file if the input is compressed, or of memory if the text
+/// is short. Models of BinaryCIF, mmJSON and MMTF share tables: the packed file is held in memory, with as many models
+/// as ModelReader reads in one pass. If models cannot be separated, all are held if the file is short.
 class ModelFile {
 public:
     /// @param options  `model` and `others` are ignored @throws Error
@@ -26,7 +26,7 @@ public:
     int count() const;  ///< models, frames or records
     /// The first model, with the positions of the others.
     const Molecule& first() const;
-    /// With all bonds, as from readMolecule(), but without the others' positions. @param model  from 1 @throws Error
+    /// Has all bonds, as from readMolecule(), but not the others' positions. @param model  from 1 @throws Error
     Molecule read(int model);
 
 private:

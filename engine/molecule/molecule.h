@@ -47,7 +47,7 @@ struct Atom {
     char alternate = '\0';   ///< alternate location; '\0' = none
     bool hetero = false;     ///< HETATM
     std::int8_t charge = 0;  ///< formal charge, elementary charges
-    float radius = 0;        ///< of a coarse grain, Å; 0: the element's
+    float radius = 0;        ///< of a coarse grain, Å; 0: the element's radius
 };
 
 /// Mean square displacement of an atom: the tensor U in the frame of the positions, Å^2. All zero: not stated.
@@ -68,8 +68,8 @@ constexpr std::int32_t kNoLabelNumber = INT32_MIN;
 struct Residue {
     Name name;                ///< "ALA"; empty where the format has no residues
     std::int32_t number = 0;  ///< author's number
-    /// mmCIF's label_seq_id, which counts the polymer's sequence; kNoLabelNumber beside polymers. In formats that have
-    /// one number: that.
+    /// mmCIF's label_seq_id, which counts the polymer's sequence; kNoLabelNumber outside polymers. In formats with only
+    /// one number, that number.
     std::int32_t labelNumber = 0;
     char insertionCode = '\0';    ///< '\0' = none
     Name segment;                 ///< of simulation programs, "PROA"; empty: none
@@ -92,7 +92,7 @@ struct Chain {
     int model = 1;     ///< 1-based model, frame or record
 };
 
-/// Copies of some subchains: position p maps to transform * vec4(p, 1), for each transform.
+/// Copies of some subchains: each transform maps position p to transform * vec4(p, 1).
 struct AssemblyPart {
     std::vector<glm::mat4x3> transforms;   ///< rotation in columns 0 to 2, translation in column 3 (Å)
     std::vector<std::uint32_t> subchains;  ///< indices into Molecule::subchains, ascending, unique
@@ -118,7 +118,7 @@ struct Bond {
 /// Contents of the file as a whole, as `nacre info` reports them. Keys that a format lacks are empty.
 struct FileSummary {
     std::string format;  ///< "pdb", "mmcif", "mmjson", "bcif", "cif-core", "mmtf", "sdf-v2000", "sdf-v3000", "xyz",
-                         ///< "mol2", "pqr", "gro", "pdbqt", "cml", "sample", or the other names of Format
+                         ///< "mol2", "pqr", "gro", "pdbqt", "cml", "sample", or other names of Format
     std::string title;
     std::optional<std::int64_t> models;   ///< models or frames
     std::optional<std::int64_t> records;  ///< molecules of a multi-record file
@@ -144,8 +144,8 @@ struct FileSummary {
     std::array<bool, 3> boxRepeats{true, true, true};  ///< by vector; a slab repeats along two of them
     std::optional<std::array<double, 6>> cell;         ///< of a crystal: three lengths, Å, and three angles, degrees
     std::string spaceGroup;                            ///< Hermann-Mauguin, "P 21 21 21"; empty: not stated
-    /// Of a packed scene (cellPACK, PetWorld): the assembly that it is, and what its entities are called, by their
-    /// identifiers: "7": "root.membrane.spike", with the compartment before the last point. Empty: it is no such scene.
+    /// For a packed scene (cellPACK, PetWorld): the assembly that is the scene, and names of entities by their
+    /// identifiers: "7": "root.membrane.spike", with the compartment before the last point. Empty: not such a scene.
     std::string packed;
     std::map<std::string, std::string> entityNames;
 };
@@ -158,29 +158,29 @@ struct Molecule {
     std::vector<Atom> atoms;
     std::vector<Residue> residues;
     std::vector<Chain> chains;
-    /// Units of assemblies: the names (label_asym_id) by which mmCIF separates a chain's ligands and waters from its
-    /// polymer; in formats without them, the names of the chains.
+    /// Units of assemblies: the names (label_asym_id) that separate a chain's ligands and waters from its polymer in
+    /// mmCIF; in formats without them, the names of the chains.
     std::vector<std::string> subchains;
     std::vector<Bond> bonds;
     std::vector<Assembly> assemblies;
     std::vector<std::string> entities;        ///< identifiers of the file's entities (mmCIF label_entity_id)
-    bool statesSecondaryStructure = false;    ///< the file states helices or strands of residues that exist
+    bool statesSecondaryStructure = false;    ///< the file states helices or strands of existing residues
     std::vector<float> partialCharges;        ///< by atom, elementary charges; empty if the format has none
     std::vector<float> radii;                 ///< by atom, Å, as PQR states them; empty otherwise
     std::vector<float> masses;                ///< by atom, u; empty if the format has none
     std::vector<Displacement> displacements;  ///< by atom, anisotropic; empty if the file states none
     std::vector<Name> types;                  ///< by atom, of its force field; empty if the format has none
     std::vector<std::int32_t> serials;        ///< by atom, its number in mmCIF (_atom_site.id); empty: 1, 2, 3, ...
-    std::vector<std::string> warnings;        ///< what was read leniently, one sentence each, bounded in number
-    ReadNotes notes;                          ///< what the reader guessed and left out; readingOf() has the whole list
-    bool lacksPositions = false;              ///< a topology alone: a trajectory has to place its atoms
-    bool modelsAreInputs = false;             ///< Chain::model counts inputs
-    std::vector<std::string> inputs;          ///< names of those, in the order of their models; empty: there is one
-    std::vector<FileSummary> inputFiles;      ///< what each of those states
-    OtherModels others;         ///< if they were asked for: the file's other models, for a camera that all share
-    std::string othersMissing;  ///< why they are not there though there are some; empty: they are, or none is
+    std::vector<std::string> warnings;        ///< leniently read data, one sentence each, bounded in number
+    ReadNotes notes;                          ///< guessed and omitted items; readingOf() has the whole list
+    bool lacksPositions = false;              ///< a topology without positions: a trajectory has to supply them
+    bool modelsAreInputs = false;             ///< `Chain::model` indexes inputs
+    std::vector<std::string> inputs;          ///< their names, in the order of their models; empty: there is one
+    std::vector<FileSummary> inputFiles;      ///< summaries of the inputs' files
+    OtherModels others;                       ///< if requested: the file's other models, for a shared camera
+    std::string othersMissing;  ///< why other models could not be read; empty if they were, or if there are none
     FileSummary file;
-    std::shared_ptr<const SceneGuide> guide;  ///< how a scene file has it drawn (scene_guide.h); null: no file says
+    std::shared_ptr<const SceneGuide> guide;  ///< how a scene file draws it (scene_guide.h); null: no scene file
 };
 
 }  // namespace nacre

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint32_t kAtomsOfLeaf = 8;
 
-/// Boxes about halves of halves of the points. A grid would do for small distances, but its cells fill up when the
-/// distance is large or when one atom lies far away.
+/// A tree of boxes, each around half of its parent's points. A grid would do for small distances, but its cells fill up
+/// if the distance is large or one atom lies far away.
 class PointTree {
 public:
     explicit PointTree(std::vector<glm::vec3> points) : points_(std::move(points)) {
@@ -45,9 +45,9 @@ public:
 
 private:
     struct Node {
-        glm::vec3 low, high;  ///< of the points in it
+        glm::vec3 low, high;  ///< bounds of its points
         std::uint32_t begin, end;
-        std::uint32_t right;  ///< the other half; the first one is the next node. 0: a leaf
+        std::uint32_t right;  ///< the second half; the first one is the next node. 0: a leaf
     };
 
     std::uint32_t build(std::uint32_t begin, std::uint32_t end) {

@@ -10,7 +10,7 @@ constexpr std::size_t kLongestWord = 40;
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Edits from one word to another, by F. J. Damerau's four operations, no letter edited twice.
+/// Number of edits between two words, by F. J. Damerau's four operations; edits no letter twice.
 std::size_t edits(std::string_view a, std::string_view b) {
     std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
     for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;

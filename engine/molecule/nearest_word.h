@@ -6,8 +6,8 @@
 
 namespace nacre {
 
-/// The word that was probably meant: the nearest within two edits (a letter inserted, deleted, replaced, or two
-/// swapped), within one for words of three or four letters. Ignores case. Empty if none is near.
+/// The probably intended word: the nearest within two edits (a letter inserted, deleted or replaced, or two swapped),
+/// or one edit for words of three or four letters. Ignores case. Empty if none is near.
 std::string nearestWord(std::string_view word, std::span<const std::string> words);
 
 /// " (did you mean 'WORD'?)", or empty.

@@ -32,7 +32,7 @@ bool sameButForPlaces(const Molecule& a, const Molecule& b) {
            a.subchains == b.subchains;
 }
 
-/// The records of a file (SDF, MOL2) may be poses of one molecule, or so many molecules.
+/// The records of a file (SDF, MOL2) may be poses of one molecule, or different molecules.
 bool sameElements(const Molecule& a, const Molecule& b) {
     return std::equal(a.atoms.begin(), a.atoms.end(), b.atoms.begin(), b.atoms.end(),
                       [](const Atom& x, const Atom& y) { return x.element == y.element; });
@@ -42,9 +42,9 @@ bool sameElements(const Molecule& a, const Molecule& b) {
 
 struct OtherModels::Store {
     struct Place {
-        OtherModel held;        ///< unless the file has it
+        OtherModel held;        ///< empty if it is in the file
         std::uint64_t at = 0;   ///< in the file
-        std::size_t atoms = 0;  ///< whose positions these are
+        std::size_t atoms = 0;  ///< number of these positions
         bool inFile = false;
     };
     std::vector<Place> places;
@@ -80,7 +80,7 @@ std::size_t OtherModels::add(OtherModel other, std::size_t mostHeld) {
     if (much && !store.file) store.file = ByteFile::temporary();
     if (much && store.file) place.at = store.file->size();
     place.inFile = much && store.file && store.file->append(other.positions.data(), bytes);
-    store.noFile = much && !place.inFile;  // no disk space: kept in memory, as far as the reader allows
+    store.noFile = much && !place.inFile;  // no disk space: kept in memory, up to the reader's limit
     if (!place.inFile) {
         store.heldBytes += bytes;
         place.held = std::move(other);
@@ -98,7 +98,7 @@ void OtherModelCollector::add(Molecule model) {
         other.positions.reserve(model.atoms.size());
         for (const Atom& atom : model.atoms) other.positions.push_back(atom.position);
     } else if (own_.file.records && !sameElements(own_, model)) {
-        own_.others.clear();  // another molecule: no camera is theirs together
+        own_.others.clear();  // different molecules: they share no camera
         wanted_ = false;
         return;
     } else {
@@ -126,7 +126,7 @@ void place(const Molecule& molecule, const OtherModel& other, Molecule& placed) 
         if (!molecule.assemblies.empty()) placed.assemblies = assembliesFor(placed, molecule);
         return;
     }
-    // Copies everything except the other models and large data that is independent of positions.
+    // Copies everything except the other models and large data that does not depend on positions.
     placed.atoms = molecule.atoms;
     placed.residues = molecule.residues;
     placed.chains = molecule.chains;

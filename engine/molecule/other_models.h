@@ -1,5 +1,5 @@
 #pragma once
-// The other models of a molecule's file, as far as a shared camera needs them. Must also compile as C++17.
+// The other models of a molecule's file, with the data that a shared camera needs. Must also compile as C++17.
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -12,7 +12,7 @@ struct Molecule;
 
 /// Another model of a molecule's file. place() turns it into a molecule.
 struct OtherModel {
-    std::vector<glm::vec3> positions;       ///< of the molecule's atoms, Å, if it has the same; else empty
+    std::vector<glm::vec3> positions;  ///< of the molecule's atoms, Å, if this model has the same ones; else empty
     std::shared_ptr<const Molecule> whole;  ///< if it has different atoms
 };
 
@@ -29,7 +29,7 @@ public:
     /// Whether all are positions of this many atoms.
     bool allMove(std::size_t atoms) const;
 
-    /// @param mostHeld  bytes of positions in memory @returns the bytes that it takes in memory
+    /// @param mostHeld  bytes of positions in memory @returns the model's bytes in memory
     std::size_t add(OtherModel other, std::size_t mostHeld = kMostHeld);
     void clear() { store_.reset(); }
 
@@ -38,12 +38,12 @@ private:
     std::shared_ptr<Store> store_;
 };
 
-/// Collects other models. Keeps only the positions of models with the molecule's own atoms, and everything but the
-/// bonds of others.
+/// Collects other models. Keeps only the positions of models with the molecule's own atoms; of others, everything
+/// except bonds.
 class OtherModelCollector {
 public:
-    /// @param own       receives them
-    /// @param maxAtoms  of the molecule; the others together take no more than a part of that many
+    /// @param own       receives the models
+    /// @param maxAtoms  of the molecule; the others together take only a fraction of that
     OtherModelCollector(Molecule& own, std::size_t maxAtoms);
     /// Whether it takes further models.
     bool wanted() const { return wanted_; }

@@ -17,7 +17,7 @@
 namespace nacre {
 namespace {
 
-/// Readers quote files and names; one line of clean text leaves here whatever they held.
+/// Error messages may quote files and names: makes each one line of clean text.
 template <typename Read>
 auto cleanly(const std::string& name, Read&& read) {
     try {
@@ -29,7 +29,7 @@ auto cleanly(const std::string& name, Read&& read) {
     }
 }
 
-/// The model that the options name, of a text that is held.
+/// The selected model of a text in memory.
 Molecule readOne(const Content& content, const ReadOptions& options) {
     Molecule molecule = readStated(content, options);
     perceiveBonds(molecule);
@@ -46,7 +46,7 @@ Molecule readOne(const Content& content, const ReadOptions& options) {
     return molecule;
 }
 
-/// Totals of a file, which the text of one model does not have.
+/// Adds a model's counts to the file's totals, which the text of one model lacks.
 void addUp(FileSummary& sum, const FileSummary& model) {
     const auto add = [](std::optional<std::int64_t>& to, const std::optional<std::int64_t>& more) {
         if (to && more) *to += *more;
@@ -58,7 +58,7 @@ void addUp(FileSummary& sum, const FileSummary& model) {
     add(sum.totalBondsAllRecords, model.totalBondsAllRecords);
 }
 
-/// As above for a text read model by model. Empty if a message needs the whole text.
+/// As above for a text read model by model. Empty if a message requires the whole text.
 std::optional<Molecule> readOneOfSpans(const Content& content, const ReadOptions& options) {
     const auto count = static_cast<int>(content.spans.models.size());
     if (options.model < 1 || options.model > count) return std::nullopt;
@@ -123,12 +123,12 @@ Molecule readMoleculeFile(const std::string& path, const ReadOptions& options) {
 }
 
 struct ModelFile::State {
-    std::string path;  ///< to open it again; empty: it is held
+    std::string path;  ///< to open it again; empty: it is in memory
     ReadOptions options;
     Content content;
     Molecule first;
     std::optional<ModelReader> models;
-    std::vector<Molecule> all;  ///< where one cannot be read without the others
+    std::vector<Molecule> all;  ///< all models, if one cannot be read without the others
 
     State(std::string from, Content opened, const ReadOptions& own)
         : path(std::move(from)), options(own), content(std::move(opened)) {

@@ -38,7 +38,7 @@ enum class Format {
     h5md
 };
 
-/// Larger molecules are always refused: an atom may take only six bytes of text.
+/// Larger molecules are always refused: an atom may take as little as six bytes of text.
 constexpr std::size_t kMaxAtoms = 50'000'000;
 
 /// For ReadOptions: all models, superimposed.

@@ -1,6 +1,5 @@
 #pragma once
-// What a reader did with the items of a file: how many it read, guessed, or left out, and why. Must also compile as
-// C++17.
+// How a reader treated the items of a file: how many it read, guessed or omitted, and why. Must also compile as C++17.
 
 #include <cstdint>
 #include <string>
@@ -9,10 +8,10 @@
 
 namespace nacre {
 
-/// `unused` items are left out since nothing shows them (velocities): no warning tells.
+/// `unused` items (velocities) are omitted without a warning, since they are never shown.
 enum class ReadAction : std::uint8_t { read, guessed, leftOut, unused };
 
-/// One kind of item that one thing happened to.
+/// Items of one kind with the same treatment.
 struct ReadNote {
     ReadAction action = ReadAction::read;
     std::string what;  ///< plural: "atoms"
@@ -29,12 +28,12 @@ void addNote(ReadNotes& notes, ReadAction action, std::string_view what, std::st
 /// "left out 2 atoms, the first on line 17: no coordinates"
 std::string sentenceOf(const ReadNote& note);
 
-/// "read", "guessed" or "left out", as `unused` is called as well
+/// "read", "guessed" or "left out"; `unused` is also "left out"
 std::string_view readActionName(ReadAction action);
 
 struct Molecule;
-/// The whole list: what was read, guessed and left out, in this order; the reader's notes and counts of the molecule.
-/// @param drawnOrders  of its bonds (drawn_orders.h): what differs is a guess
+/// The whole list in the order read, guessed, left out: the reader's notes and counts of the molecule.
+/// @param drawnOrders  of its bonds (drawn_orders.h): differing orders are guesses
 ReadNotes readingOf(const Molecule& molecule, const std::vector<std::uint8_t>& drawnOrders);
 
 }  // namespace nacre

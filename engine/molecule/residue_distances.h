@@ -6,9 +6,9 @@
 
 namespace nacre {
 
-/// Distance of each residue from its counterpart in another INPUT, as the molecules stand, Å: of alpha carbons, of C4'
-/// of nucleotides, else the RMS distance of the paired atoms. Residues of further INPUTs are compared with the first
-/// INPUT, those of the first with the next one that has a counterpart. Not a number for the others.
+/// Distance of each residue from its counterpart in another INPUT, in their current positions, Å: between alpha
+/// carbons, or C4' of nucleotides, else the RMS distance of the paired atoms. Residues of further INPUTs are compared
+/// with the first INPUT, those of the first with the next one that has a counterpart. NaN for the others.
 std::vector<double> residueDistances(const ResidueFacts& facts);
 
 }  // namespace nacre

@@ -66,7 +66,7 @@ std::uint8_t linkOf(const Name& atom) {
     return name == "P" || name == "O3'" || name == "O3*" ? kNucleicLink : 0;
 }
 
-/// Where an atom stands in a chain by the atom of another residue that it is bonded to.
+/// An atom's place in a chain, by the atom of another residue that it is bonded to.
 std::uint8_t chainLinkOf(const Atom& atom, const Atom& other) {
     constexpr Element kCarbon = 6, kNitrogen = 7;
     if (atom.element == kNitrogen && other.name == Name("C")) return kAfterPeptide;
@@ -166,13 +166,13 @@ public:
             if (isOpen(a->residue) && !isOpen(b->residue)) chained_[rootOf(a->residue)] = true;
             if (isOpen(b->residue) && !isOpen(a->residue)) chained_[rootOf(b->residue)] = true;
         }
-        std::map<std::uint32_t, std::size_t> members, polymers;  // by the last of the group
+        std::map<std::uint32_t, std::size_t> members, polymers;  // by the last of each group
         for (std::uint32_t i = 0; i < group_.size(); ++i)
             if (group_[i] != i) ++members[rootOf(i)];  // in addition to the group's last
         for (std::uint32_t i = 0; i < group_.size(); ++i) {
             if (!isOpen(i) || !isPolymer(kinds[i])) continue;
             const Residue& residue = molecule.residues[i];
-            // With incomplete backbones, as in alpha carbon models, bonds say nothing. A modified residue may be
+            // With incomplete backbones, as in alpha carbon models, bonds prove nothing. A modified residue may be
             // isolated between gaps of its chain.
             const bool whole =
                 classifier.hasAll(residue, {"N", "CA", "C"}) || classifier.hasAll(residue, {"C3'", "O3'"});
@@ -199,7 +199,7 @@ private:
 
     const Molecule& molecule_;
     std::vector<std::uint32_t> group_;  ///< another residue of the group, or itself
-    std::vector<bool> chained_;         ///< by the last of these
+    std::vector<bool> chained_;         ///< by the last of each group
 };
 
 void makeInhibitorsLigands(const Molecule& molecule, const Links& links, const Classifier& classifier,

@@ -22,7 +22,7 @@ std::int64_t firstAt(const std::map<Place, std::vector<std::int64_t>>& places, c
     return position == found->second.end() ? kNowhere : *position;
 }
 
-/// How many ranges of one kind begin (+) and have ended (-) at each residue, in the order of `order`.
+/// Numbers of ranges of one kind that begin (+) or have ended (-) at each residue, in the order of `order`.
 using Steps = std::vector<std::int32_t>;
 
 }  // namespace

@@ -13,7 +13,7 @@ const gemmi::SpaceGroup* spaceGroupOf(const std::string& name) {
     if (const std::size_t origin = plain.find(':'); origin != std::string::npos) plain.erase(origin);
     std::erase_if(plain, [](unsigned char c) { return std::isspace(c) || c == '_'; });
     if (const gemmi::SpaceGroup* group = gemmi::find_spacegroup_by_name(plain)) return group;
-    // A mirror or glide plane, then a threefold axis: since 1995 its inversion is written.
+    // A mirror or glide plane, then a threefold axis: since 1995 the axis is written with its inversion.
     constexpr std::string_view kPlanes = "mnadc";
     if (plain.size() < 3 || plain[2] != '3' ||
         kPlanes.find(static_cast<char>(std::tolower(static_cast<unsigned char>(plain[1])))) == std::string_view::npos)
@@ -22,7 +22,7 @@ const gemmi::SpaceGroup* spaceGroupOf(const std::string& name) {
 }
 
 std::optional<gemmi::Op> operationOf(std::string_view text) {
-    // gemmi multiplies and adds without a bound.
+    // gemmi multiplies and adds without overflow checks.
     constexpr std::size_t kLongest = 200, kMostDigits = 3;
     if (text.size() > kLongest) return {};
     std::size_t digits = 0;

@@ -11,11 +11,11 @@ struct SpaceGroup;
 
 namespace nacre {
 
-/// The space group of a Hermann-Mauguin name ("P 21 21 21", "Fm-3m"), also as files from before 1995 write cubic ones
-/// ("F m 3 m" for F m -3 m), and with an origin's letter; null if there is none.
+/// The space group of a Hermann-Mauguin name ("P 21 21 21", "Fm-3m"). Accepts names of cubic ones from before 1995 ("F
+/// m 3 m" for F m -3 m), and a letter for the origin. Null if there is none.
 const gemmi::SpaceGroup* spaceGroupOf(const std::string& name);
 
-/// The symmetry operation of a text as "-x, y+1/2, 1/2-z"; none if it is no such text.
+/// The symmetry operation of a text such as "-x, y+1/2, 1/2-z"; empty for any other text.
 std::optional<gemmi::Op> operationOf(std::string_view text);
 
 }  // namespace nacre

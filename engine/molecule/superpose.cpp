@@ -16,7 +16,7 @@ glm::dvec3 middle(std::span<const glm::dvec3> points) {
     return sum / static_cast<double>(points.size());
 }
 
-/// The shortest turn that takes one unit vector to another.
+/// The smallest rotation that takes one unit vector to another.
 glm::dmat3 turnFromTo(const glm::dvec3& from, const glm::dvec3& to) {
     const glm::dvec3 axis = glm::cross(from, to);
     const double sine = glm::length(axis), angle = std::atan2(sine, glm::dot(from, to));
@@ -35,7 +35,7 @@ double rmsdOf(const Superposition& s, std::span<const glm::dvec3> fixed, std::sp
     return std::sqrt(sum / static_cast<double>(fixed.size()));
 }
 
-/// From the middle to the point farthest from it.
+/// Vector from the middle to the point farthest from it.
 glm::dvec3 farthestFrom(const glm::dvec3& middle, std::span<const glm::dvec3> points) {
     glm::dvec3 farthest{};
     for (const glm::dvec3& point : points)
@@ -43,7 +43,7 @@ glm::dvec3 farthestFrom(const glm::dvec3& middle, std::span<const glm::dvec3> po
     return farthest;
 }
 
-/// Collinear or coincident, within 1e-4 of their extent.
+/// Whether points are collinear or coincident, within 1e-4 of their extent.
 bool onALine(std::span<const glm::dvec3> points) {
     const glm::dvec3 m = middle(points), line = farthestFrom(m, points);
     const double length = glm::length(line);
@@ -52,7 +52,7 @@ bool onALine(std::span<const glm::dvec3> points) {
     });
 }
 
-/// Points on a line determine no turn about it: of all best motions the one that turns least.
+/// Points on a line leave the rotation about it open: among all best motions, returns the one that rotates least.
 Superposition superposeLines(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving) {
     const glm::dvec3 a = middle(fixed), b = middle(moving);
     const bool fixedLine = onALine(fixed);
@@ -73,7 +73,7 @@ Superposition superposeLines(std::span<const glm::dvec3> fixed, std::span<const 
 }  // namespace
 
 Superposition superpose(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving) {
-    // The polynomial has no answer for them, or any.
+    // For such points the polynomial has no solution, or many.
     if (onALine(fixed) || onALine(moving)) return superposeLines(fixed, moving);
     const auto positions = [&](std::span<const glm::dvec3> points) {
         std::vector<gemmi::Position> list;

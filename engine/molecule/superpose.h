@@ -16,16 +16,16 @@ struct Superposition {
     glm::dvec3 operator()(const glm::dvec3& p) const { return rotation * p + shift; }
 };
 
-/// By quaternion characteristic polynomial (Theobald 2005), gemmi's. Never mirrors.
+/// By gemmi's quaternion characteristic polynomial (Theobald 2005). Never mirrors.
 /// @param fixed, moving  same length, at least one
 Superposition superpose(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving);
 
 /// A superposition of the pairs that fit, without the outliers.
 struct PrunedSuperposition {
-    Superposition motion;            ///< of the pairs that are kept
+    Superposition motion;            ///< of the kept pairs
     double rmsdOfAll = 0;            ///< of the superposition of all pairs
-    std::vector<std::uint8_t> kept;  ///< by pair: 1 if it is kept
-    std::size_t count = 0;           ///< pairs that are kept
+    std::vector<std::uint8_t> kept;  ///< by pair: 1 if kept
+    std::size_t count = 0;           ///< number of kept pairs
 };
 
 /// Rejects outliers as PyMOL's `align` does: superposes, rejects the pairs farther apart than twice the RMSD (and

@@ -22,7 +22,7 @@ std::optional<Number> parseWhole(std::string_view text) {
     return value;
 }
 
-/// Length of the UTF-8 sequence at the front that may appear in a message; 0: none.
+/// Length of the UTF-8 sequence at the front if it may appear in a message, else 0.
 std::size_t printableSequence(std::string_view text) {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
     const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
@@ -93,7 +93,7 @@ namespace {
 
 constexpr std::string_view kOfNumbers = "0123456789.+-eEdD";
 
-/// Digits behind the last decimal point, and the exponent: numbers of one line have the same.
+/// Digits after the last decimal point, and the exponent: all numbers of a line have the same.
 struct NumberTail {
     std::size_t decimals = 0, size = 0;
 
@@ -102,7 +102,7 @@ struct NumberTail {
         while (decimals < tail.size() && isDigit(tail[decimals])) ++decimals;
         size = tail.size();
     }
-    /// @param rest  behind a decimal point
+    /// @param rest  text after a decimal point
     bool fits(std::string_view rest) const {
         if (rest.size() < size) return false;
         for (std::size_t i = 0; i < size; ++i) {
@@ -113,7 +113,7 @@ struct NumberTail {
     }
 };
 
-/// A word of numbers without signs between them; the word itself where their ends are not certain.
+/// Divides a word of numbers without signs between them; returns the word itself if their ends are uncertain.
 std::string cutByDecimals(std::string_view word) {
     const NumberTail tail(word);
     std::string apart;
@@ -128,7 +128,7 @@ std::string cutByDecimals(std::string_view word) {
     return apart;
 }
 
-/// A word of numbers with blanks before signs that follow a digit.
+/// Inserts blanks in a word of numbers before signs that follow a digit.
 std::string cutBySigns(std::string_view word) {
     std::string apart;
     for (std::size_t i = 0; i < word.size(); ++i) {

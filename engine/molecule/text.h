@@ -19,20 +19,20 @@ inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 inline char upperCase(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 /// isspace() of the C locale.
 inline bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-/// Without blanks at both ends.
+/// Removes blanks at both ends.
 std::string_view trim(std::string_view text);
 std::string lowerCase(std::string_view text);
 std::string upperCase(std::string_view text);
 bool startsWith(std::string_view text, std::string_view start);
 
-/// All of `text` as a number, surrounding blanks allowed; empty if it is not a number. parseNumber also accepts Fortran
-/// exponents ("1.0D+02", "1.0-102") and C's "nan" and "inf", which callers must check.
+/// The whole `text` as a number, with blanks allowed around it; empty if it is not a number. parseNumber also accepts
+/// Fortran exponents ("1.0D+02", "1.0-102") and C's "nan" and "inf", which callers must check.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 std::optional<double> parseNumber(std::string_view text);
 
-/// A line with blanks between numbers that touch, as Fortran writes them where they fill their columns: before a sign
-/// that follows a digit ("-5.1E-018-5.1E-018"), and where the last number's decimals and exponent show the others' ends
-/// ("1.234510.2345"). An exponent may lack its letter: "1.5-100" is one number.
+/// A line with blanks inserted between numbers that touch, as Fortran writes them where they fill their columns: before
+/// a sign that follows a digit ("-5.1E-018-5.1E-018"), and where the decimals and exponent of the last number imply the
+/// ends of the others ("1.234510.2345"). An exponent may lack its letter: "1.5-100" is one number.
 std::string numbersApart(std::string_view line);
 /// Whether a word may be several numbers that touch.
 bool mayTouch(std::string_view word);
@@ -43,7 +43,7 @@ bool mayTouch(std::string_view word);
 /// The error for an atom beyond the limit.
 Error tooManyAtoms(const std::string& name, std::size_t maxAtoms);
 
-/// Largest coordinate, Å: atoms beyond it are left out.
+/// Largest coordinate, Å: atoms beyond it are omitted.
 constexpr double kFarthestCoordinate = 1e9;
 
 /// Text that is safe in a message: control characters and invalid UTF-8 as \xNN, cut to about `limit` bytes.
@@ -58,7 +58,8 @@ struct Words {
 Words splitWords(std::string_view line);
 /// All words of a line.
 std::vector<std::string_view> wordsOf(std::string_view line);
-/// The first words of a line with three numbers from word `first` on, which may touch. @param apart  keeps their text
+/// The first words of a line, separating three numbers from word `first` on, which may touch. @param apart  holds their
+/// text
 Words splitWordsApart(std::string_view line, std::size_t first, std::string& apart);
 
 /// Iterates over lines that end in '\n'.

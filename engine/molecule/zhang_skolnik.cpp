@@ -29,7 +29,7 @@ struct AlphaCarbon {
     bool nitrogen = false, oxygen = false;
 };
 
-/// Alpha carbons of the chains that have nothing else of their backbones, in the file's order.
+/// Alpha carbons of chains without other backbone atoms, in the file's order.
 std::vector<AlphaCarbon> loneAlphaCarbons(const ResidueFacts& facts) {
     const Molecule& molecule = facts.molecule();
     std::vector<AlphaCarbon> carbons(molecule.residues.size());

@@ -9,8 +9,8 @@
 namespace nacre {
 
 /// Helices and strands from the distances between five consecutive alpha carbons, per residue; ignores the file's own.
-/// Keeps helices of four or more residues and strands of three or more. Skips chains in which any residue has both N
-/// and O besides CA: kabschSander() is better there. Linear time.
+/// Keeps helices of four or more residues and strands of three or more. Skips chains in which any residue also has both
+/// N and O: kabschSander() is better there. Linear time.
 std::vector<SecondaryStructure> zhangSkolnik(const ResidueFacts& facts);
 
 }  // namespace nacre

@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-/// Consecutive residues at one position (chain, number, insertion code): several with microheterogeneity.
+/// Consecutive residues at one position (chain, number, insertion code): several for microheterogeneity.
 struct PositionGroup {
     std::uint32_t firstResidue = 0;
     std::uint32_t residueCount = 0;
@@ -22,8 +22,8 @@ inline bool coexist(char alternateA, char alternateB) {
 }
 
 constexpr float kShortestBond = 0.4f;  ///< Å; closer atoms are duplicates, not neighbours
-/// Atoms closer than this share of the sum of their covalent radii are not bonded by distance: they are alternatives of
-/// one atom. The shortest bonds have 0.76 (N2), and 0.66 with hydrogens and metals (OH, MoO).
+/// Atoms closer than this fraction of the sum of their covalent radii are not bonded by distance: they are alternatives
+/// of one atom. The shortest bonds have 0.76 (N2), or 0.66 with hydrogens and metals (OH, MoO).
 constexpr float kShortestShare = 0.7f, kShortestLightShare = 0.6f;
 constexpr float kBondTolerance = 0.45f;       ///< Å beyond the sum of the covalent radii
 constexpr float kLongestTemplateBond = 2.5f;  ///< Å; templates do not bond across a gap

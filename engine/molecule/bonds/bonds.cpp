@@ -25,10 +25,10 @@ std::vector<PositionGroup> findGroups(const Molecule& molecule) {
     return groups;
 }
 
-/// A residue counts as settled if the file bonds nine in ten of its atoms with each other: then the file means to
-/// state them all, and distances would only add contacts. Links alone (SSBOND, struct_conn) settle nothing.
-/// The same holds for all atoms with a bond, if nine in ten of the file's atoms beside waters and ions have one, and
-/// some of these bonds join residues.
+/// A residue is settled if the file bonds nine in ten of its atoms with each other: then the file probably states all
+/// bonds, and distances would only add contacts. Links alone (SSBOND, struct_conn) settle nothing. All atoms with a
+/// bond are settled if nine in ten of the file's atoms, except waters and ions, have one, and some of these bonds join
+/// residues.
 void markSettled(BondWork& work) {
     const Molecule& molecule = work.molecule;
     std::vector<std::uint8_t> stated(molecule.atoms.size()), linked(molecule.atoms.size());
@@ -78,7 +78,7 @@ void mergeBonds(std::vector<Bond>& bonds, std::size_t atoms) {
     for (const Bond& bond : bonds) ++ends[bond.a + 1];
     for (std::size_t i = 1; i <= atoms; ++i) ends[i] += ends[i - 1];
     std::vector<Bond> sorted(bonds.size());
-    for (const Bond& bond : bonds) sorted[ends[bond.a]++] = bond;  // now where each atom's bonds end
+    for (const Bond& bond : bonds) sorted[ends[bond.a]++] = bond;  // now the end of each atom's bonds
     const auto key = [](const Bond& bond) { return std::tie(bond.b, bond.source, bond.order); };
     bonds.clear();
     for (std::size_t i = 0, first = 0; i < atoms; first = ends[i++]) {
@@ -97,7 +97,7 @@ void mergeBonds(std::vector<Bond>& bonds, std::size_t atoms) {
 void perceiveBonds(Molecule& molecule) {
     mergeBonds(molecule.bonds, molecule.atoms.size());
     findCoarseGrains(molecule);
-    // A bond table (SDF, chemical component) is the whole truth; its coordinates may even be a flat drawing.
+    // A bond table (SDF, chemical component) is complete; its coordinates may even be a flat drawing.
     if (molecule.file.bonds.value_or(0) > 0 || molecule.lacksPositions) return;
 
     BondWork work{molecule, findGroups(molecule), {}, {}, {}};

@@ -28,13 +28,13 @@ bool isOneOfNames(const Name& name, std::initializer_list<std::string_view> name
     return std::find(names.begin(), names.end(), name.view()) != names.end();
 }
 
-/// Number of a name such as "SC1"; 0: it is no such name.
+/// Number in a name such as "SC1"; 0: not such a name.
 int numberAfter(std::string_view name, std::string_view start) {
     const bool fits = name.size() == start.size() + 1 && name.substr(0, start.size()) == start;
     return fits && name.back() >= '1' && name.back() <= '9' ? name.back() - '0' : 0;
 }
 
-/// "C3A" and "D2B" are the third and second bead of a lipid's tails A and B. '\0': of none.
+/// "C3A" and "D2B" are the third and second bead of a lipid's tails A and B. '\0': no tail.
 struct TailBead {
     int number = 0;
     char tail = '\0';
@@ -47,8 +47,8 @@ TailBead tailOf(std::string_view name) {
 
 enum class GrainKind : std::uint8_t { none, protein, lipid, sterol, water, single };
 
-/// Beads of formats without residues, or of unknown ones, that readers take for boron, scandium and tungsten ("B",
-/// "SC1", "W"), or for nothing ("BB"). Atoms of these elements have neighbours; beads have none as near as bonds are.
+/// Beads of formats without residues, or of unknown residues, that readers take for boron, scandium and tungsten ("B",
+/// "SC1", "W"), or for nothing ("BB"). Atoms of these elements have neighbours; beads have none at bonding distance.
 class LoneBeads {
 public:
     explicit LoneBeads(const Molecule& molecule) : molecule_(molecule), lone_(molecule.atoms.size()) {
@@ -82,7 +82,7 @@ private:
         const auto along = [](float x) { return static_cast<long>(std::floor(static_cast<double>(x) / kCube)); };
         return {along(p.x), along(p.y), along(p.z)};
     }
-    /// Also in a crowd.
+    /// Also true in a crowd.
     bool hasNeighbour(std::uint32_t atom) const {
         const Cube at = cubeOf(molecule_.atoms[atom].position);
         for (int i = 0; i < 27; ++i) {
@@ -144,7 +144,7 @@ public:
     }
 
 private:
-    /// Number of beads that were atoms.
+    /// Turns atoms into beads. @returns their number
     std::int64_t makeBeads(const LoneBeads& lone) {
         std::vector<std::uint32_t> beads;
         for (std::uint32_t i = 0; i < molecule_.atoms.size(); ++i) {
@@ -157,7 +157,7 @@ private:
         return static_cast<std::int64_t>(beads.size());
     }
 
-    /// Chains of alpha carbons, or of phosphorus, alone.
+    /// Joins chains of only alpha carbons, or only phosphorus.
     void joinGuides() {
         if (molecule_.lacksPositions || molecule_.file.bonds.value_or(0) > 0) return;
         const auto guideOf = [&](const Residue& residue) -> std::string_view {
@@ -196,8 +196,8 @@ private:
         return GrainKind::none;
     }
 
-    /// One atom of an amino acid, which is neither an alpha carbon nor of a name that all atoms could have, unless that
-    /// is the amino acid's letter.
+    /// Whether the residue is an amino acid's single bead: an atom that is neither an alpha carbon nor named as any
+    /// atom could be, unless the name is the amino acid's letter.
     bool isSingle(const Residue& residue) const {
         if (residue.atomCount != 1) return false;
         const Name& name = molecule_.atoms[residue.firstAtom].name;
@@ -260,7 +260,7 @@ private:
         }
     }
 
-    /// SC1, SC2, ...: each with the next, and within rings with others as well.
+    /// Bonds SC1, SC2, ... each with the next, and within rings with others as well.
     void bondBeads(const Residue& residue, std::string_view start) {
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i)
             for (std::uint32_t k = i + 1; k < residue.firstAtom + residue.atomCount; ++k) {

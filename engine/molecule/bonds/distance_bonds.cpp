@@ -34,7 +34,7 @@ struct Cell {
     std::uint32_t end;
 };
 
-// Matter at its densest (diamond) has 0.18 atoms per Å^3; eight conformers on top of each other still pass.
+// The densest matter (diamond) has 0.18 atoms per Å^3; the limit allows eight superposed conformers.
 constexpr double kDensestMatter = 1.5;
 constexpr double kFewestTooMany = 24;
 constexpr std::uint8_t kMostBondsPerAtom = 16;
@@ -131,7 +131,8 @@ public:
                 if (bondCount_[end] < kMostBondsPerAtom) ++bondCount_[end];
         }
         for (std::size_t i = 1; i < end_.size(); ++i) end_[i] += end_[i - 1];
-        // While it fills, an atom's entry is where its next neighbour goes; in the end it is where its list ends.
+        // While lists are filled, an atom's entry is the place of its next neighbour; afterwards it is the end of its
+        // list.
         for (const Bond& bond : bonds) {
             neighbours_[end_[bond.a]++] = bond.b;
             neighbours_[end_[bond.b]++] = bond.a;
@@ -190,7 +191,7 @@ private:
         std::uint32_t hydrogen;
         std::uint32_t neighbour;
         float squared;
-        char alternate;  // the neighbour's
+        char alternate;  // of the neighbour
     };
 
     static bool admitted(const Site& a, const Site& b) {
@@ -208,14 +209,14 @@ private:
         return false;
     }
 
-    /// Across a distorted peptide bond such atoms come close; a three-membered ring over two residues is not real.
+    /// Across a distorted peptide bond such atoms come close; a three-membered ring across two residues is not real.
     bool shareNeighbour(std::uint32_t a, std::uint32_t b) const {
         for (std::size_t i = begin(a); i < end_[a]; ++i)
             if (bonded(neighbours_[i], b)) return true;
         return false;
     }
 
-    std::vector<std::size_t> end_;  // by atom: where its neighbours end; the next atom's begin there
+    std::vector<std::size_t> end_;  // by atom: end of its neighbours, where the next atom's begin
     std::vector<std::uint32_t> neighbours_;
     std::vector<std::uint8_t> bondCount_;
     std::vector<Bond> bonds_;
@@ -223,8 +224,8 @@ private:
     std::size_t refused_ = 0;
 };
 
-/// Visits each pair of neighbouring cells once. The cells of a column of three are neighbours in the sorted list too,
-/// and where a column starts only moves forward, so that a cursor per column replaces any look-up.
+/// Visits each pair of neighbouring cells once. The cells of a column of three are neighbours in the sorted list as
+/// well, and starts of columns only move forward, so that one cursor per column replaces look-ups.
 void sweep(const std::vector<Site>& sites, const std::vector<Cell>& cells, std::uint32_t mostAtomsPerCell,
            PairCollector& pairs) {
     constexpr std::array<std::array<int, 2>, 4> kColumns = {{{0, 1}, {1, -1}, {1, 0}, {1, 1}}};
@@ -243,7 +244,7 @@ void sweep(const std::vector<Site>& sites, const std::vector<Cell>& cells, std::
         if (c + 1 < cells.size() && cells[c + 1].key == cell.key + 1) between(cell, cells[c + 1]);
         for (std::size_t k = 0; k < kColumns.size(); ++k) {
             const auto dx = static_cast<std::uint64_t>(kColumns[k][0]) << (2 * kAxisBits);
-            const auto dy = static_cast<std::uint64_t>(kColumns[k][1]) << kAxisBits;  // -1 wraps as it should
+            const auto dy = static_cast<std::uint64_t>(kColumns[k][1]) << kAxisBits;  // -1 wraps as intended
             const std::uint64_t middle = cell.key + dx + dy;
             std::size_t& cursor = cursors[k];
             while (cursor < cells.size() && cells[cursor].key < middle - 1) ++cursor;

@@ -10,9 +10,9 @@
 namespace nacre {
 namespace {
 
-constexpr float kLongest = 1.5f;       // Å beyond the sum of the covalent radii; more than any coordination
+constexpr float kLongest = 1.5f;       // Å beyond the sum of the covalent radii; more than for any coordination
 constexpr float kFarthestGrain = 12;   // Å
-constexpr std::uint32_t kInFile = 40;  // neighbours of an atom stand within this many lines of it
+constexpr std::uint32_t kInFile = 40;  // an atom's neighbours are within this many lines of it
 
 float apart(const Molecule& molecule, std::uint32_t a, std::uint32_t b) {
     return glm::distance(molecule.atoms[a].position, molecule.atoms[b].position);
@@ -22,7 +22,7 @@ float sumOfRadii(const Molecule& molecule, std::uint32_t a, std::uint32_t b) {
     return covalentRadius(molecule.atoms[a].element) + covalentRadius(molecule.atoms[b].element);
 }
 
-/// Whether another atom is as near as atoms of a molecule are; its alternatives may be nearer.
+/// Whether another atom is as near as in molecules; alternatives of the atom may be nearer.
 bool hasNeighbour(const Molecule& molecule, std::uint32_t atom) {
     const auto count = static_cast<std::uint32_t>(molecule.atoms.size());
     const std::uint32_t begin = atom - std::min(atom, kInFile), end = std::min(count - atom, kInFile) + atom;

@@ -1,6 +1,6 @@
 #pragma once
-// Whether atoms that a file calls bonded can be. Files apply the CONECT records of one model to another, or state links
-// between copies of a crystal without the copy.
+// Whether atoms that a file calls bonded can be bonded. Some files apply the CONECT records of one model to another, or
+// state links to a crystal copy without naming the copy.
 
 #include <cstdint>
 
@@ -8,8 +8,8 @@
 
 namespace nacre {
 
-/// False for atoms farther apart than any bond is long. Coarse grains, which have no neighbours at atomic distances,
-/// may be 12 Å apart, or as far as the caller knows others to be.
+/// False for atoms farther apart than any bond. Coarse grains, which have no neighbours at atomic distances, may be 12
+/// Å apart, or as far as the caller knows of others.
 /// @param farthest  of other grains, Å
 bool mayBeBonded(const Molecule& molecule, std::uint32_t a, std::uint32_t b, float farthest = 0);
 

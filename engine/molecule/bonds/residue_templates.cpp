@@ -48,7 +48,7 @@ constexpr Source kAminoAcids[] = {
 };
 
 struct BaseSource {
-    std::string_view names;  // of residues; those that start with D, and T, have no O2'
+    std::string_view names;  // of residues; names that start with D, and T, have no O2'
     bool purine;
     std::string_view bonds;
 };
@@ -58,8 +58,8 @@ constexpr BaseSource kBases[] = {
     {"C DC", false, "N3=C4 C4-N4"}, {"U DU", false, "N3-C4 C4=O4"},      {"DT T", false, "N3-C4 C4=O4 C5-C7"},
 };
 
-// Crystals at modest resolution have haems whose geometry tells neither bonds nor orders: 4HHB's reach 2.4 Å. Orders as
-// in the chemical component dictionary; the metal is bonded by distance.
+// At modest resolution, the geometry of haems shows neither bonds nor orders: 4HHB's reach 2.4 Å. Orders as in the
+// chemical component dictionary; the metal is bonded by distance.
 constexpr Source kCofactors[] = {
     {"HEM",
      "CHA-C1A CHA=C4D CHB-C4A CHB=C1B CHC-C4B CHC=C1C CHD=C4C CHD-C1D C1A=C2A C1A-NA C2A-C3A C2A-CAA C3A=C4A C3A-CMA "

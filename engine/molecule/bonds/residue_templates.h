@@ -27,8 +27,8 @@ const ResidueTemplate* residueTemplate(const Name& residueName);
 /// As above, also of haem (HEM).
 const ResidueTemplate* bondTemplate(const Name& residueName);
 
-/// Name of an amino acid that AMBER, PDB2PQR and GROMOS call by four letters, for its place or protonation ("NALA",
-/// "HISE", "LYSH"); other names stay.
+/// Three-letter name of an amino acid that has four letters in AMBER, PDB2PQR and GROMOS, for its place or protonation
+/// ("NALA", "HISE", "LYSH"); other names stay.
 Name threeLetterName(const Name& residueName);
 
 /// wwPDB version 3 name of an atom with an older name ("O5*", "O1P", "C5M"); other names stay.

@@ -13,7 +13,7 @@ namespace {
 
 float distance(const Atom& a, const Atom& b) { return glm::distance(a.position, b.position); }
 
-/// The atoms of one position that bear a template's names; several per name where conformers alternate.
+/// The atoms of one position that have a template's names; several per name if conformers alternate.
 class NamedAtoms {
 public:
     /// False if a name occurs twice among atoms that exist together: names are then ambiguous.
@@ -58,7 +58,7 @@ void addInside(BondWork& work, const NamedAtoms& named, const ResidueTemplate& r
     }
 }
 
-/// Joins one named atom of a position with one of the next, for every pair of conformers that go together.
+/// Joins one named atom of a position with one of the next, for every pair of compatible conformers.
 void addLink(Molecule& molecule, const PositionGroup& first, const Name& nameA, const PositionGroup& second,
              const Name& nameB) {
     for (std::uint32_t a = first.firstAtom; a < first.firstAtom + first.atomCount; ++a) {
@@ -75,8 +75,8 @@ void addLink(Molecule& molecule, const PositionGroup& first, const Name& nameA, 
     }
 }
 
-/// Positions of more atoms than any residue has (all of a file in one "residue") are no residues; their many
-/// repeated names would make the search for links quadratic.
+/// Positions with more atoms than any residue (all of a file in one "residue") are no residues; their many repeated
+/// names would make the search for links quadratic.
 constexpr std::uint32_t kLargestResidue = 400;
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 constexpr int kNoElectrons = -1;
 constexpr std::size_t kLargestAromatic = 7;
 
-/// Pi electrons that an atom lends to a set of rings; kNoElectrons where it interrupts them.
+/// Pi electrons that an atom contributes to a set of rings; kNoElectrons if it interrupts them.
 /// @param inside  by atom of the molecule: it belongs to the rings
 class PiElectrons {
 public:

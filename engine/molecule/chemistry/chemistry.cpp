@@ -18,7 +18,7 @@ bool statesOrders(const std::string& format) {
            (format.size() > component.size() && format.ends_with(component));
 }
 
-/// mmCIF in its three writings: bonds inside a residue are of _chem_comp_bond, those between residues of _struct_conn.
+/// mmCIF in its three syntaxes: bonds inside a residue are in _chem_comp_bond, those between residues in _struct_conn.
 bool statesInsideResidues(const std::string& format) {
     return format == "mmcif" || format == "bcif" || format == "mmjson";
 }

@@ -61,8 +61,8 @@ struct Chemistry {
 /// @param atoms  of one conformer, ascending, such as drawnAtoms() with water and hydrogens
 Chemistry perceiveChemistry(const Molecule& molecule, std::span<const std::uint32_t> atoms);
 
-/// By bond its order, 1 to 3, or 4 in an aromatic ring: of ligands and small molecules as perceived, in every
-/// conformer; of polymers as the molecule has it.
+/// Order of each bond, 1 to 3, or 4 in an aromatic ring: perceived for ligands and small molecules, in every conformer;
+/// from the molecule for polymers.
 std::vector<std::uint8_t> perceivedOrders(const ResidueFacts& facts);
 
 }  // namespace nacre

@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-constexpr double kNearestContact = 0.5;                            // Å: nearer is a copy
+constexpr double kNearestContact = 0.5;                            // Å: nearer atoms are copies
 constexpr double kMolstarSaltBridge = 5.0, kPlipSaltBridge = 5.5;  // Å between atoms; between middles
 constexpr double kStacking = 5.5, kStackingAngle = 30, kOffset = 2.0;
 constexpr double kCationPi = 6.0, kAmineAngle = 30;
@@ -79,7 +79,7 @@ void findStacking(InteractionSearch& search, const std::vector<RingPlace>& rings
     }
 }
 
-/// PLIP: a tertiary amine points its lone pair at the ring, not its substituents.
+/// PLIP: a tertiary amine must point its lone pair at the ring, not its substituents.
 bool aminePoints(const InteractionSearch& search, const ChargedGroup& group, const glm::dvec3& normal) {
     const auto around = heavyNeighbours(search.molecule, search.chemistry, group.atoms.front());
     const glm::dvec3 across =
@@ -137,8 +137,8 @@ void addHalogenBond(InteractionSearch& search, const HalogenEnd& donor, const Ha
     found.angles = {{"donor", atDonor}, {"acceptor", atAcceptor}};
 }
 
-/// PLIP: water, receptors and the metal's own ligand hold it. Mol*: nitrogen and other metals hold transition metals
-/// alone.
+/// Which atoms may coordinate a metal. PLIP: water, receptors and the metal's own ligand. Mol*: nitrogen and other
+/// metals coordinate only transition metals.
 bool mayHold(const InteractionSearch& search, std::uint32_t metal, std::uint32_t binder) {
     if (binder == metal) return false;
     if (isPlip(search)) {
@@ -236,7 +236,7 @@ void findMetals(InteractionSearch& search) {
             const std::uint32_t binder = search.features.metalBinders[index];
             if (squared >= kMetalReach * kMetalReach || !mayHold(search, metal, binder)) return;
             int sides = search.sides(metal, binder);
-            // A metal that is selected with its ligand is held by it all the same.
+            // A metal that is selected together with its ligand still counts as coordinated by it.
             if (sides == 0 && search.mayMeet(metal, binder) && search.query.a[metal] && search.query.a[binder])
                 sides = 1;
             if (sides == 0 || (!isPlip(search) && !search.apart(metal, binder))) return;

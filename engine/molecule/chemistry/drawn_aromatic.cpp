@@ -48,8 +48,8 @@ private:
     std::vector<std::uint8_t> cyclic_;  // by bond
 };
 
-/// A pyrrole of a porphyrin: its nitrogen holds a metal, and bonds of a larger ring lead out of it. The bonds between
-/// the pyrroles may look saturated in a poor model.
+/// Whether a ring is a pyrrole of a porphyrin: its nitrogen binds a metal, and bonds of a larger ring lead out of it.
+/// The bonds between the pyrroles may look saturated in a poor model.
 bool inPorphyrin(const ChemistryWork& work, const std::vector<std::uint8_t>& atMetal, const Ring& ring) {
     if (ring.atoms.size() != 5) return false;
     bool holds = false;
@@ -72,7 +72,7 @@ void chooseDrawnRings(ChemistryWork& work) {
     for (std::uint32_t b = 0; b < work.molecule.bonds.size(); ++b) {
         const Bond& bond = work.molecule.bonds[b];
         if (systems.cyclic(b) && !chemistry.aromatic[b]) kekule[systems.of(bond.a)] = 1;
-        // A carbonyl group, or the like, on an aromatic ring.
+        // A carbonyl group or similar on an aromatic ring.
         if (work.inRing[b] || chemistry.order[b] != 2) continue;
         if (chemistry.aromaticAtom[bond.a]) kekule[systems.of(bond.a)] = 1;
         if (chemistry.aromaticAtom[bond.b]) kekule[systems.of(bond.b)] = 1;
@@ -82,7 +82,7 @@ void chooseDrawnRings(ChemistryWork& work) {
         const bool whole = std::all_of(ring.atoms.begin(), ring.atoms.end(), [&](std::uint32_t atom) {
             return systems.of(atom) == systems.of(ring.atoms.front());
         });
-        // Neighbouring rings may make all bonds of a ring aromatic that is not, such as a pentagon of a fullerene.
+        // Neighbouring rings may make all bonds of a non-aromatic ring aromatic, such as a pentagon of a fullerene.
         if ((whole && !ring.aromatic) || inPorphyrin(work, atMetal, ring)) kekule[systems.of(ring.atoms.front())] = 1;
     }
     for (Ring& ring : chemistry.rings) ring.drawnAromatic = ring.aromatic && !kekule[systems.of(ring.atoms.front())];

@@ -15,7 +15,7 @@ bool anyOf(Element e, std::initializer_list<Element> list) {
     return std::find(list.begin(), list.end(), e) != list.end();
 }
 
-/// Carbon whose neighbours are carbon and hydrogen alone.
+/// A carbon that has only carbon and hydrogen neighbours.
 bool hydrophobicCarbon(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom) {
     if (molecule.atoms[atom].element != kCarbon) return false;
     for (const Neighbour& n : chemistry.of(atom))

@@ -10,7 +10,7 @@
 
 namespace nacre {
 
-/// Maximum of atoms per amino acid: more indicate a file without residues.
+/// Maximum number of atoms per amino acid: more indicate a file without residues.
 constexpr std::uint32_t kLargestAminoAcid = 100;
 
 struct Donor {
@@ -25,7 +25,7 @@ struct ChargedGroup {
     bool tertiaryAmine = false;
 };
 
-/// A halogen and its carbon, or an acceptor of its bond and the first of the atoms that bear it.
+/// A halogen and its carbon, or a halogen bond's acceptor and the first atom that it is bonded to.
 struct HalogenEnd {
     std::uint32_t atom = 0, base = 0;
     std::size_t bases = 1;
@@ -56,7 +56,7 @@ struct AtomBox {
     glm::vec3 low{1e30f}, high{-1e30f};
 
     void add(const glm::vec3& p);
-    /// Keeps what both boxes hold.
+    /// Keeps the intersection of both boxes.
     void cut(const AtomBox& other);
     AtomBox grown(float by) const { return {low - by, high + by}; }
     bool holds(const glm::vec3& p) const {
@@ -65,7 +65,7 @@ struct AtomBox {
 };
 AtomBox boxOf(const Molecule& molecule, const std::vector<bool>& atoms);
 
-/// The features in a box, groups by their first atoms: all that a search there has to look at.
+/// The features in a box, with groups by their first atoms: all that a search there needs.
 Features featuresAround(const Features& features, const Molecule& molecule, const Chemistry& chemistry,
                         const AtomBox& box);
 
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> heavyNeighbours(const Molecule& molecule, const Chemi
 /// Whether an atom belongs to a side chain: of an amino acid, but not N, CA, C, O, OXT or their hydrogens.
 bool isSideChain(const Molecule& molecule, std::uint32_t atom);
 
-/// Metals that nitrogen coordinates, by Mol*'s list: groups 4 to 12 without mercury, and yttrium.
+/// Metals that nitrogen coordinates, in Mol*'s list: groups 4 to 12 without mercury, and yttrium.
 bool isTransitionMetal(Element element);
 
 /// Atoms of an element in a residue that is no larger than an amino acid.

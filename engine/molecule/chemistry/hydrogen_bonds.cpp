@@ -15,7 +15,7 @@ namespace {
 constexpr double kMolstarLength = 3.5, kMolstarSulphurLength = 4.1;
 // PLIP: donor to acceptor, Å, exclusive; degrees at the hydrogen.
 constexpr double kPlipLength = 4.1, kPlipAngle = 100;
-constexpr double kShortest = 0.5;  // Å: nearer is a copy
+constexpr double kShortest = 0.5;  // Å: nearer atoms are copies
 // Baker and Hubbard (1984): hydrogen to acceptor, Å; degrees at the hydrogen.
 constexpr double kBakerLength = 2.5, kBakerAngle = 120;
 // Wernet et al. (2004): donor to acceptor less than 3.3 Å - 0.00044 Å delta², delta the angle H-D-A in degrees.
@@ -47,7 +47,7 @@ double angleOutOfPlane(const InteractionSearch& search, std::uint32_t atom, cons
     return std::abs(90 - angleBetween(across, way));
 }
 
-/// Mol*: an oxygen beside a planar carbon is planar, whatever its other neighbour is.
+/// Mol*: an oxygen next to a planar carbon is planar, whatever its other neighbour.
 std::uint8_t acceptorShapeOf(const InteractionSearch& search, std::uint32_t acceptor) {
     const std::uint8_t shape = search.chemistry.hybrid[acceptor];
     if (shape != 3 || search.molecule.atoms[acceptor].element != kOxygen) return shape;
@@ -57,7 +57,7 @@ std::uint8_t acceptorShapeOf(const InteractionSearch& search, std::uint32_t acce
 }
 
 bool mayBind(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor) {
-    // Water among itself holds no ligand; it takes part where the partner is no water.
+    // Hydrogen bonds between waters are left out; water counts where the partner is no water.
     if (search.features.waterOxygen[donor] && search.features.waterOxygen[acceptor]) return false;
     return search.apart(donor, acceptor) && search.allowed(donor, acceptor);
 }
@@ -123,7 +123,7 @@ std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const D
     for (const Neighbour& n : search.chemistry.of(donor.atom))
         if (isHydrogen(search.molecule.atoms[n.atom].element)) hydrogens.push_back({search.at(n.atom), n.atom});
     if (donor.hydrogens > 0) {
-        // Open Babel prepares PLIP's files: its lengths, and its rule for what may turn.
+        // Open Babel prepares PLIP's files: its bond lengths, and its rule for rotatable hydrogens.
         constexpr HydrogenPlacing kPlacing{1.09f, 1.02f, 0.97f, 1.36f, 0.985f, 0.937f, true};
         for (const glm::vec3& place :
              hydrogenPositions(search.molecule, search.chemistry, donor.atom, donor.hydrogens, kPlacing))
@@ -165,7 +165,7 @@ void findHydrogenBonds(InteractionSearch& search) {
     search.rules == InteractionRules::plip ? findPlipBonds(search, grid) : findMolstarBonds(search, grid);
 }
 
-/// As MDTraj has them: donors are N and O that the file gives hydrogens, acceptors all N and O; water takes no part.
+/// As in MDTraj: donors are N and O with hydrogens in the file, acceptors all N and O; water is left out.
 void findHydrogenBondsByHydrogens(InteractionSearch& search) {
     std::vector<std::uint32_t> acceptors;
     const auto eligible = [&](std::uint32_t atom) {

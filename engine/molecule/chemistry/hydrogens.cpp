@@ -25,7 +25,7 @@ glm::dvec3 anyAcross(const glm::dvec3& along) {
     return glm::normalize(glm::cross(along, axis));
 }
 
-/// Unit vectors in which further neighbours of an atom go.
+/// Unit vectors towards an atom's further neighbours.
 class Directions {
 public:
     Directions(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom, bool asOpenBabel)
@@ -47,7 +47,7 @@ public:
 private:
     glm::dvec3 at(std::uint32_t atom) const { return molecule_.atoms[atom].position; }
 
-    /// Perpendicular to the bond of the only neighbour, away from the neighbour of it that decides.
+    /// Perpendicular to the bond of the only neighbour, away from the decisive neighbour of that one.
     glm::dvec3 away() const {
         const std::uint32_t other = chemistry_.of(atom_).front().atom;
         const glm::dvec3 along = taken_.front();
@@ -65,7 +65,7 @@ private:
         return unitOr(glm::dot(side, along) * along - side, anyAcross(along));
     }
 
-    /// The doubly bonded oxygen of the acid whose hydroxyl this atom is.
+    /// Whether `n` is the acid's doubly bonded oxygen; this atom is its hydroxyl.
     bool otherAcidOxygen(std::uint32_t carbon, const Neighbour& n) const {
         const auto end = [&](std::uint32_t atom) {
             std::size_t heavy = 0;
@@ -156,7 +156,7 @@ std::string standardName(std::string_view parent, Element element, std::size_t i
     return text + std::to_string(index + (pair ? 2 : 1));
 }
 
-/// Names of the hydrogens that are added to one residue. Other residues than standard ones count theirs: H1, H2, ...
+/// Names of the hydrogens added to one residue. Non-standard residues number them: H1, H2, ...
 class HydrogenNames {
 public:
     HydrogenNames(const Molecule& molecule, const Residue& residue)

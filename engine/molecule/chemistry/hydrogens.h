@@ -8,12 +8,12 @@
 
 namespace nacre {
 
-/// Parameters of what geometry does not determine.
+/// Parameters that geometry does not determine.
 struct HydrogenPlacing {
     float carbon = 1.09f, nitrogen = 1.01f, oxygen = 0.96f, sulphur = 1.34f;  ///< bond lengths, Å
     float flatNitrogen = 1.01f, flatOxygen = 0.96f;                           ///< of planar atoms, Å
-    /// A rotatable hydrogen is trans to a neighbour of its atom's one neighbour: the first in the file or, as in Open
-    /// Babel, the last bonded one (comesLater()), except for acids: trans to the other oxygen.
+    /// A rotatable hydrogen is trans to a neighbour of its atom's only neighbour: the first in the file or, as in Open
+    /// Babel, the last bonded one (comesLater()). In acids it is trans to the other oxygen.
     bool asOpenBabel = false;
 };
 
@@ -30,10 +30,10 @@ std::vector<glm::vec3> hydrogenPositions(const Molecule& molecule, const Chemist
 
 /// The molecule with its missing hydrogens at neutral pH (Chemistry::hydrogens), each after the atoms of its residue,
 /// with a bond to its atom. Standard residues get the PDB's names (HA, HB2, HD21, HO2'), others H1, H2, ...
-/// Orientations of water are arbitrary. Atom indices change; residues, chains and references to residues stay. Drops
+/// Waters get arbitrary orientations. Atom indices change; residues, chains and references to residues stay. Drops
 /// partial charges and radii, which hydrogens lack.
 Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry);
-/// As above with perceiveChemistry() of the drawn conformer. Drops other models, whose atoms would differ.
+/// As above, with perceiveChemistry() of the drawn conformer. Drops other models, whose atoms would differ.
 Molecule withMissingHydrogens(const Molecule& molecule);
 
 }  // namespace nacre

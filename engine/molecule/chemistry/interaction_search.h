@@ -24,9 +24,9 @@ struct InteractionSearch {
     const InteractionQuery& query;
     const std::vector<bool>& b;  ///< of the query, filled in
     bool plipReceptors = false;  ///< ligands interact only with receptors
-    bool modelsApart = false;    ///< several models of one molecule lie over each other: none meets another
+    bool modelsApart = false;    ///< several models of one molecule are superposed: they do not interact
     std::vector<Interaction>& found;
-    std::uint32_t imageFrom = 0;  ///< atoms from here on are of an image, and only meet those before; 0: there is none
+    std::uint32_t imageFrom = 0;  ///< atoms from here on are an image's, and meet only earlier ones; 0: no image
 
     glm::dvec3 at(std::uint32_t atom) const { return molecule.atoms[atom].position; }
     std::uint32_t residue(std::uint32_t atom) const { return molecule.atoms[atom].residue; }
@@ -36,7 +36,7 @@ struct InteractionSearch {
     bool mayMeet(std::uint32_t first, std::uint32_t second) const {
         return together(first, second) && (imageFrom == 0 || (first < imageFrom) != (second < imageFrom));
     }
-    /// Whether two atoms are ever in one picture of the molecule.
+    /// Whether two atoms are ever drawn together.
     bool together(std::uint32_t first, std::uint32_t second) const {
         return !modelsApart || modelOf(first) == modelOf(second);
     }
@@ -68,7 +68,7 @@ void findHydrophobic(InteractionSearch& search);
 void findMetals(InteractionSearch& search);
 void findWaterBridges(InteractionSearch& search);
 
-/// A donor's hydrogens: from the file, then computed ones. Empty under rules that need none.
+/// A donor's hydrogens: those of the file, then computed ones. Empty under rules that need none.
 struct PlacedHydrogen {
     glm::dvec3 place;
     std::uint32_t atom;  ///< kNoHydrogen: computed
@@ -81,22 +81,23 @@ struct MolstarLimits {
     double donor = 45, acceptor = 45, donorPlane = 45, acceptorPlane = 90;
     bool hydrogens = true;  ///< a donor's hydrogen, if present, must point at the acceptor
 };
-/// Whether the angles allow a hydrogen bond in Mol*; the caller checks the distance.
+/// Whether the angles allow a hydrogen bond by Mol*'s rules; the caller checks the distance.
 bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor,
                      const MolstarLimits& limits = {});
 
-/// By partner of a metal: PLIP drops it, without a place in the best-fitting geometry (linear to octahedral).
+/// By partner of a metal: whether PLIP drops it because the best-fitting geometry (linear to octahedral) has no place
+/// for it.
 std::vector<std::uint8_t> superfluousPartners(const glm::dvec3& metal, const std::vector<glm::dvec3>& partners);
 
-/// Drops what has an atom in its way, as Mol* does: nearer to its middle than that atom's van der Waals radius.
-/// Hydrogens, the atoms of both ends, and what lies within 1 Å of an end are in nobody's way.
+/// Drops interactions that an atom blocks, as Mol* does: an atom whose van der Waals radius reaches their middle.
+/// Hydrogens, atoms of both ends, and atoms within 1 Å of an end block nothing.
 void dropBlocked(InteractionSearch& search);
 
 /// Keeps one interaction of a kind per pair of atoms (two hydroxyl groups could both donate): the one with the larger
 /// angle at the hydrogen.
 void keepOnePerPair(std::vector<Interaction>& found);
 
-/// Drops what stronger interactions of the same groups stand for.
+/// Drops interactions that stronger ones of the same groups include.
 void refineMolstar(const InteractionSearch& search);
 void refinePlip(const InteractionSearch& search);
 

@@ -12,9 +12,9 @@
 namespace nacre {
 namespace {
 
-// A molecule beside an image of itself: everything twice, what is of the image after what is not.
+// A molecule with an image of itself: every list twice, with the image's part second.
 
-/// Appends what a list holds once more. @param shift  changes a copied value
+/// Appends a copy of a list's values to the list. @param shift  changes a copied value
 template <typename T, typename Shift>
 void repeat(std::vector<T>& list, const Shift& shift) {
     const std::size_t count = list.size();
@@ -103,7 +103,7 @@ std::optional<Value> valueOfName(const std::array<std::string_view, Count>& name
     return static_cast<Value>(found - names.begin());
 }
 
-/// PLIP reads atoms without alternate location and those of location A. All other rules take what is drawn.
+/// PLIP reads atoms without alternate location and those of location A. All other rules use the drawn atoms.
 std::vector<std::uint32_t> conformer(const Molecule& molecule, InteractionRules rules) {
     if (rules != InteractionRules::plip) return drawnAtoms(molecule, {.water = true, .hydrogens = true});
     std::vector<std::uint32_t> atoms;
@@ -195,7 +195,7 @@ std::vector<bool> othersOf(const InteractionQuery& query) {
     return others;
 }
 
-/// Indices of atoms become those of the molecule again.
+/// Maps indices of the image's atoms back to those of the molecule.
 void splitImage(Interaction& interaction, std::uint32_t count) {
     const auto back = [&](std::vector<std::uint32_t>& atoms) {
         const bool image = !atoms.empty() && atoms.front() >= count;
@@ -254,7 +254,7 @@ InteractionFinder& InteractionFinder::operator=(InteractionFinder&&) noexcept = 
 std::vector<Interaction> InteractionFinder::find(const Molecule& molecule, const InteractionQuery& query) const {
     const bool all = std::find(query.a.begin(), query.a.end(), false) == query.a.end();
     const std::vector<bool> others = othersOf(query);
-    Features around;  // groups reach some Å farther than their first atoms
+    Features around;  // groups extend some Å beyond their first atoms
     if (!all)
         around = featuresAround(kept_->features, molecule, kept_->chemistry,
                                 boxOf(molecule, query.a).grown(kWidestBridge + 5));

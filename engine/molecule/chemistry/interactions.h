@@ -41,11 +41,11 @@ std::optional<InteractionRules> interactionRulesFromName(std::string_view name);
 
 /// One side of an interaction. The first atom names its residue.
 struct InteractionEnd {
-    std::vector<std::uint32_t> atoms;  ///< indices into Molecule::atoms: an atom and the hydrogen of it that the file
-                                       ///< has, the atoms of a charged group, or those of a ring
+    std::vector<std::uint32_t> atoms;  ///< indices into Molecule::atoms: an atom and its hydrogen if the file has it,
+                                       ///< the atoms of a charged group, or those of a ring
     glm::vec3 place{};                 ///< where a dash ends, Å: the atom, or the middle of the group
     bool ring = false;                 ///< atoms of an aromatic ring, in its order
-    bool image = false;                ///< it belongs to the image that findBetween() was given
+    bool image = false;                ///< it belongs to the image of findBetween()
 };
 
 /// An angle that a rule tests, in degrees.
@@ -64,7 +64,7 @@ struct Interaction {
     std::vector<InteractionAngle> angles;
     double offset = -1;                 ///< Å, between ring centres; -1 where not applicable
     std::vector<std::uint32_t> waters;  ///< oxygens of a water bridge
-    bool waterImage = false;            ///< they belong to the image that findBetween() was given
+    bool waterImage = false;            ///< they belong to the image of findBetween()
 };
 
 /// The atoms between which to search. Values by atom.
@@ -91,8 +91,8 @@ public:
     /// @throws Error if there are more than kMostInteractions
     std::vector<Interaction> find(const Molecule& molecule, const InteractionQuery& query) const;
 
-    /// The same between a molecule and an image of it, such as the next copy of an assembly: none that lies within one
-    /// of the two. Either may be the side that is selected.
+    /// Interactions between a molecule and an image of it, such as the next copy of an assembly; none within either.
+    /// The selected side may be in either.
     /// @param image  p -> image * vec4(p, 1), rigid
     std::vector<Interaction> findBetween(const Molecule& molecule, const glm::dmat4x3& image,
                                          const InteractionQuery& query) const;

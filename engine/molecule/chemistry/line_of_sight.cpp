@@ -1,4 +1,4 @@
-// Interactions that an atom stands in the way of.
+// Drops interactions that an atom blocks.
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -10,14 +10,14 @@
 namespace nacre {
 namespace {
 
-constexpr double kSight = 3.0;     // Å from the middle of an interaction: no farther is looked
-constexpr double kAtTheEnd = 1.0;  // Å from an end: at the centre of a group
+constexpr double kSight = 3.0;     // Å from the middle of an interaction: search range
+constexpr double kAtTheEnd = 1.0;  // Å from an end: inside a group
 
 glm::dvec3 middleOf(const Interaction& interaction) {
     return (glm::dvec3(interaction.a.place) + glm::dvec3(interaction.b.place)) / 2.0;
 }
 
-/// Atoms that may stand in the way of some of the interactions.
+/// Atoms that may block any of the interactions.
 std::vector<std::uint32_t> atomsAround(const InteractionSearch& search) {
     glm::vec3 low(1e30f), high(-1e30f);
     for (const Interaction& interaction : search.found) {
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> atomsAround(const InteractionSearch& search) {
     return atoms;
 }
 
-/// An atom of the end, or of a quaternary amine's four around its nitrogen.
+/// Whether an atom belongs to the end, or is one of the four around a quaternary amine's nitrogen.
 bool belongsTo(const InteractionSearch& search, const InteractionEnd& end, std::uint32_t atom) {
     if (std::find(end.atoms.begin(), end.atoms.end(), atom) != end.atoms.end()) return true;
     if (end.atoms.size() != 1) return false;
@@ -52,7 +52,7 @@ void dropBlocked(InteractionSearch& search) {
     std::vector<glm::vec3> places;
     for (const std::uint32_t atom : atoms) places.push_back(search.molecule.atoms[atom].position);
     const PlaceGrid grid(places, kSight);
-    const bool ownBonds = search.rules != InteractionRules::molstar;  // rules of their own for hydrogen bonds
+    const bool ownBonds = search.rules != InteractionRules::molstar;  // other rules define hydrogen bonds by themselves
     std::erase_if(search.found, [&](const Interaction& interaction) {
         if (ownBonds && interaction.kind == InteractionKind::hydrogenBond) return false;
         bool blocked = false;

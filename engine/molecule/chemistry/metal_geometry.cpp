@@ -1,4 +1,4 @@
-// Which partners of a metal belong to the geometry that they fit best, as PLIP decides it.
+// Which partners of a metal belong to the best-fitting geometry, by PLIP's method.
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace nacre {
 namespace {
 
-/// The angles (degrees) from each partner of an ideal complex to the others: `sets` of the same angles, that many
-/// times.
+/// The angles (degrees) from each partner of an ideal complex to the others: `sets` of equal angles, each with its
+/// multiplicity.
 struct IdealComplex {
     std::size_t partners;
     struct Set {
@@ -33,7 +33,7 @@ constexpr IdealComplex kComplexes[] = {{6, 1, {{6, 5, {90, 90, 90, 90, 180}}, {}
 
 using Angles = std::vector<std::vector<double>>;  // by partner: to each other one
 
-/// How far the angles of a partner are from an ideal set, each ideal angle with the nearest that is left.
+/// Deviation of a partner's angles from an ideal set; each ideal angle takes the nearest remaining one.
 double misfit(const std::vector<double>& observed, const IdealComplex::Set& set) {
     std::vector<std::uint8_t> used(observed.size());
     double sum = 0;
@@ -54,10 +54,10 @@ double misfit(const std::vector<double>& observed, const IdealComplex::Set& set)
 struct Fit {
     double misfit = 0;
     std::size_t partners = 0;
-    std::vector<std::uint8_t> left;  ///< by partner: no place for it
+    std::vector<std::uint8_t> left;  ///< by partner: it has no place
 };
 
-constexpr double kUnmatched = 999;  // PLIP's score of a place that nobody fills
+constexpr double kUnmatched = 999;  // PLIP's score of an empty place
 
 Fit fitOf(const IdealComplex& complex, const Angles& angles) {
     Fit fit{0, complex.partners, std::vector<std::uint8_t>(angles.size(), 1)};

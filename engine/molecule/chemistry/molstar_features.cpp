@@ -1,4 +1,4 @@
-// Donors, acceptors, charges and rings as Mol* defines them: by valence at neutral pH, needing no hydrogens.
+// Donors, acceptors, charges and rings by Mol*'s definitions: from valence at neutral pH, without hydrogens.
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ bool isStandardAminoAcid(const Name& name) { return residueTemplate(name) && ami
 
 bool isHalogen(Element e) { return e == kFluorine || e == kChlorine || e == kBromine || e == kIodine; }
 
-/// Charge of an ion of one atom; 0 for those that have several.
+/// Charge of a monatomic ion; 0 for elements with several charges.
 std::int8_t ionCharge(Element e) {
     if (isHalogen(e)) return -1;
     for (const int alkali : {3, 11, 19, 37, 55, 87})
@@ -54,7 +54,7 @@ private:
     Element element(std::uint32_t atom) const { return molecule_.atoms[atom].element; }
     const Name& residueName(std::uint32_t atom) const { return molecule_.residues[molecule_.atoms[atom].residue].name; }
 
-    /// Which nitrogen of a histidine has the hydrogen is seldom known: both donate and accept.
+    /// It is seldom known which nitrogen of a histidine has the hydrogen: both donate and accept.
     bool histidineNitrogen(std::uint32_t atom) const {
         return element(atom) == kNitrogen &&
                namedOneOf(residueName(atom), {"HIS", "HID", "HIE", "HIP", "HSD", "HSE", "HSP"}) &&
@@ -112,7 +112,8 @@ private:
         }
     }
 
-    /// Carboxylates, phosphates, sulphates, sulphonates: the ends of a centre. Guanidines and amidines.
+    /// Adds the charged group around a centre: carboxylates, phosphates, sulphates, sulphonates; guanidines and
+    /// amidines.
     void addGroupAround(std::uint32_t centre) {
         const Element e = element(centre);
         if (e != kCarbon && e != kPhosphorus && e != kSulphur) return;
@@ -132,7 +133,7 @@ private:
         std::int8_t charge = chemistry_.charge[atom];
         if (charge == 0 && chemistry_.of(atom).empty()) charge = ionCharge(element(atom));
         if (charge == 0) return;
-        // Formal charges that a neighbour cancels (nitro groups, N-oxides) attract nothing.
+        // Formal charges that a neighbour cancels (nitro groups, N-oxides) do not count.
         for (const Neighbour& n : chemistry_.of(atom))
             if (chemistry_.charge[n.atom] * charge < 0) return;
         add({atom}, charge > 0);

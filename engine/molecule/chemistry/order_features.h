@@ -37,16 +37,16 @@ constexpr Knots<7> kThreeAngleKnots{109, 112, 114, 116, 118, 119, 120};         
 constexpr Knots<8> kTwoAngleKnots{105, 110, 114, 118, 122, 126, 135, 150};          // degrees
 constexpr Knots<4> kLinearKnots{140, 155, 165, 175};
 
-/// Where a bond or an atom is: outside rings, in a ring of five or six that is flat or not, in another ring.
+/// Place of a bond or an atom: outside rings, in a ring of five or six that is flat or bent, in another ring.
 enum OrderPlace : std::uint8_t { kAcyclic, kFiveFlat, kFiveBent, kSixFlat, kSixBent, kOtherRing, kOrderPlaces };
 
-/// First weights of the curves. Each comment names what the curve is chosen by.
+/// First weights of the curves. Each comment names what selects a weight.
 enum OrderFeature : std::uint16_t {
     kByLength = 0,                                            // pair; length
     kInFive = kByLength + kOrderPairs * kLengthKnots.size(),  // CC, CN, other; torsion of the ring
     kInSix = kInFive + 3 * kTorsionKnots.size(),              // the same
     kInOther = kInSix + 3 * kTorsionKnots.size(),             // CC, CN, other; size: up to 4, up to 9, larger
-    kLeadsOut = kInOther + 9,                                 // CC, CN, CO, other; how many ends in flat rings
+    kLeadsOut = kInOther + 9,                                 // CC, CN, CO, other; number of ends in flat rings
     kTwisted = kLeadsOut + 12,                                // CC, CN, other; twist
     kUntwisted = kTwisted + 3 * kTwistKnots.size(),           // CC, CN, other: no torsion
     kCarbonyl = kUntwisted + 3,                               // N and O beside a terminal oxygen's carbon
@@ -59,14 +59,14 @@ enum OrderFeature : std::uint16_t {
     kCarbonLinear = kCarbonEnd + 1,                                          // angle
     kNitrogenThree = kCarbonLinear + kLinearKnots.size(),                    // place; mean angle: of a pi bond
     kNitrogenTwo = kNitrogenThree + kOrderPlaces * kThreeAngleKnots.size(),  // place; angle
-    kNitrogenBesideN = kNitrogenTwo + kOrderPlaces * kTwoAngleKnots.size(),  // how many
+    kNitrogenBesideN = kNitrogenTwo + kOrderPlaces * kTwoAngleKnots.size(),  // number of N neighbours
     kNitrogenLinear = kNitrogenBesideN + 3,                                  // angle
     kNitrogenEnd = kNitrogenLinear + kLinearKnots.size(),                    // 0 and 2 pi bonds
-    kEnd = kNitrogenEnd + 2,  // O, S, Se; neighbours of its atom, up to 4
+    kEnd = kNitrogenEnd + 2,  // O, S, Se; number of its atom's neighbours, up to 4
     kOrderWeights = kEnd + 8
 };
 
-/// Reads features of atoms and bonds. Each function calls add(weight, value) for what counts.
+/// Reads features of atoms and bonds. Each function calls add(weight, value) for each feature.
 class OrderFeatures {
 public:
     explicit OrderFeatures(const ChemistryWork& work);
@@ -105,7 +105,7 @@ public:
         }
     }
 
-    /// Adds the features of a second pi bond, beside those of the first.
+    /// Adds the features of a second pi bond, in addition to those of the first.
     template <typename Add>
     void secondPi(std::uint32_t index, const BondLengths& lengths, const Add& add) const {
         const Bond& bond = work_.molecule.bonds[index];

@@ -1,6 +1,6 @@
-// Weights of the features of bond orders, fitted as by the averaged perceptron (M. Collins, EMNLP 2002) to the orders
-// that the chemical component dictionary gives 12,266 ligands of crystals of the Protein Data Bank, and to those of a
-// fullerene, from their coordinates alone.
+// Weights of the features of bond orders, fitted by the averaged perceptron (M. Collins, EMNLP 2002) to coordinates and
+// orders of 12,266 ligands in crystals of the Protein Data Bank, with orders from the chemical component dictionary,
+// and of a fullerene.
 
 #include "engine/molecule/chemistry/order_features.h"
 

@@ -1,4 +1,4 @@
-// Bond orders from geometry. Where carbons have hydrogens, these say which atoms have pi bonds; elsewhere lengths,
+// Bond orders from geometry. Where carbons have hydrogens, these show which atoms have pi bonds; elsewhere lengths,
 // angles and rings do (order_features.h). The best distribution of pi bonds over each system decides (pi_bonds.cpp).
 
 #include <algorithm>
@@ -11,9 +11,9 @@ namespace nacre {
 namespace {
 
 /// Weights of the distribution. A pi bond gains from +1 at the length of a double bond to -1 at that of a single one,
-/// bounded a little beyond; an atom that is surely planar costs more than any length can gain.
+/// bounded a little beyond. Leaving a certainly planar atom without a pi bond costs more than any length can gain.
 constexpr float kLongestGain = 1.4f;
-constexpr float kLengthError = 0.06f;  // Å, of bonds to the ends of a group at the resolution of crystals of proteins
+constexpr float kLengthError = 0.06f;      // Å, of bonds to the ends of a group, at the resolution of protein crystals
 constexpr double kLeastPlanarAngle = 114;  // degrees, mean of three
 constexpr float kCertain = 4, kLikely = 2, kMaybe = 1;
 
@@ -47,7 +47,7 @@ private:
         work_.source[bond] = OrderSource::stated;
     }
 
-    /// Residues whose carbons have hydrogens: there, what a carbon lacks to four neighbours is pi bonds.
+    /// Finds residues whose carbons have hydrogens: in these, missing neighbours of a carbon (of four) are pi bonds.
     void findHydrogenated() {
         hydrogenated_.assign(work_.molecule.residues.size(), 0);
         for (std::uint32_t i = 0; i < open_.size(); ++i) {
@@ -57,15 +57,14 @@ private:
         }
     }
 
-    /// Neighbours that have no other neighbour and may bear a double bond: the likeliest first.
+    /// Terminal neighbours that may have a double bond, the likeliest first.
     std::vector<Neighbour> endsOf(std::uint32_t atom) const {
         std::vector<Neighbour> left, ends;
         for (const Neighbour& n : work_.chemistry.of(atom)) {
             const Element e = work_.element(n.atom);
             if (work_.degree(n.atom) == 1 && (e == kOxygen || e == kSulphur) && unknown(n.bond)) left.push_back(n);
         }
-        // Oxygen before sulphur, then by length; but lengths that differ by less than their error leave the file's
-        // order.
+        // Oxygen before sulphur, then by length; lengths that differ by less than their error keep the file's order.
         const auto measure = [&](const Neighbour& n) {
             return work_.length(atom, n.atom) + (work_.element(n.atom) == kSulphur ? 1 : 0);
         };
@@ -82,7 +81,7 @@ private:
         return ends;
     }
 
-    /// Groups beyond the octet, nitro groups and carboxylates: as chemists draw them.
+    /// Sets orders of hypervalent groups, nitro groups and carboxylates as chemists draw them.
     void setGroup(std::uint32_t atom) {
         const Element e = work_.element(atom);
         const std::size_t degree = work_.degree(atom);
@@ -100,7 +99,7 @@ private:
             if (unknown(n.bond)) settle(n.bond, 1);
     }
 
-    /// Azides and diazo groups: X=[N+]=[N-], by their straight middle. A diazonium group keeps its triple bond.
+    /// Azides and diazo groups: X=[N+]=[N-], recognised by a straight middle. A diazonium group keeps its triple bond.
     void settleDiazo(std::uint32_t middle) {
         constexpr float kLeastStraight = 150;  // degrees
         const auto around = work_.chemistry.of(middle);
@@ -116,7 +115,7 @@ private:
         settle(around[1].bond, 2);
     }
 
-    /// Pi bonds that are settled already: by the file, a template or a group.
+    /// Pi bonds that the file, a template or a group already settles.
     std::uint8_t settledPi(std::uint32_t atom) const {
         int pi = 0;
         for (const Neighbour& n : work_.chemistry.of(atom))
@@ -157,7 +156,7 @@ private:
 
     bool hydrogenated(std::uint32_t atom) const { return hydrogenated_[work_.atom(atom).residue] != 0; }
 
-    /// An atom among hydrogens: those that are absent are pi bonds.
+    /// An atom of a residue with hydrogens: missing ones are pi bonds.
     PiSystem::Atom withHydrogens(std::uint32_t atom) const {
         const std::size_t degree = work_.degree(atom);
         if (work_.element(atom) == kCarbon)
@@ -169,8 +168,8 @@ private:
                                            : PiSystem::Atom{{kCertain, 0, 0}, 1};
     }
 
-    /// An oxygen at a carbon that has a nitrogen or another oxygen: of an amide, lactam, urea, acid or ester, whatever
-    /// its length in a poor model.
+    /// Whether an oxygen's carbon also has a nitrogen or another oxygen: then it is a carbonyl of an amide, lactam,
+    /// urea, acid or ester, whatever its length in a poor model.
     bool amideOxygen(std::uint32_t oxygen, std::uint32_t carbon) const {
         if (work_.element(oxygen) != kOxygen || work_.degree(oxygen) != 1 || work_.element(carbon) != kCarbon)
             return false;
@@ -180,7 +179,7 @@ private:
         return false;
     }
 
-    /// Pi bonds inside flat rings are preferred to those that lead out of them, but for carbonyl groups.
+    /// Prefers pi bonds inside flat rings to those that lead out of them, except carbonyl groups.
     float ringBonus(std::uint32_t bond, std::uint32_t a, std::uint32_t b) const {
         if (amideOxygen(a, b) || amideOxygen(b, a)) return kMaybe;
         if (work_.inRing[bond]) return work_.flatRing[a] && work_.flatRing[b] ? 0.3f : 0;
@@ -189,7 +188,7 @@ private:
         return leadsOut && !carbonyl ? -0.6f : 0;
     }
 
-    /// Gains of 0, 1 and 2 pi bonds in a bond.
+    /// Gains of 0, 1 and 2 pi bonds for a bond.
     std::array<float, 3> gains(std::uint32_t index, const BondLengths& lengths) const {
         const Bond& bond = work_.molecule.bonds[index];
         if (hydrogenated(bond.a) || hydrogenated(bond.b)) {

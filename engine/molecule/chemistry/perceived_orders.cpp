@@ -24,7 +24,7 @@ std::vector<std::uint8_t> ordersOf(const ResidueFacts& facts, const AromaticOf& 
     const Molecule& molecule = facts.molecule();
     const auto wanted = [&](std::uint32_t atom) { return !facts.isPolymer(molecule.atoms[atom].residue); };
     std::vector<std::uint8_t> orders;
-    // Atoms bonded to a ligand count for its valences.
+    // Atoms bonded to a ligand contribute to its valences.
     std::vector<bool> looked(molecule.residues.size());
     for (const Bond& bond : molecule.bonds) {
         orders.push_back(bond.order);

@@ -8,7 +8,7 @@
 namespace nacre {
 namespace {
 
-/// Bonds in an order that opens and closes atoms soon: breadth first from each start.
+/// Bonds in an order that opens and closes atoms quickly: breadth first from each start.
 std::vector<std::uint32_t> frontierOrder(const PiSystem& system) {
     std::vector<std::vector<std::uint32_t>> bondsOf(system.atoms.size());
     for (std::uint32_t b = 0; b < system.bonds.size(); ++b) {
@@ -42,8 +42,8 @@ constexpr std::size_t kFrontierAtoms = 32;  // two bits each
 
 struct PiState {
     float score = 0;
-    std::uint32_t before = 0;  // index into the layer before
-    std::uint8_t placed = 0;   // pi bonds in the bond of this layer
+    std::uint32_t before = 0;  // index into the previous layer
+    std::uint8_t placed = 0;   // pi bonds in this layer's bond
 };
 
 class PiSearch {

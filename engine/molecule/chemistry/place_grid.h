@@ -12,7 +12,7 @@
 
 namespace nacre {
 
-/// Cells are sorted by number, so that distant positions cost nothing: 21 bits per axis, 2^20 cells either way.
+/// Cells are sorted by number, so that distant positions cost nothing: 21 bits per axis, 2^20 cells in each direction.
 class PlaceGrid {
 public:
     /// @param reach  Å: the largest distance for near()
@@ -23,9 +23,9 @@ public:
                   [](const Entry& l, const Entry& r) { return l.key != r.key ? l.key < r.key : l.index < r.index; });
     }
 
-    /// Calls visit(index, squared distance) for each position at most `reach` away. In a protein a call looks at some
-    /// hundred positions. @throws Error if all calls together look at more than 100 million, and 4,000 per position: a
-    /// crowd at one place would take for ever
+    /// Calls visit(index, squared distance) for each position at most `reach` away. In a protein a call tests about a
+    /// hundred positions. @throws Error if all calls together test more than 100 million, and 4,000 per position: a
+    /// crowd at one place would take forever
     template <typename Visit>
     void near(const glm::vec3& from, const Visit& visit) const {
         const Cell centre = cellOf(from);
@@ -73,7 +73,7 @@ private:
     const std::vector<glm::vec3>& places_;
     double reach_;
     std::vector<Entry> entries_;
-    mutable std::uint64_t looked_ = 0;  ///< by all calls
+    mutable std::uint64_t looked_ = 0;  ///< positions tested by all calls
 };
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
-// Donors, acceptors, charges and rings as PLIP 2.4 has them: of the receptor by the names of amino acids, of ligands by
-// functional groups of heavy atoms; polar hydrogens by neutral valence.
+// Donors, acceptors, charges and rings by the definitions of PLIP 2.4: for the receptor by names of amino acids, for
+// ligands by functional groups of heavy atoms; polar hydrogens by neutral valence.
 
 #include <algorithm>
 #include <numeric>
@@ -21,7 +21,7 @@ public:
         : molecule_(molecule), chemistry_(chemistry), features_(sharedFeatures(molecule, chemistry)) {}
 
     Features run() {
-        // The program takes sodium's symbol for the PDBQT type of a nitrogen: it reports no sodium.
+        // The program mistakes sodium's symbol for the PDBQT type of a nitrogen: it reports no sodium.
         std::erase_if(features_.metals, [&](std::uint32_t metal) { return element(metal) == kSodium; });
         countMetalBonds();
         matchFiveRings();
@@ -42,8 +42,8 @@ public:
     }
 
 private:
-    /// A ring of five or six atoms; aromatic, or with the normals at all its atoms within 5 degrees of each other.
-    /// Aromaticity of rings that hold a metal depends on how their bonds are drawn: there the normals alone decide.
+    /// A ring of five or six atoms that is aromatic, or whose normals at all atoms are within 5 degrees of each other.
+    /// Aromaticity of rings that bind a metal depends on how their bonds are drawn: there only the normals decide.
     bool isFlatRing(const Ring& ring) const {
         constexpr double kMostBend = 5;
         if (ring.atoms.size() != 5 && ring.atoms.size() != 6) return false;
@@ -65,7 +65,7 @@ private:
         return true;
     }
 
-    /// Residues that bonds join are one ligand, but for water and receptors.
+    /// Bonded residues form one ligand, except water and receptors.
     void addUnits() {
         std::vector<std::uint32_t>& unit = features_.unit;
         unit.resize(molecule_.residues.size());
@@ -84,8 +84,8 @@ private:
         for (std::uint32_t r = 0; r < unit.size(); ++r) unit[r] = root(r);
     }
 
-    /// A ligand is looked at without what it is bonded to: its carbon there is hydrophobic by the rest of its
-    /// neighbours.
+    /// A ligand is considered without what it is bonded to: its carbon there is hydrophobic if its other neighbours
+    /// are.
     void addLinkedCarbon(std::uint32_t atom) {
         if (element(atom) != kCarbon) return;
         bool linked = false, others = true, already = true;
@@ -113,7 +113,7 @@ private:
         return number;
     }
 
-    /// Oxygens that end at a neighbour, before this one as Open Babel counts, and all of them.
+    /// Terminal oxygens of a neighbour: those before this one in Open Babel's order, and all of them.
     struct Ends {
         std::size_t before = 0, all = 0;
     };
@@ -133,9 +133,9 @@ private:
         return ends;
     }
 
-    /// Double bonds that Open Babel gives the ends of an acid: of sulphonates and of bent carbons none.
+    /// Number of double bonds that Open Babel gives the ends of an acid: none for sulphonates and bent carbons.
     std::optional<std::size_t> twofoldEnds(std::uint32_t centre, std::size_t ends) const {
-        constexpr double kPlanar = 115;  // degrees, the mean angle above which a carbon is planar
+        constexpr double kPlanar = 115;  // degrees; a carbon with a larger mean angle is planar
         const Element e = element(centre);
         if (e == kCarbon && ends > 0 && !receptor(centre) && meanAngle(centre) <= kPlanar) return 0;
         if (e == kPhosphorus || (e == kCarbon && ends == 2)) return 1;
@@ -154,13 +154,13 @@ private:
         return sum / angles;
     }
 
-    /// Hydrogens of an uncharged atom of N, O or S that the file lacks.
+    /// Missing hydrogens of an uncharged N, O or S.
     std::uint8_t missing(std::uint32_t atom) const {
         const Element e = element(atom);
         int valence = (e == kNitrogen ? 3 : 2) + molecule_.atoms[atom].charge - metalBonds_[atom];
         if (receptor(atom)) {
-            // As it kekulises them: arginine's double bond is that of NE, tryptophan's nitrogen has no hydrogen, and
-            // histidine's ND1 has one where it stands above CD2.
+            // By Open Babel's kekulisation: arginine's double bond is at NE, tryptophan's nitrogen has no hydrogen, and
+            // histidine's ND1 has one if it is above CD2.
             const std::string_view residue = residueOf(atom), name = nameOf(atom);
             if (residue == "ARG" && name == "NE") return 0;
             if (residue == "ARG" && (name == "NH1" || name == "NH2")) return 2;
@@ -184,7 +184,7 @@ private:
         return static_cast<std::uint8_t>(std::clamp(valence - chemistry_.orders(atom), 0, 3));
     }
 
-    /// An aromatic ring of five, all of which want a double bond (imidazole, pyrrole): Open Babel gives one to the
+    /// An aromatic ring of five, whose atoms all need a double bond (imidazole, pyrrole): Open Babel gives one to the
     /// first atom and its first bonded neighbour, then to the two that follow that neighbour. The hydrogen goes to the
     /// atom that is left, which may be a carbon.
     void matchFiveRings() {
@@ -215,7 +215,7 @@ private:
     }
 
     /// Open Babel moves the hydrogen of guanine's N1 to N3, and that of isocytosines likewise: from the nitrogen beside
-    /// the carbonyl to the other neighbour of the carbon that bears the amine. Nothing if the atom is none of the two.
+    /// the carbonyl to the other neighbour of the carbon that bears the amine. Empty for other atoms.
     std::optional<std::uint8_t> hydrogensOfGuanine(std::uint32_t atom) const {
         if (element(atom) != kNitrogen || heavyNeighbours(molecule_, chemistry_, atom).size() != 2) return std::nullopt;
         for (const Neighbour& n : chemistry_.of(atom)) {
@@ -252,7 +252,7 @@ private:
         return false;
     }
 
-    /// Open Babel bonds metals to all that is near enough; such a bond takes the place of a hydrogen.
+    /// Open Babel bonds metals to everything near enough; each such bond replaces a hydrogen.
     void countMetalBonds() {
         metalBonds_.assign(molecule_.atoms.size(), 0);
         ownMetal_.assign(molecule_.atoms.size(), 0);
@@ -308,7 +308,7 @@ private:
         return aromatic < 2;
     }
 
-    /// A carbon with a double bond to an oxygen other than this one: then this one is an ester's.
+    /// Whether a carbon has a double bond to an oxygen other than this one: then this one is an ester's.
     bool acyl(std::uint32_t carbon, std::uint32_t oxygen) const {
         if (element(carbon) != kCarbon) return false;
         for (const Neighbour& n : chemistry_.of(carbon))
@@ -407,9 +407,9 @@ private:
     const Molecule& molecule_;
     const Chemistry& chemistry_;
     Features features_;
-    std::vector<std::uint8_t> fiveRings_;   // by atom: kMatched, kUnmatched, or 0 in no such ring; empty without any
+    std::vector<std::uint8_t> fiveRings_;   // by atom: kMatched, kUnmatched, or 0: no such ring; may be empty
     std::vector<std::uint8_t> metalBonds_;  // by atom
-    std::vector<std::uint8_t> ownMetal_;    // of these, to metals of the same residue
+    std::vector<std::uint8_t> ownMetal_;    // those to metals of the same residue
 };
 
 }  // namespace

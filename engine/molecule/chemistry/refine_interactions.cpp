@@ -53,7 +53,7 @@ std::vector<std::uint8_t> markImplied(const InteractionSearch& search) {
     return dropped;
 }
 
-/// Which side of a contact PLIP would call the ligand.
+/// Whether PLIP would call side a of a contact the ligand.
 bool ligandIsA(const InteractionSearch& search, const Interaction& interaction) {
     const auto receptor = [&](const InteractionEnd& end) {
         return search.features.receptor[search.residue(end.atoms[0])] != 0;
@@ -61,7 +61,8 @@ bool ligandIsA(const InteractionSearch& search, const Interaction& interaction) 
     return !receptor(interaction.a) || receptor(interaction.b);
 }
 
-/// One hydrogen bond per donor and partner, that of the largest angle. A partner is the receptor or one ligand.
+/// Keeps one hydrogen bond per donor and partner, the one with the largest angle. A partner is the receptor or one
+/// ligand.
 void keepOnePerDonor(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
     std::map<AtomPair, std::size_t> best;
     for (std::size_t i = 0; i < search.found.size(); ++i) {
@@ -82,7 +83,7 @@ void keepOnePerDonor(const InteractionSearch& search, std::vector<std::uint8_t>&
     }
 }
 
-/// A ring that stacks with a histidine has no cation-pi contact with the charge of that histidine.
+/// A ring that stacks with a histidine has no cation-pi contact with that histidine's charge.
 void dropHistidineCations(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
     std::set<std::pair<std::vector<std::uint32_t>, std::int32_t>> stacked;  // a ring, and the histidine's number
     const auto residueOf = [&](const InteractionEnd& end) -> const Residue& {
@@ -104,8 +105,8 @@ void dropHistidineCations(const InteractionSearch& search, std::vector<std::uint
     }
 }
 
-/// The shortest contact of each ligand atom with each residue. PLIP's program tells residues by their numbers
-/// alone, whatever their chain.
+/// The shortest contact of each ligand atom with each residue. PLIP identifies residues by number only, ignoring
+/// chains.
 std::vector<std::size_t> shortestPerResidue(const InteractionSearch& search, const std::vector<std::uint8_t>& dropped) {
     std::map<AtomPair, std::size_t> best;
     for (std::size_t i = 0; i < search.found.size(); ++i) {
@@ -140,10 +141,10 @@ std::vector<std::size_t> clusters(const InteractionSearch& search, const std::ve
     return group;
 }
 
-/// Å: the radii of two carbons and 0.2. A contact as close as that is one, whatever becomes of the others.
+/// Å: the radii of two carbons and 0.2. Contacts up to this length always count.
 constexpr double kClosestCarbons = 3.6;
 
-/// Merging never leaves a residue without a contact that is close: then its shortest one stays.
+/// Merging never leaves a residue without such a close contact: its shortest one stays.
 void keepOnePerResidue(const InteractionSearch& search, const std::vector<std::size_t>& contacts,
                        std::vector<std::uint8_t>& dropped) {
     struct Best {
@@ -162,8 +163,8 @@ void keepOnePerResidue(const InteractionSearch& search, const std::vector<std::s
         if (!best.kept && search.found[best.shortest].distance < kClosestCarbons) dropped[best.shortest] = 0;
 }
 
-/// Where one atom of the receptor touches several atoms of a ligand: the shortest of each group of atoms bonded to each
-/// other; atoms bonded to none of the others are passed over, as PLIP's program does.
+/// If one atom of the receptor touches several atoms of a ligand, keeps the shortest contact of each group of bonded
+/// atoms. Atoms bonded to none of the others are skipped, as in PLIP's program.
 void reducePlipHydrophobic(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
     std::map<std::uint32_t, std::vector<std::size_t>> byReceptor;
     const std::vector<std::size_t> shortest = shortestPerResidue(search, dropped);
@@ -191,7 +192,7 @@ void reducePlipHydrophobic(const InteractionSearch& search, std::vector<std::uin
     keepOnePerResidue(search, shortest, dropped);
 }
 
-/// A metal that holds nothing but water is no complex, and of those of a complex some may be superfluous.
+/// A metal that binds only water is no complex, and some partners in a complex may be superfluous.
 void dropMetals(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
     std::map<std::uint32_t, std::vector<std::size_t>> byMetal;
     const std::set<std::uint32_t> metals(search.features.metals.begin(), search.features.metals.end());
@@ -215,7 +216,7 @@ void dropMetals(const InteractionSearch& search, std::vector<std::uint8_t>& drop
     }
 }
 
-/// Mol*: of the hydrophobic contacts between an atom and a residue the shortest, seen from both sides.
+/// Mol*: keeps the shortest hydrophobic contact between an atom and a residue, from either side.
 void keepShortestPerAtom(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
     std::map<AtomPair, std::size_t> best;  // by an atom and the residue that it touches
     const auto sidesOf = [&](const Interaction& contact) {
@@ -275,7 +276,7 @@ void keepOnePerPair(std::vector<Interaction>& found) {
 
 void refineMolstar(const InteractionSearch& search) {
     std::vector<std::uint8_t> dropped = markImplied(search);
-    if (search.rules != InteractionRules::molstar)  // hydrogen bonds of other rules stand for themselves
+    if (search.rules != InteractionRules::molstar)  // hydrogen bonds of other rules are independent
         for (std::size_t i = 0; i < dropped.size(); ++i)
             if (search.found[i].kind == InteractionKind::hydrogenBond) dropped[i] = 0;
     const std::set<AtomPair> stacked = atomPairs(search.found, InteractionKind::piStacking);

@@ -1,5 +1,6 @@
 // The smallest rings: bridges first (Tarjan 1974), then shortest cycles through each atom (Horton 1987), of which those
-// are kept that are no sum of smaller ones: every smallest set of rings, so that no face of a cage is left out.
+// that are no sum of smaller ones are kept. The result is the union of all smallest sets of rings, so that no face of a
+// cage is missing.
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +98,7 @@ public:
     }
 
 private:
-    // Far beyond any cage of single bonds; a crowd of atoms that are all bonded to each other would take for ever.
+    // Far beyond any real cage; a crowd of atoms that are all bonded to each other would take forever.
     static constexpr std::size_t kMostVisited = 2000, kMostPerAtom = 60;
 
     void addCycle(std::uint32_t root, std::uint32_t a, const Neighbour& across, std::vector<Cycle>& found) {
@@ -127,7 +128,7 @@ private:
     std::vector<std::uint32_t> queue_;
 };
 
-/// How many independent cycles each connected part of the cyclic bonds has: its bonds - its atoms + 1.
+/// Number of independent cycles in each connected part of the cyclic bonds: bonds - atoms + 1.
 class CyclesLeft {
 public:
     CyclesLeft(const Chemistry& chemistry, const std::vector<std::uint8_t>& cyclic)
@@ -154,7 +155,7 @@ public:
         }
     }
 
-    /// Independent cycles that are not found yet in the part that an atom is in.
+    /// Independent cycles not found yet in an atom's part.
     std::int64_t& at(std::uint32_t atom) { return left_[part_[atom]]; }
 
 private:
@@ -163,12 +164,12 @@ private:
     std::vector<std::int64_t> left_;   ///< per part
 };
 
-/// Gaussian elimination over the field of two elements, sparse: a basis cycle by its first bond.
+/// Sparse Gaussian elimination over GF(2): basis cycles by their first bond.
 class CycleBasis {
 public:
     CycleBasis(const Chemistry& chemistry, const std::vector<std::uint8_t>& cyclic) : left_(chemistry, cyclic) {}
 
-    /// Whether a cycle is no sum of those that were added. @param add  then it is one of them
+    /// Whether a cycle is no sum of those added so far. @param add  adds it if so
     bool independent(const Cycle& cycle, bool add) {
         std::int64_t& left = left_.at(cycle.atoms.front());
         if (left == 0) return false;
@@ -191,7 +192,7 @@ public:
     }
 
 private:
-    // In a cage of thousands of rings sums grow long. A ring that is not settled by then is kept.
+    // In a cage of thousands of rings, sums grow long. After this many steps a ring is kept.
     static constexpr int kMostSteps = 500;
     static constexpr std::size_t kMostBonds = 200;
     std::map<std::uint32_t, std::vector<std::uint32_t>> rows_;
@@ -225,7 +226,7 @@ void sortCycles(std::vector<Cycle>& cycles) {
         cycles.end());
 }
 
-constexpr std::size_t kMostCycles = 1'000'000;  // that are held; atoms beyond are taken for atoms outside of rings
+constexpr std::size_t kMostCycles = 1'000'000;  // held at once; beyond, atoms count as outside of rings
 
 void addRing(ChemistryWork& work, std::vector<std::uint32_t> atoms) {
     Ring ring{std::move(atoms)};

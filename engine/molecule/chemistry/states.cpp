@@ -1,4 +1,4 @@
-// Charges, hydrogens and hybridisation at neutral pH, and bonds that are delocalised.
+// Charges, hydrogens and hybridisation at neutral pH, and delocalised bonds.
 
 #include <algorithm>
 #include <utility>
@@ -60,7 +60,7 @@ private:
         if (pi == 1 || chemistry_.aromaticAtom[atom]) return 2;
         if (e == kBoron) return 2;
         if (e != kNitrogen && e != kOxygen) return 3;
-        // A lone pair beside a pi bond of carbon or nitrogen is part of it.
+        // A lone pair next to a pi bond of carbon or nitrogen conjugates with it.
         std::size_t conjugated = 0;
         for (const Neighbour& n : chemistry_.of(atom))
             conjugated +=
@@ -73,8 +73,9 @@ private:
         return static_cast<std::uint8_t>(work_.degree(atom) - work_.heavyDegree(atom));
     }
 
-    /// Hydrogens that complete the smallest usual valence. A charge shifts it to that of a neighbouring group of the
-    /// periodic table: N+ binds as carbon does, S+ as phosphorus. Only the third period and below go beyond the octet.
+    /// Hydrogens that complete the smallest usual valence. A charge shifts the valence to that of a neighbouring group
+    /// of the periodic table: N+ binds like carbon, S+ like phosphorus. Only the third period and below exceed the
+    /// octet.
     static int lackingHydrogens(Element e, int charge, int orders) {
         const int group = groupOf(e);
         if (group == 0) return 0;
@@ -128,7 +129,8 @@ private:
         chemistry_.hydrogens[atom] = static_cast<std::uint8_t>(there + missing);
     }
 
-    /// A water, an ammonium or an ammine: not an oxide, an ion, or the only atom that is modelled of a residue.
+    /// Whether an atom is a water, an ammonium or an ammine, and not an oxide, an ion, or the only modelled atom of a
+    /// residue.
     bool standsAlone(std::uint32_t atom) const {
         const Element e = work_.element(atom);
         if (e == kOxygen) return ownMetals_[atom] == 0;
@@ -141,10 +143,10 @@ private:
         return e == kSulphur || e == kSelenium ? metals_[atom] > 0 : e == kOxygen && ownMetals_[atom] > 0;
     }
 
-    /// Where a residue has hydrogens, what has none is without them by intent, be it an acid's oxygen.
+    /// In a residue with hydrogens, atoms without any lack them by intent, even an acid's oxygen.
     bool stateOfHydrogensKnown(std::uint32_t atom) const { return work_.degree(atom) > 0; }
 
-    /// C of an amino acid at a gap: its neighbour is missing from the file, it is no aldehyde.
+    /// Whether an atom is C of an amino acid at a gap: its neighbour is missing from the file, and it is no aldehyde.
     bool backboneEnd(std::uint32_t atom) const {
         const Name& name = work_.atom(atom).name;
         const Name& residue = work_.molecule.residues[work_.atom(atom).residue].name;
@@ -183,14 +185,14 @@ private:
         }
     }
 
-    /// The carbon of carbon monoxide, or of an isocyanide.
+    /// Whether a carbon is that of carbon monoxide or an isocyanide.
     bool endsOfMonoxide(std::uint32_t carbon) const {
         const std::uint32_t other = chemistry_.of(carbon).front().atom;
         const Element e = work_.element(other);
         return chemistry_.orders(other) == (e == kNitrogen ? 4 : 3) && (e == kNitrogen || e == kOxygen);
     }
 
-    /// The end of an azide or diazo group, N=[N+]=[N-], or its nitrogen in N-[N+]#N.
+    /// Whether an atom is the end of an azide or diazo group, N=[N+]=[N-], or its nitrogen in N-[N+]#N.
     bool besideDiazo(std::uint32_t atom, int sum) const {
         if (sum != 2) return false;
         for (const Neighbour& n : chemistry_.of(atom)) {
@@ -200,7 +202,7 @@ private:
         return false;
     }
 
-    /// An amine that nothing withdraws electrons from: all its neighbours are tetrahedral carbons.
+    /// Whether an atom is an amine without electron-withdrawing groups: all its neighbours are tetrahedral carbons.
     bool amine(std::uint32_t atom) const {
         if (chemistry_.hybrid[atom] != 3) return false;
         for (const Neighbour& n : chemistry_.of(atom)) {
@@ -210,7 +212,7 @@ private:
         return true;
     }
 
-    /// The doubly bonded nitrogen of C(=N)N, neither in an aromatic ring.
+    /// Whether an atom is the doubly bonded nitrogen of C(=N)N, outside aromatic rings.
     bool amidinium(std::uint32_t atom) const {
         if (chemistry_.aromaticAtom[atom] || work_.degree(atom) > 2) return false;
         for (const Neighbour& n : chemistry_.of(atom)) {
@@ -226,13 +228,13 @@ private:
         for (const Neighbour& n : chemistry_.of(carbon)) {
             if (work_.element(n.atom) != kNitrogen) continue;
             ++nitrogens;
-            for (const Neighbour& m : chemistry_.of(n.atom))  // of an acyl group or a nitro group: no base
+            for (const Neighbour& m : chemistry_.of(n.atom))  // next to an acyl or nitro group: not a base
                 if (m.atom != carbon && !work_.isHydrogenAt(m.atom) && piOf(m.atom) > 0) return false;
         }
         return nitrogens >= 2;
     }
 
-    /// The singly bonded end of an acid that is ionised at neutral pH.
+    /// Whether an atom is the singly bonded end of an acid that is ionised at neutral pH.
     bool acidEnd(std::uint32_t atom, bool known) const {
         const Neighbour n = chemistry_.of(atom).front();
         const Element e = work_.element(n.atom);
@@ -247,7 +249,7 @@ private:
         return false;
     }
 
-    /// Bonds from a centre to the ends that share a charge or a pi bond.
+    /// Marks bonds from a centre to the ends that share a charge or a pi bond.
     void markDelocalised(std::uint32_t centre) {
         const Element e = work_.element(centre);
         const bool guanidine =
@@ -273,7 +275,7 @@ private:
     ChemistryWork& work_;
     Chemistry& chemistry_;
     std::vector<std::uint8_t> hasHydrogens_;        // by residue
-    std::vector<std::uint8_t> metals_, ownMetals_;  // by atom: bonded to a metal, and to one of its residue
+    std::vector<std::uint8_t> metals_, ownMetals_;  // by atom: bonded to a metal; to one of its residue
 };
 
 }  // namespace

@@ -75,11 +75,11 @@ void findStates(ChemistryWork& work);
 /// Sets Ring::drawnAromatic. Needs hybridisation.
 void chooseDrawnRings(ChemistryWork& work);
 
-/// Atoms that may share pi bonds, to find the best distribution.
+/// Atoms that may share pi bonds, as input for the best distribution.
 struct PiSystem {
     struct Atom {
         float cost[3] = {0, 0, 0};  ///< cost of 0, 1, 2 pi bonds
-        std::uint8_t most = 1;      ///< maximum of pi bonds
+        std::uint8_t most = 1;      ///< maximum number of pi bonds
     };
     struct Bond {
         std::uint32_t a = 0, b = 0;  ///< into atoms
@@ -89,9 +89,9 @@ struct PiSystem {
     std::vector<Bond> bonds;
 };
 
-/// Pi bonds of each bond that maximise the sum of gains less costs. Exact while no more than kMostPiStates
-/// distributions are open (fewer with very many bonds, to limit memory), which rings fused in a row or a plane never
-/// exceed; beyond that, keeps the best.
+/// Pi bonds of each bond that maximise the sum of gains less costs. Exact up to kMostPiStates open distributions (fewer
+/// with very many bonds, to limit memory), which rings fused in a row or a plane never exceed; beyond that, keeps the
+/// best ones.
 std::vector<std::uint8_t> bestPiBonds(const PiSystem& system);
 constexpr std::size_t kMostPiStates = 4000, kMostPiStatesInAll = 8'000'000;
 

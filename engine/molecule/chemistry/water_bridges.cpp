@@ -1,4 +1,4 @@
-// Water that holds two partners.
+// Water between two partners.
 
 #include <algorithm>
 #include <map>
@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-// Å, degrees: PLIP's. Mol* has no water bridges; its donors and acceptors get PLIP's.
+// PLIP's limits, Å and degrees. Mol* has no water bridges; its donors and acceptors use PLIP's limits.
 constexpr double kFarthestWater = 4.1, kNearestWater = 2.5;
 constexpr double kMolstarBond = 3.5, kTetrahedralWater = 109.47, kWaterDeviation = 45;
 constexpr double kLeastWaterAngle = 71, kMostWaterAngle = 140, kIdealWaterAngle = 110, kLeastDonorAngle = 100;
@@ -21,7 +21,7 @@ struct WaterPartner {
     glm::dvec3 hydrogen{};
     std::uint32_t hydrogenAtom = kNoHydrogen;
     double angle = -1;  ///< at the hydrogen
-    bool bond = false;  ///< Mol*: it is a hydrogen bond, not only what it allows a bridge
+    bool bond = false;  ///< Mol*: it is a hydrogen bond, not only within the bridge's wider limits
 };
 
 Interaction& addBridge(InteractionSearch& search, const WaterPartner& first, const WaterPartner& second,
@@ -44,7 +44,7 @@ Interaction& addBridge(InteractionSearch& search, const WaterPartner& first, con
 
 using Partners = std::map<std::uint32_t, std::vector<WaterPartner>>;  // by water
 
-/// Refuses waters that so many atoms surround that their pairs would take for ever. @returns the partners
+/// Refuses waters surrounded by so many atoms that their pairs would take forever. @returns the partners
 Partners checkedPairs(Partners partners) {
     constexpr std::size_t kMostPairs = 100'000'000;
     std::size_t pairs = 0;
@@ -55,8 +55,8 @@ Partners checkedPairs(Partners partners) {
     return partners;
 }
 
-/// Partners that Mol* allows a water, which looser angles bind than a hydrogen bond. An atom that gives and takes is
-/// there twice.
+/// Partners of waters by Mol*'s rules, with wider angles than for hydrogen bonds. An atom that donates and accepts is
+/// listed twice.
 Partners molstarPartners(InteractionSearch& search, const PlaceGrid& grid) {
     constexpr MolstarLimits kLoose{80, 50, 45, 90, false};
     Partners partners;
@@ -78,7 +78,7 @@ Partners molstarPartners(InteractionSearch& search, const PlaceGrid& grid) {
     return partners;
 }
 
-/// A donor and an acceptor at one water, or two hydrogen bonds to it. Of the waters between two atoms the nearest
+/// A donor and an acceptor at one water, or two hydrogen bonds to it. Among waters between two atoms, the nearest
 /// counts.
 void findMolstarBridges(InteractionSearch& search, const PlaceGrid& grid) {
     struct Bridge {
@@ -148,7 +148,7 @@ Partners plipPartners(InteractionSearch& search, const PlaceGrid& grid) {
     return partners;
 }
 
-/// Donors that have a hydrogen bond already, with the ligand that it is of.
+/// Donors that already have a hydrogen bond, with its ligand.
 std::set<std::pair<std::uint32_t, std::uint32_t>> busyDonors(const InteractionSearch& search) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> busy;
     for (const Interaction& bond : search.found) {
@@ -160,9 +160,9 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> busyDonors(const InteractionSe
     return busy;
 }
 
-/// The bridges of one water and ligand that PLIP keeps: for each acceptor the one whose angle is nearest to 110
-/// degrees, and two of these. The program compares further ones with the second's angle where it means its deviation,
-/// so that of more than two their order decides: the ligand's acceptors, then the receptor's.
+/// The bridges of one water and ligand that PLIP keeps: for each acceptor the one with its angle nearest to 110
+/// degrees, and two of these. From the third on, the program compares with the second's angle instead of its deviation,
+/// so that order decides: the ligand's acceptors, then the receptor's.
 std::vector<PlipBridge> keptByPlip(const InteractionSearch& search, std::vector<PlipBridge> bridges) {
     std::stable_sort(bridges.begin(), bridges.end(), [&](const PlipBridge& l, const PlipBridge& r) {
         const auto rank = [&](const PlipBridge& bridge) {

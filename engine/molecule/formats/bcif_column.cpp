@@ -78,7 +78,7 @@ IntegersPointer undo(const MsgpackValue& encoding, IntegersPointer values) {
     throw PackedFault("unknown encoding, or out of place: '" + std::string(kind.substr(0, 32)) + "'");
 }
 
-/// @param encodings the last of them ByteArray; those from `first` on are undone
+/// @param encodings the last one is ByteArray; those from `first` on are undone
 IntegersPointer decodeIntegers(std::string_view bytes, const std::vector<MsgpackValue>& encodings, std::size_t first) {
     if (first >= encodings.size() || needText(encodings.back(), "kind") != "ByteArray")
         throw PackedFault("its last encoding is not ByteArray");
@@ -159,14 +159,14 @@ void BcifColumn::decodeStrings(const MsgpackValue& encoding, std::string_view by
 }
 
 std::string_view BcifColumn::string(std::int32_t index) const {
-    const auto at = static_cast<std::size_t>(index);  // a negative one is too large
+    const auto at = static_cast<std::size_t>(index);  // a negative index becomes too large
     if (at + 1 >= offsets_.size() || index < 0) throw PackedFault("it refers to a string that is not there");
     return text_.substr(offsets_[at], offsets_[at + 1] - offsets_[at]);
 }
 
 MmcifCell BcifColumn::next() {
     std::int32_t missing = 0, value = 0;
-    if (missing_) missing_->next(missing);  // throws where the mask is too short, as the values do
+    if (missing_) missing_->next(missing);  // throws if the mask is too short, like the values
     if (kind_ == Kind::float32 || kind_ == Kind::float64) {
         const double number = kind_ == Kind::float32 ? takeFloat<float>(floats_) : takeFloat<double>(floats_);
         return missing == 0 ? MmcifCell(number) : MmcifCell();
@@ -188,7 +188,7 @@ MmcifCell BcifColumn::next() {
 
 void BcifColumn::finish() {
     std::int32_t value = 0;
-    if (missing_) missing_->next(value);  // throws at one too many
+    if (missing_) missing_->next(value);  // throws if there is one too many
     if (integers_) integers_->next(value);
 }
 

@@ -17,12 +17,12 @@ public:
     /// @param column the map with "data" and, if values are missing, "mask"; the file's bytes must outlive this
     /// @param rows   rows of the category
     /// @param mostStrings  maximum of different strings
-    /// @throws PackedFault if it is malformed, as far as that shows before its values are read
+    /// @throws PackedFault if it is malformed, as far as can be seen before reading values
     BcifColumn(const MsgpackValue& column, std::size_t rows, std::size_t mostStrings);
 
     /// The next row's value. @throws PackedFault if there is none, or it is malformed
     MmcifCell next();
-    /// Call after the last row. @throws PackedFault if there are values left
+    /// Call after the last row. @throws PackedFault if values remain
     void finish();
 
 private:

@@ -61,7 +61,7 @@ std::string CellSites::add(const gemmi::Fractional& at) {
     sum_ += at;
     ++atoms_;
     const std::vector<std::uint32_t> kept = distinctPlaces(at, operations_, cell_);
-    if (kept.size() >= operations_.size()) return prefix_;  // every operation places it
+    if (kept.size() >= operations_.size()) return prefix_;  // every operation gives a distinct position
     return groups_.try_emplace(kept, prefix_ + "site " + std::to_string(groups_.size() + 1)).first->second;
 }
 

@@ -30,7 +30,7 @@ std::string headOf(const TextSource& text) {
     return head;
 }
 
-/// A text that is read by lines, and where its models are; else nothing.
+/// A text that is read by lines, and the positions of its models; else empty.
 std::optional<Content> plainText(const std::string& name, TextSource text, const ReadOptions& options) {
     const std::string head = headOf(text);
     if (!compressionOf(head).empty() || startsWith(head, "\xEF\xBB\xBF") || utf8FromUtf16(head)) return std::nullopt;
@@ -40,7 +40,7 @@ std::optional<Content> plainText(const std::string& name, TextSource text, const
     return content;
 }
 
-/// As above, if its models can be separated, so that each is read without much of the rest.
+/// As above, if its models can be separated, so that each is read with little of the others' text.
 std::optional<Content> severalModels(const std::string& name, TextSource text, const ReadOptions& options) {
     constexpr std::uint64_t kMostAround = std::uint64_t{32} << 20, kMostBytesOfPasses = std::uint64_t{1} << 32;
     std::optional<Content> content = plainText(name, std::move(text), options);
@@ -98,7 +98,7 @@ struct CloseFile {
     }
 };
 
-/// Reads to the end, up to the limit: a device or pipe may never end.
+/// Reads to the end, up to the limit: a device or pipe may be endless.
 std::string readAll(std::FILE* file, const std::string& name, const ReadOptions& options) {
     constexpr std::size_t kChunk = std::size_t{1} << 20;
     struct stat status {};
@@ -109,7 +109,7 @@ std::string readAll(std::FILE* file, const std::string& name, const ReadOptions&
     for (;;) {
         const std::size_t size = bytes.size();
         if (size > options.maxBytes) refuseLarge(name, options.maxBytes);
-        // One byte more than expected finds the end. Each byte is cleared before it is read, a small file's as well.
+        // One byte more than expected detects the end. Each byte is cleared before it is read, even for a small file.
         const auto rest = static_cast<std::size_t>(expected > size ? expected - size + 1 : kChunk);
         const std::size_t chunk = std::min({kChunk, rest, options.maxBytes - size + 1});
         if (size + chunk > bytes.capacity())
@@ -123,7 +123,7 @@ std::string readAll(std::FILE* file, const std::string& name, const ReadOptions&
     return bytes;
 }
 
-/// A long text of several models, or one that is inflated; else nothing.
+/// A long text of several models, or an inflated one; else empty.
 std::optional<Content> openSeveral(const std::string& path, const ReadOptions& options) {
     const std::shared_ptr<ByteFile> file = ByteFile::open(path);
     if (!file || file->size() == 0 || file->size() > options.maxBytes) return std::nullopt;

@@ -17,8 +17,8 @@ struct Content {
     std::string name;  ///< for messages
     Format format;
     std::shared_ptr<const std::string> bytes;  ///< null: text of several models, read from a file in pieces
-    TextSource text;                           ///< with any line ends, unless it is `bytes`
-    ModelSpans spans;                          ///< of a text that is not held in memory
+    TextSource text;                           ///< with any line ends, unless it refers to `bytes`
+    ModelSpans spans;                          ///< of a text that is not in memory
 };
 
 /// @param bytes  contents of the file @throws Error

@@ -24,8 +24,8 @@ std::optional<CtabCounts> parseCountsV2000(std::string_view line);
 CtabCounts readCtabV2000(MoleculeBuilder& builder, LineReader& lines, std::string_view counts);
 CtabCounts readCtabV3000(MoleculeBuilder& builder, LineReader& lines);
 
-/// Drawn order of a bond type: aromatic 4; queries and coordination are single; 0 for hydrogen bonds, which are no
-/// bonds.
+/// Drawn order of a bond type: aromatic 4; queries and coordination are single; 0 for hydrogen bonds, which are not
+/// stored.
 int bondOrderOfCtab(std::int64_t type);
 
 /// Adds an atom named by the file's own symbol.

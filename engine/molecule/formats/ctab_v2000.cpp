@@ -36,7 +36,7 @@ private:
         if (!lines_.next()) fail("the record ends before " + ordinal(what, i, count));
     }
 
-    /// Columns first; then words, for writers that did not count blanks.
+    /// By columns first, then by words, for writers that ignore columns.
     void readAtom(std::int64_t i, std::int64_t count) {
         const std::string_view line = lines_.line();
         std::array axes{columns(line, 0, 10), columns(line, 10, 10), columns(line, 20, 10)};

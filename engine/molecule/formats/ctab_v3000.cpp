@@ -44,7 +44,7 @@ public:
 private:
     [[noreturn]] void fail(const std::string& why) const { cannotRead(builder_.name(), why, lines_.number()); }
 
-    /// Steps to the next V30 line, with its continuations put together; false at the end of the table.
+    /// Steps to the next V30 line, joined with its continuations; false at the end of the table.
     bool next() {
         line_.clear();
         while (lines_.next()) {
@@ -73,7 +73,7 @@ private:
         fail("the record ends inside its " + std::string(kind) + " block");
     }
 
-    /// index type x y z aamap [KEY=VALUE ...]; the type may be a list in brackets, which holds blanks.
+    /// index type x y z aamap [KEY=VALUE ...]; the type may be a list in brackets, with blanks.
     void readAtom() {
         std::string_view text = line_;
         std::string_view type;

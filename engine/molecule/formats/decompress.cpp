@@ -22,7 +22,7 @@ constexpr std::size_t kFreeOfRatio = std::size_t{64} << 20;
 constexpr std::size_t kMaxRatio = 100;
 constexpr std::size_t kChunk = std::size_t{256} << 10;
 constexpr std::size_t kMostInput = std::size_t{1} << 30;  // at once; some libraries count in 32 bits
-// Dictionary size of xz and zstd; only the part that was decoded is used.
+// Dictionary size of xz and zstd; only its decoded part takes memory.
 constexpr std::uint64_t kMostDictionary = std::uint64_t{256} << 20;
 
 constexpr const char* kWrongChecksum = "wrong checksum (CRC): the file is damaged";
@@ -147,8 +147,8 @@ std::unique_ptr<Member> memberOf(std::string_view compression) {
     return std::make_unique<ZstdMember>();
 }
 
-/// Inflates the member at the front of the bytes, and takes it off.
-/// @param whole  bytes of the file, for the ratio @param out  bytes that have come, before and after
+/// Inflates the member at the front of the bytes, and removes it.
+/// @param whole  bytes of the file, for the ratio @param out  output bytes so far; updated
 void inflateMember(Member& member, std::string_view& bytes, std::size_t whole, std::size_t maxBytes, std::uint64_t& out,
                    const std::function<void(std::string_view)>& take) {
     const auto part = std::make_unique<char[]>(kChunk);

@@ -63,7 +63,7 @@ bool areNumbers(const Words& words, std::size_t first, std::size_t count) {
     return true;
 }
 
-/// A count with or without a title; then, perhaps after a box, number, name, position and type.
+/// A count with or without a title; then, possibly after a box, a line of number, name, position and type.
 bool isTinker(std::string_view counts, std::string_view atom) {
     const Words words = splitWords(atom);
     return isInteger(splitWords(counts)[0]) && words.count >= 6 && isInteger(words[0]) && !parseNumber(words[1]) &&
@@ -79,7 +79,7 @@ bool isPoscar(const std::array<std::string_view, 6>& line) {
     return splitWords(line[5]).count > 0 && splitWords(line[2]).count == 3;
 }
 
-/// A count, perhaps with a time, and numbers of twelve columns.
+/// A count, possibly with a time, and numbers of twelve columns.
 bool isInpcrd(std::string_view counts, std::string_view numbers) {
     const Words words = splitWords(counts);
     if (words.count < 1 || words.count > 2 || !isInteger(words[0])) return false;
@@ -92,7 +92,7 @@ bool isInpcrd(std::string_view counts, std::string_view numbers) {
     return true;
 }
 
-/// The first lines, where several formats have a mark at a fixed position.
+/// Guesses by the first lines, where several formats have a mark at a fixed position.
 Guess guessByFirstLines(std::string_view text) {
     std::array<std::string_view, 6> line{};
     LineReader lines(text);
@@ -229,7 +229,7 @@ std::optional<Format> detectBinaryFormat(std::string_view bytes) {
     if (startsWith(bytes, "\xDF\x65\xDF\x65\xDF\x65\xDF\x65")) return Format::gsd;
     if (startsWith(bytes, "\x89HDF\r\n\x1a\n")) return Format::h5md;
     const auto first = bytes.empty() ? 0u : static_cast<unsigned char>(bytes.front());
-    if ((first & 0xF0u) != 0x80 && first != 0xDE && first != 0xDF) return std::nullopt;  // no MessagePack map
+    if ((first & 0xF0u) != 0x80 && first != 0xDE && first != 0xDF) return std::nullopt;  // not a MessagePack map
     const std::string_view head = bytes.substr(0, 4096);
     if (contains(head, "dataBlocks")) return Format::bcif;
     if (contains(head, "mmtfVersion") || contains(head, "CoordList")) return Format::mmtf;
@@ -238,7 +238,7 @@ std::optional<Format> detectBinaryFormat(std::string_view bytes) {
 
 Format detectFormat(const std::string& name, std::string_view text) {
     const Guess content = guessByContent(text), named = guessByName(name);
-    // A name may narrow down content that resembles PDB: PQR files have free columns.
+    // A name may override content that resembles PDB: PQR files have free columns.
     const bool narrowed = named.format == Format::pqr || named.format == Format::pdbqt;
     const Guess guess = content && !(content.format == Format::pdb && narrowed) ? content : named;
     if (!guess) cannotRead(name, "neither content nor name tell its format; name it (" + formatNames() + ")");

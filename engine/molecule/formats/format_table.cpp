@@ -4,7 +4,7 @@
 
 namespace nacre {
 
-// A function per format, in a file of its own. Text has '\n' for every end of line by then. Each returns at least one
+// A function per format, in a file of its own. Their text has only '\n' as line end. Each returns at least one
 // atom and the bonds that the file states; it throws Error with the line, and tooManyAtoms() at the first atom too
 // many.
 Molecule readPdb(const std::string& name, std::string_view text, const ReadOptions&);

@@ -17,7 +17,7 @@ struct FormatRow {
     std::string_view title;    ///< for people
     std::string_view endings;  ///< of file names, separated by blanks
     bool binary = false;
-    /// Reads one model, or, where models share tables, the models up to `lastModel`.
+    /// Reads one model or, in formats whose models share tables, the models up to `lastModel`.
     Molecule (*read)(const std::string& name, std::string_view text, const ReadOptions&) = nullptr;
     std::vector<Molecule> (*readTables)(const std::string& name, std::string_view bytes, const ReadOptions&,
                                         int lastModel) = nullptr;

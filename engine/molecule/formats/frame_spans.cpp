@@ -10,7 +10,8 @@ bool isConfiguration(std::string_view line) {
     return lowerCase(line.substr(0, 80)).find("configuration") != std::string::npos;
 }
 
-/// Lines of an XDATCAR's header up to its first configuration, and the atoms of one; none if it has none.
+/// Number of header lines of an XDATCAR before its first configuration, and the atoms of one; empty if there is no
+/// header.
 struct XdatcarHeader {
     std::int64_t lines = 0, atoms = 0;
 };
@@ -33,7 +34,7 @@ std::optional<XdatcarHeader> xdatcarHeader(TextCutter cut) {
 
 }  // namespace
 
-/// A count and a title, perhaps a box, and the atoms.
+/// Frames of a count and a title, possibly a box, and the atoms.
 ModelSpans tinkerSpans(const TextSource& text) {
     ModelSpans spans;
     TextCutter cut(text);
@@ -41,7 +42,7 @@ ModelSpans tinkerSpans(const TextSource& text) {
         while (!cut.atEnd() && trim(cut.line()).empty()) cut.pass();
         if (cut.atEnd()) return spans;
         const std::uint64_t begin = cut.place();
-        spans.complete = false;  // unless this is a frame
+        spans.complete = false;  // unless a frame follows
         const auto count = parseInteger(splitWords(cut.line())[0]);
         if (!count || *count < 1 || *count > static_cast<std::int64_t>(text.size)) return spans;
         cut.pass();
@@ -53,7 +54,7 @@ ModelSpans tinkerSpans(const TextSource& text) {
     }
 }
 
-/// Configurations with one header for all, or one each where the cell varies.
+/// Configurations with one header for all, or one each if the cell varies.
 ModelSpans poscarSpans(const TextSource& text) {
     ModelSpans spans;
     TextCutter cut(text);
@@ -75,7 +76,7 @@ ModelSpans poscarSpans(const TextSource& text) {
     return spans;
 }
 
-/// Numbered sections of coordinates, each with a cell of its own or with one for all.
+/// Numbered sections of coordinates, each with its own cell or one for all.
 ModelSpans xsfSpans(const TextSource& text) {
     ModelSpans spans;
     TextCutter cut(text);

@@ -24,13 +24,13 @@ protected:
     virtual std::optional<std::int64_t> begin(std::int64_t frame) = 0;
     virtual void beginAtoms() {}
     virtual void readAtom(std::string_view line) = 0;
-    /// Reads the lines after the atoms; of an unwanted frame it skips them.
+    /// Reads the lines after the atoms, or skips them for an unwanted frame.
     virtual void end(bool) {}
 
     static bool isCount(std::string_view text) {
         return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
     }
-    /// Data other than a frame follows the last frame.
+    /// Handles data after the last frame.
     std::nullopt_t passOver(std::int64_t frame) {
         builder_.warn("what follows frame " + std::to_string(frame - 1) + " is passed over");
         return std::nullopt;

@@ -7,8 +7,8 @@
 
 namespace nacre {
 
-/// A table for consecutive numbers, the usual case; for sparse ones a tree. No hash: a file could choose numbers that
-/// collide.
+/// A table for consecutive numbers, the usual case; a tree for sparse ones. No hash: a file could choose colliding
+/// numbers.
 class IdIndex {
 public:
     enum class Found : std::uint8_t { none, one, several };

@@ -128,7 +128,7 @@ std::string_view JsonWalk::word() {
 
 void JsonWalk::skip() {
     constexpr std::size_t kDeepest = 64;
-    std::string open;  // closing brackets that are still to come
+    std::string open;  // pending closing brackets
     std::string buffer;
     do {
         const char c = peek();

@@ -1,6 +1,6 @@
 #pragma once
-// Reads JSON (RFC 8259) in place, without a tree: mmJSON is a few large arrays, whose tree would take several times the
-// text.
+// Reads JSON (RFC 8259) in place, without a tree: mmJSON consists of a few large arrays, whose tree would take several
+// times the text's memory.
 
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +30,7 @@ public:
     /// Skips a whole value.
     void skip();
 
-    /// Calls `visit` with each key of the object here; `visit` reads the value.
+    /// Calls `visit` with each key of this object; `visit` reads the value.
     template <typename Visit>
     void object(Visit visit) {
         expect('{');

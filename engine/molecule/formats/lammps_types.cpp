@@ -46,7 +46,7 @@ void makeGrains(Molecule& molecule) {
     std::vector<float> lengths;
     for (const Bond& bond : molecule.bonds)
         lengths.push_back(glm::distance(molecule.atoms[bond.a].position, molecule.atoms[bond.b].position));
-    // Without bonds: to the nearest of many others.
+    // Without bonds: distances to the nearest of many other atoms.
     for (std::size_t k = 0; molecule.bonds.empty() && k < kSamples && count > 1; ++k) {
         const std::size_t i = k * count / kSamples;
         float nearest = HUGE_VALF;

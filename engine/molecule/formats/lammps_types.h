@@ -1,5 +1,5 @@
 #pragma once
-// Elements of numbered or lettered types (LAMMPS, HOOMD), or grains where they are none.
+// Elements of numbered or lettered types (LAMMPS, HOOMD), or grains if types are no elements.
 
 #include <map>
 #include <string>
@@ -14,8 +14,8 @@ public:
     /// @param label  an element's symbol, or another name, or empty
     void add(std::string_view type, double mass, std::string_view label);
 
-    /// Names and elements of atoms by their types. If the types are no elements, all atoms are grains, of a size that
-    /// fits their distances.
+    /// Sets names and elements of atoms by their types. If types are no elements, all atoms become grains of a size
+    /// that fits their distances.
     void apply(MoleculeBuilder& builder) const;
 
 private:
@@ -26,7 +26,7 @@ private:
     std::map<std::string, Kind, std::less<>> kinds_;
 };
 
-/// Makes grains of all atoms without element: half of the usual distance between neighbours is their radius.
+/// Makes grains of all atoms without element. Their radius is half of the usual distance between neighbours.
 void makeGrains(Molecule& molecule);
 
 }  // namespace nacre

@@ -24,7 +24,7 @@ TransformsById readOperators(const MmcifTable& table) {
     return operators;
 }
 
-/// @param model  whose chains are meant, in a packed scene
+/// @param model  whose chains are listed, in a packed scene
 std::vector<std::uint32_t> subchainsOf(std::string_view list, std::optional<std::string_view> model,
                                        const MoleculeBuilder& builder, AssemblyLimits& limits) {
     std::vector<std::uint32_t> subchains;
@@ -47,7 +47,7 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
     std::vector<Assembly> found;
     std::map<std::string, std::size_t, std::less<>> byId;
     std::map<std::string, std::string, std::less<>> faults;
-    // Files of packed cells list how assemblies are made, and not the assemblies.
+    // Files of packed cells list how to generate assemblies, but not the assemblies.
     const bool listed = assemblies.rows() > 0;
     const MmcifTable& ids = listed ? assemblies : generators;
     for (std::size_t row = 0; row < ids.rows(); ++row) {

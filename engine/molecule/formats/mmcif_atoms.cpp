@@ -78,7 +78,7 @@ MmcifAtoms::MmcifAtoms(std::deque<MoleculeBuilder>& builders, const ReadOptions&
       maxAtoms_(options.maxAtoms) {}
 
 void MmcifAtoms::begin(const std::string& category, std::vector<std::string> columns) {
-    // IHM's names of what _atom_site has as well.
+    // IHM's names of columns that _atom_site also has.
     static constexpr std::pair<std::string_view, const char*> kOfObjects[] = {
         {"mean_cartn_x", "cartn_x"},      {"mean_cartn_y", "cartn_y"},        {"mean_cartn_z", "cartn_z"},
         {"asym_id", "label_asym_id"},     {"seq_id_begin", "label_seq_id"},   {"seq_id", "label_seq_id"},
@@ -100,14 +100,14 @@ void MmcifAtoms::begin(const std::string& category, std::vector<std::string> col
         if (column_[axis] < 0) cannotRead(name(), "the column _" + category + ".Cartn_" + "xyz"[axis] + " is missing");
 }
 
-/// Radius of a sphere, or of one with a Gaussian's variance; 0 for an atom.
+/// Radius of a sphere, or of the sphere with a Gaussian's variance; 0 for an atom.
 float MmcifAtoms::radiusOf(const MmcifCell* cells) const {
     constexpr double kLargest = 1e6;  // Å
     double radius = cell(cells, sphereRadius).number().value_or(0);
     if (column_[varianceX] >= 0) {
         double variance = 0;
         for (const Column axis : {varianceX, varianceY, varianceZ}) variance += cell(cells, axis).number().value_or(0);
-        radius = std::sqrt(std::max(variance, 0.0) * 5 / 3);  // a ball's variance along each axis is a fifth of its r²
+        radius = std::sqrt(std::max(variance, 0.0) * 5 / 3);  // variance of a ball along each axis: r² / 5
     }
     return radius > 0 && radius <= kLargest ? static_cast<float>(radius) : 0.0f;
 }
@@ -159,7 +159,7 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     countChains(cells);
 }
 
-/// In a packed scene each model is an entity.
+/// In a packed scene, each model is an entity.
 void MmcifAtoms::beginResidue(const MmcifCell* cells, std::string_view modelNumber, Residue& residue) {
     const MmcifCell& stated = cell(cells, entity);
     if (together_ == Models::packed)
@@ -169,7 +169,7 @@ void MmcifAtoms::beginResidue(const MmcifCell* cells, std::string_view modelNumb
     if (column_[labelSeq] >= 0) residue.labelNumber = wholeNumber(cell(cells, labelSeq)).value_or(kNoLabelNumber);
 }
 
-/// Most files number their atoms 1, 2, 3, ...: then nothing is kept.
+/// Most files number their atoms 1, 2, 3, ...: then no serials are kept.
 void MmcifAtoms::noteSerial(const MmcifCell& given, Molecule& molecule) {
     const std::size_t count = molecule.atoms.size();
     const auto number = given.integer();
@@ -182,7 +182,7 @@ void MmcifAtoms::noteSerial(const MmcifCell& given, Molecule& molecule) {
     molecule.serials.push_back(value);
 }
 
-/// A BinaryCIF file names a text once, however long, and a million rows may refer to it.
+/// A BinaryCIF file stores a text once, however long, and a million rows may refer to it.
 void MmcifAtoms::refuseLongCells(const MmcifCell* cells, std::uint64_t line) const {
     for (const int place : column_)
         if (place >= 0 && cells[place].textSize() > kLongestCell)

@@ -25,7 +25,7 @@ public:
         }
     }
 
-    /// To find residues by labelKey() from now on.
+    /// Adds residues by labelKey().
     void addLabels() {
         for (std::uint32_t i = 0; i < molecule_.residues.size() && !labels_; ++i) {
             const Residue& residue = molecule_.residues[i];
@@ -37,7 +37,7 @@ public:
         labels_ = true;
     }
 
-    /// By mmCIF's own identifiers, which are not an author's. @param number  empty beside polymers
+    /// Key of mmCIF's own identifiers, not the author's. @param number  empty outside polymers
     static std::string labelKey(std::string_view chain, std::string_view number, const Name& component) {
         return "\t" + key(chain, number, "", component);
     }
@@ -71,7 +71,7 @@ private:
         return {molecule_.atoms[atom].name.bytes, static_cast<unsigned char>(molecule_.atoms[atom].alternate)};
     }
 
-    /// Atoms of all runs of the residue, sorted when they are asked for first.
+    /// Atoms of all runs of the residue, sorted on first use.
     const std::vector<std::uint32_t>& atomsOf(const std::string& residue) {
         const auto [known, added] = atoms_.try_emplace(residue);
         if (!added) return known->second;
@@ -127,7 +127,8 @@ std::vector<std::uint32_t> findAtoms(AtomIndex& index, const MmcifTable& table, 
     return found;
 }
 
-/// Bonds between atoms of the model itself: covalent ones and a metal's coordination, but no hydrogen bonds.
+/// Whether a row is a bond between atoms of the model itself: covalent or a metal's coordination, but not a hydrogen
+/// bond.
 bool isBond(const MmcifTable& table, std::size_t row) {
     const std::string type = lowerCase(table.get(row, {"conn_type_id"}).value_or(""));
     const auto first = table.get(row, {"ptnr1_symmetry"}), second = table.get(row, {"ptnr2_symmetry"});

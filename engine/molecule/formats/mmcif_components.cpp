@@ -1,4 +1,4 @@
-// Bonds of _chem_comp_bond in a file of structures: those inside the residues that no template of ours knows.
+// Bonds of _chem_comp_bond in a structure file, inside residues without a template.
 
 #include <algorithm>
 #include <map>
@@ -32,7 +32,7 @@ Components componentsOf(const MmcifTable& bonds) {
 // A hostile file may have many residues and equally many component bonds; real ones are far below this.
 constexpr std::size_t kMostComponentSteps = 200'000'000;
 
-/// The atoms of a residue by name: indices sorted by it.
+/// Atom indices of a residue, sorted by name.
 std::vector<std::uint32_t> byName(const Molecule& molecule, const Residue& residue) {
     std::vector<std::uint32_t> atoms(residue.atomCount);
     for (std::uint32_t i = 0; i < residue.atomCount; ++i) atoms[i] = residue.firstAtom + i;

@@ -60,7 +60,7 @@ void MmcifDisplacements::apply(MoleculeBuilder& builder) const {
     const IdIndex index(ids);
     for (const auto& [id, u] : rows_) {
         std::uint32_t atom = 0;
-        if (index.find(id, atom) != IdIndex::Found::one) continue;  // of another model
+        if (index.find(id, atom) != IdIndex::Found::one) continue;  // belongs to another model
         molecule.displacements.resize(molecule.atoms.size());
         molecule.displacements[atom] = u;
     }

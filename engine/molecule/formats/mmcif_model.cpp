@@ -15,7 +15,7 @@ namespace {
 
 // Limit for cells of the small categories: a constant, plus a share of the atoms (connections, helices).
 constexpr std::size_t kFewCells = 100'000, kCellsPerAtom = 4, kMostCells = std::size_t{1} << 24;
-constexpr std::size_t kMostCellsOfModels = std::size_t{1} << 28;  // read by all models together
+constexpr std::size_t kMostCellsOfModels = std::size_t{1} << 28;  // read for all models together
 // Limit for text that a file repeats by reference: it costs work.
 constexpr std::size_t kMostRepeatedBytes = std::size_t{64} << 20;
 
@@ -30,7 +30,7 @@ bool hasColumn(const std::vector<std::string>& columns, std::string_view start) 
 
 void setTitle(FileSummary& file, const MmcifTable& table) {
     if (table.rows() == 0) return;
-    // A long title is a text of several lines; small-molecule files put even a '?' into one.
+    // A long title may be a text of several lines; small-molecule files even put '?' into one.
     std::string title(table.get(0, {"title", "name", "name_common", "name_systematic"}).value_or(""));
     std::replace(title.begin(), title.end(), '\n', ' ');
     if (trim(title) != "?") file.title = trim(title);
@@ -48,8 +48,8 @@ std::size_t nextCategory(std::string_view document) {
     return document.size();
 }
 
-/// Whether the table of copies names a model in each row, as PetWorld's does: then all models belong to one scene. Only
-/// that table counts: others also have a column of this name.
+/// Whether the table of copies names a model in each row, as in PetWorld's files: then all models form one scene. Other
+/// tables also have a column of this name, and do not count.
 bool modelsStandTogether(std::string_view document) {
     constexpr std::string_view kPacked = "\xB9_pdbx_struct_assembly_gen", kPackedColumn = "\xADPDB_model_num";
     constexpr std::string_view kJson = "\"pdbx_struct_assembly_gen\"", kJsonColumn = "\"PDB_model_num\"";
@@ -189,7 +189,7 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
     }
     rows_ = Rows::table;
     table_ = &tables_[category];
-    // Single values of a category may be scattered; together they are its one row.
+    // Single values of a category may be scattered; together they form its one row.
     if (table_->rows() != 1) *table_ = MmcifTable();
     table_->columns.insert(table_->columns.end(), columns.begin(), columns.end());
     return true;
@@ -214,7 +214,7 @@ void MmcifModel::addRow(const std::vector<MmcifCell>& cells, std::uint64_t line)
         cannotRead(builders_.front().name(), "the texts of a category are too long", line);
 }
 
-/// A hostile document may refer to one long text from every cell: it is kept once, where it lies.
+/// In a hostile document every cell may refer to one long text: it is kept once, in place.
 std::string_view MmcifModel::kept(const MmcifCell& cell) {
     if (cell.missing()) return {};
     std::array<char, 32> buffer{};
@@ -250,10 +250,10 @@ std::vector<EntityKind> MmcifModel::entityKinds() {
     return ofAtoms;
 }
 
-/// Data of the small categories for each model.
+/// Processes the small categories for each model.
 void MmcifModel::finishModels(FileSummary& file) {
     atoms_->summarise(file);
-    // Every model reads all of these.
+    // Each model reads all of these.
     if (builders_.size() > kMostCellsOfModels / std::max<std::size_t>(cells_, 1))
         cannotRead(builders_.front().name(), "it has too many models for its connections and helices");
     const std::vector<EntityKind> kinds = entityKinds();

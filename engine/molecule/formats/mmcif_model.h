@@ -1,6 +1,6 @@
 #pragma once
-// Shared by mmCIF, mmJSON and BinaryCIF: turns rows of categories into a Molecule. Independent of syntax; keeps only
-// what it needs, so that a million atoms take no more memory than the molecule. Must also compile as C++17.
+// Shared by mmCIF, mmJSON and BinaryCIF: turns rows of categories into a Molecule. Independent of syntax. Keeps only
+// needed data, so that a million atoms take no more memory than the molecule. Must also compile as C++17.
 
 #include <array>
 #include <cstdint>
@@ -27,7 +27,7 @@ public:
 
     bool missing() const { return kind_ == Kind::missing; }
     std::size_t textSize() const { return text_.size(); }  ///< 0 for numbers
-    std::optional<double> number() const;  ///< without the standard uncertainty that text may end in: "1.234(5)"
+    std::optional<double> number() const;  ///< without the standard uncertainty at the end of a text: "1.234(5)"
     std::optional<std::int64_t> integer() const;
     /// The value as text, "" if missing. @param buffer for numbers; the result may point into it
     std::string_view text(std::array<char, 32>& buffer) const;
@@ -56,7 +56,7 @@ public:
 /// Collects rows of _atom_site into the wanted models.
 class MmcifAtoms {
 public:
-    enum class Models : std::uint8_t { apart, packed };  ///< packed: all stand together, with copies of their own
+    enum class Models : std::uint8_t { apart, packed };  ///< packed: all are one scene, with copies of their own
 
     /// @param builders  one; more are added as models begin, if several are wanted
     MmcifAtoms(std::deque<MoleculeBuilder>& builders, const ReadOptions& options, int lastModel, Models models);
@@ -148,11 +148,11 @@ public:
     static bool isKept(std::string_view column);
     void begin(const std::vector<std::string>& columns);
     void addRow(const MmcifCell* cells);
-    /// Gives them to the atoms of their numbers.
+    /// Stores them in the atoms with their numbers.
     void apply(MoleculeBuilder& builder) const;
 
 private:
-    std::array<int, 7> ofU_{}, ofB_{};  ///< columns: the atom's number, then the tensor; -1: none
+    std::array<int, 7> ofU_{}, ofB_{};  ///< columns: the atom's number, then the tensor; -1: missing
     std::vector<std::pair<std::int64_t, Displacement>> rows_;
     std::int64_t unusable_ = 0;
 };
@@ -173,7 +173,7 @@ public:
     /// @param category lower case, without '_' and '.'; columns likewise
     bool beginCategory(const std::string& category, const std::vector<std::string>& columns, std::uint64_t line);
     void addRow(const std::vector<MmcifCell>& cells, std::uint64_t line);
-    /// Refuses what addRow() would refuse, before a reader unpacks it. @throws Error
+    /// Refuses sizes that addRow() would refuse, before a reader unpacks them. @throws Error
     void expectRows(std::size_t rows, std::size_t columns) const;
 
     /// The wanted models. @param format "mmcif", "mmjson" or "bcif"
@@ -201,8 +201,8 @@ private:
     MmcifDisplacements displacements_;
     std::map<std::string, MmcifTable> tables_;  ///< the small categories kept
     enum class Rows : std::uint8_t { atoms, displacements, table };
-    Rows rows_ = Rows::atoms;      ///< that are being read
-    MmcifTable* table_ = nullptr;  ///< receives those of a table
+    Rows rows_ = Rows::atoms;      ///< kind of rows being read
+    MmcifTable* table_ = nullptr;  ///< receives the rows of a table
     std::size_t cells_ = 0, cellBytes_ = 0;
     bool done_ = false, sawAtomSite_ = false;
 };
@@ -219,9 +219,9 @@ void addComponentBonds(MoleculeBuilder& builder, const MmcifTable& bonds);
 
 /// Helices of _struct_conf and strands of _struct_sheet_range.
 void addSecondaryStructure(MoleculeBuilder& builder, const MmcifTable& conformations, const MmcifTable& strands);
-/// The column that names the model of each copy in a packed scene, as PetWorld's: all its models stand together.
+/// The column that names the model of each copy in a packed scene, such as PetWorld's: all its models form one scene.
 constexpr std::string_view kModelOfCopies = "_pdbx_struct_assembly_gen.PDB_model_num";
-/// Name of a model's chain in a packed scene whose models stand together: "7:A".
+/// Name of a model's chain in a packed scene: "7:A".
 std::string packedChainName(std::string_view model, std::string_view chain);
 
 /// Assemblies of _pdbx_struct_assembly, _pdbx_struct_assembly_gen and _pdbx_struct_oper_list. Unreadable ones are
@@ -234,8 +234,8 @@ struct SmallMoleculeTables {
     const MmcifTable &atoms, &cell, &symmetry, &chemical, &displacements;
     std::string spaceGroup = {};  ///< Hermann-Mauguin, for files that list no operations; empty: not stated
 };
-/// The file's atoms are the asymmetric unit; the content of the unit cell becomes the assembly "unit-cell", where an
-/// atom on a special position occurs once per site. Elements that share a site become alternate locations.
+/// Adds the file's atoms, the asymmetric unit. The content of the unit cell becomes the assembly "unit-cell", in which
+/// an atom on a special position occurs once per site. Elements that share a site become alternate locations.
 /// @throws Error if the cell is missing or impossible, or a coordinate is not a number
 void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& tables);
 

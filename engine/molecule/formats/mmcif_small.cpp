@@ -1,4 +1,4 @@
-// Small-molecule CIF, as the Cambridge and the Crystallography Open Database have it (dictionary cif_core).
+// Small-molecule CIF (dictionary cif_core), as in the Cambridge and the Crystallography Open Database.
 #include <algorithm>
 #include <cmath>
 #include <gemmi/symmetry.hpp>
@@ -61,13 +61,13 @@ std::vector<Element> elementsOfFormula(std::string_view formula) {
 
 /// By a site's label: "C27" is carbon, "Cu1" and "CL2" are copper and chlorine; the symbol precedes the label's digits.
 /// Minerals have "Wat1", "OW3" and "O-H1" for the oxygen of waters and hydroxyls, and "T1" or "M2" for sites that
-/// several elements share. @param formula  its elements come first
+/// several elements share. @param formula  its elements have precedence
 Element elementOfLabel(std::string_view label, const std::vector<Element>& formula) {
     std::size_t letters = 0;
     while (letters < label.size() && isLetter(label[letters])) ++letters;
     const std::string start = lowerCase(label.substr(0, letters));
     if (start == "wat" || start == "wa" || start == "ow" || start == "oh") return elementFromSymbol("O");
-    // Crystals of elements beyond uranium's neighbours do not exist: "NH1" is nitrogen.
+    // Crystals of elements far beyond uranium do not exist: "NH1" is nitrogen.
     constexpr Element kHeaviest = 98, kDeuterium = 119;
     const auto known = [&](std::size_t length) {
         const Element element = letters < length ? Element{0} : elementFromSymbol(label.substr(0, length));
@@ -154,10 +154,10 @@ std::vector<gemmi::Op> operationsOf(const SmallMoleculeTables& tables) {
 constexpr float kSameSite = 0.1f;        // Å
 constexpr std::size_t kMostOnSite = 26;  // A to Z
 
-/// Atoms by place, to find those on one site. However many there are, and wherever, few are looked at around one.
+/// Atoms by position, to find those on one site. Tests few atoms per query, whatever their number and positions.
 class SitePlaces {
 public:
-    /// @param order  indices of atoms; those that fill their place are left out
+    /// @param order  indices of atoms; fully occupied ones are left out
     SitePlaces(const std::vector<Atom>& atoms, const std::vector<std::uint32_t>& order) : atoms_(atoms), order_(order) {
         cubes_.reserve(order.size());
         for (std::uint32_t rank = 0; rank < order.size(); ++rank) {
@@ -168,10 +168,10 @@ public:
         }
     }
 
-    /// Ranks behind this one, ascending, of atoms within kSameSite of it. Empty in a crowd, too.
+    /// Higher ranks, ascending, of atoms within kSameSite of this one. Empty also in a crowd.
     std::vector<std::uint32_t> behind(std::uint32_t rank) const {
         const glm::vec3& place = atoms_[order_[rank]].position;
-        // Within half a cube of a place there are eight.
+        // Within half a cube of a position there are eight cubes.
         const glm::i64vec3 low = glm::floor(glm::dvec3(place) / kCube - 0.5);
         std::vector<std::uint32_t> found;
         std::size_t around = 0;
@@ -191,7 +191,7 @@ private:
     static constexpr double kCube = 2.0 * kSameSite;
     static constexpr std::size_t kMostAround = 8 * kMostOnSite;
 
-    /// Cubes that share a key cost time, and change nothing.
+    /// Cubes with equal keys cost time, but do not change the result.
     static std::uint64_t keyOf(const glm::i64vec3& cube) {
         std::uint64_t key = 0;
         for (int axis = 0; axis < 3; ++axis) key = (key ^ static_cast<std::uint64_t>(cube[axis])) * 0x9e3779b97f4a7c15u;
@@ -203,8 +203,8 @@ private:
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cubes_;
 };
 
-/// Atoms of different elements on one site, whose occupancies make up at most one atom, become alternate locations: the
-/// most frequent first. So do disordered atoms that programs mark by "?" after the label of the other.
+/// Atoms of different elements on one site, with occupancies of at most one in total, become alternate locations, the
+/// most frequent first. The same applies to disordered atoms marked by "?" after the label of the other.
 void separateSharedSites(MoleculeBuilder& builder) {
     std::vector<Atom>& atoms = builder.molecule().atoms;
     constexpr float kFull = 1.01f;
@@ -272,7 +272,7 @@ std::optional<Displacement> readDisplacement(const gemmi::UnitCell& cell, const 
     }
     const glm::dmat3 ofAxes(u[0], u[3], u[4], u[3], u[1], u[5], u[4], u[5], u[2]);
     const double reciprocal[3] = {cell.ar, cell.br, cell.cr};
-    glm::dmat3 turn(0.0);  // column by column: a cell edge times its reciprocal length
+    glm::dmat3 turn(0.0);  // columns: cell edge times its reciprocal length
     for (int row3 = 0; row3 < 3; ++row3)
         for (int column = 0; column < 3; ++column)
             turn[column][row3] = cell.orth.mat[row3][column] * reciprocal[column];

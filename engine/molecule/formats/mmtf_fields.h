@@ -57,7 +57,7 @@ public:
     /// its size differs
     MmtfFloats floats(const char* field, std::size_t size) const;
     MmtfIntegers integers(const char* field, std::size_t size) const;
-    /// As above; `otherwise` for each value if the file has no such array.
+    /// As above; every value is `otherwise` if the file has no such array.
     MmtfFloats floats(const char* field, std::size_t size, std::int32_t otherwise) const;
     MmtfIntegers integers(const char* field, std::size_t size, std::int32_t otherwise) const;
     /// Names, pointing into the document.

@@ -13,7 +13,7 @@ namespace {
 using Kind = MsgpackValue::Kind;
 
 constexpr std::size_t kMaxGroups = 100'000;       // the dictionary of residues has some 45,000 entries
-constexpr std::size_t kFewAtomsOfGroup = 10'000;  // of all groups, that there is always memory for
+constexpr std::size_t kFewAtomsOfGroup = 10'000;  // of all groups; always allowed
 constexpr std::size_t kMaxBondsPerAtom = 16;
 
 class GroupReader {
@@ -21,7 +21,7 @@ public:
     GroupReader(const MmtfFields& fields, MoleculeBuilder& builder, const MsgpackValue& group)
         : fields_(fields), builder_(builder), map_(group) {}
 
-    /// @param room  atoms that may come
+    /// @param room  maximum number of atoms
     MmtfGroup read(std::size_t room) {
         MmtfGroup group;
         const auto name = map_.find("groupName");
@@ -48,7 +48,7 @@ private:
             fail("its lists of atoms differ in length");
         if (names.count > room) fail("the groups have more atoms than there is memory for");
         MsgpackElements name(names), element(elements), charge(charges);
-        // MMTF drops the difference between ATOM and HETATM, which is that between standard residues and the others.
+        // MMTF does not store the difference between ATOM and HETATM: it is that between standard residues and others.
         const bool hetero = residueTemplate(Name(group.name)) == nullptr || group.name == "MSE";
         MsgpackValue value;
         for (std::uint32_t i = 0; i < names.count; ++i) {

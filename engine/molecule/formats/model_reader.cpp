@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::size_t kMaxWarnings = 32;
 constexpr std::size_t kBytesOfAtom = 64;                              // with its share of residues
-constexpr std::int64_t kMostRuns = 64;                                // each goes through the whole file
-constexpr std::uint64_t kMostBytesOfPasses = std::uint64_t{1} << 32;  // that models read one by one take together
+constexpr std::int64_t kMostRuns = 64;                                // each reads the whole file
+constexpr std::uint64_t kMostBytesOfPasses = std::uint64_t{1} << 32;  // for all models read one by one
 
-/// A reader's molecule, fit for the rest of the program. @param model  its number
+/// A reader's molecule, cleaned for the rest of the program. @param model  its number
 Molecule cleaned(Molecule molecule, int model) {
     for (const ReadNote& note : molecule.notes)
         if (note.action == ReadAction::leftOut) molecule.warnings.push_back(sentenceOf(note));
@@ -93,7 +93,7 @@ ModelReader::ModelReader(Content content, const ReadOptions& options, const Mole
 Molecule ModelReader::read(int model, std::size_t maxAtoms) {
     if (runLength_ > 0) {
         Molecule own = cleaned(ofRun(model), model);
-        // The reader attaches the assemblies to one of them.
+        // The reader attaches assemblies to one model only.
         if (own.assemblies.empty()) own.assemblies = assembliesFor(own, subchains_);
         return own;
     }
@@ -101,7 +101,7 @@ Molecule ModelReader::read(int model, std::size_t maxAtoms) {
     if (!cut_) return readWhole(model);
     std::optional<Molecule> alone = readSpan(content_, options_, model);
     if (alone && !content_.bytes) return std::move(*alone);
-    // Only the whole text has the line for a warning; but not for every model, since each pass takes time.
+    // A warning needs the whole text for its line; but not for every model, since each pass takes time.
     if (alone && (alone->warnings.empty() || warned_)) {
         alone->warnings.clear();
         return std::move(*alone);
@@ -109,7 +109,7 @@ Molecule ModelReader::read(int model, std::size_t maxAtoms) {
     if (alone) {
         warned_ = true;
     } else if (order_ == Order::all) {
-        cut_ = false;  // a second failed attempt would double the work
+        cut_ = false;  // a second failure would double the work
         boundPasses(content_, count_, content_.text.size);
     }
     return readWhole(model);
@@ -124,7 +124,7 @@ Molecule ModelReader::readWhole(int model) const {
 const Molecule& ModelReader::ofRun(int model) {
     const int begin = (model - 1) / runLength_ * runLength_ + 1;
     if (run_.empty() || begin != runBegin_) {
-        run_.clear();  // before the others take memory
+        run_.clear();  // frees memory before the next run
         options_.model = begin;
         run_ = formatRow(content_.format)
                    .readTables(content_.name, *content_.bytes, options_,

@@ -32,8 +32,8 @@ Molecule readStated(const Content& content, const ReadOptions& options);
 std::optional<Molecule> readSpan(const Content& content, const ReadOptions& options, int model);
 
 /// Reads models one by one. A format's reader takes one model and skips the others; to avoid a pass over the file for
-/// each, models are read from their own text. Where models share tables, a pass reads as many as fit into
-/// ReadOptions::heldText, or a 64th of them.
+/// each, models are read from their own text. If models share tables, a pass reads as many as fit into
+/// ReadOptions::heldText, but at least a 64th of them.
 class ModelReader {
 public:
     enum class Order { all, any };  ///< all in order, or some in any order
@@ -59,7 +59,7 @@ private:
     std::vector<Molecule> run_;
     int runBegin_ = 0;  ///< the first model of the run
     int runLength_ = 0;
-    Molecule subchains_;  ///< of the first model, with its assemblies; without atoms
+    Molecule subchains_;  ///< subchains and assemblies of the first model, without atoms
     bool cut_ = false, warned_ = false;
 };
 

@@ -20,7 +20,7 @@ bool isEnd(std::string_view line) { return startsWith(line, "END") && trim(line)
 ModelSpans framesOfPdb(const TextSource& text) {
     ModelSpans spans;
     TextCutter cut(text);
-    // The reader of the whole text decides which structure these belong to.
+    // The reader of the whole text decides to which structure these belong.
     const auto speaksOfOne = [&] {
         const std::string_view line = cut.line();
         return startsWith(line, "HELIX ") || startsWith(line, "SHEET ") || startsWith(line, "CONECT") || isModel(line);
@@ -41,8 +41,8 @@ ModelSpans framesOfPdb(const TextSource& text) {
     return spans;
 }
 
-/// Models between MODEL and ENDMDL in order. Text around them belongs to every model, except for bonds where the models
-/// have different atoms: the reader of the whole text knows whose they are.
+/// Models between MODEL and ENDMDL in order. Text around them belongs to every model, except bonds if the models have
+/// different atoms: only the reader of the whole text can assign those.
 ModelSpans modelsOfPdb(const TextSource& text) {
     ModelSpans spans;
     TextCutter cut(text);
@@ -94,15 +94,15 @@ bool isBlankFrom(TextCutter cut) {
     return cut.atEnd();
 }
 
-/// Frames that announce their atoms. @param toCount  goes on to the number of atoms; false: no frame follows
-/// @param before, after  lines from the number to the atoms, and behind them, which the last frame may lack
+/// Frames that announce their number of atoms. @param toCount  advances to that number; false: no frame follows
+/// @param before, after  lines between the number and the atoms, and after them; the last frame may lack the latter
 template <typename ToCount>
 ModelSpans countedFrames(const TextSource& text, const ToCount& toCount, std::int64_t before, std::int64_t after) {
     ModelSpans spans;
     for (TextCutter cut(text); !cut.atEnd();) {
         const std::uint64_t begin = cut.place();
         if (!toCount(cut)) break;
-        spans.complete = false;  // unless this is a frame
+        spans.complete = false;  // unless a frame follows
         if (!isCount(cut.line())) break;
         const auto count = parseInteger(cut.line());
         if (!count || *count > static_cast<std::int64_t>(text.size)) break;
@@ -149,7 +149,7 @@ std::size_t wordsOfRow(std::string_view row, std::size_t wanted, std::string_vie
     }
 }
 
-/// Whether later rows belong to another model than the next one, judged by samples of a long text.
+/// Whether later rows belong to further models, judged by samples of a long text.
 bool mayHaveModels(const TextSource& text, const TextCutter& cut, std::size_t columns, std::size_t number) {
     constexpr std::uint64_t kShort = std::uint64_t{4} << 20, kSample = 4096, kSamples = 16;
     std::string_view first, word;
@@ -215,7 +215,7 @@ ModelSpans maeSpans(const TextSource& text) {
     return spansByFirstLine(text, [](std::string_view line) { return startsWith(line, "f_m_ct"); });
 }
 
-/// Rows of the one _atom_site, a line each, by the number of their model.
+/// Rows of the only _atom_site, one per line, by model number.
 ModelSpans mmcifSpans(const TextSource& text) {
     ModelSpans spans;
     TextCutter cut(text);
@@ -223,7 +223,7 @@ ModelSpans mmcifSpans(const TextSource& text) {
         return lowerCase(trim(cut.line())) == "_atom_site." + lowerCase(name);
     };
     const auto isTag = [&] { return startsWith(lowerCase(cut.line().substr(0, 11)), "_atom_site."); };
-    // The models of a packed scene stand together.
+    // Models of a packed scene form one scene.
     const auto isPacked = [&] { return startsWith(cut.line(), kModelOfCopies); };
     for (; !cut.atEnd() && !isTag(); cut.pass())
         if (isPacked()) return {};

@@ -8,17 +8,17 @@
 
 namespace nacre {
 
-/// `before`, one of the models, and `after` form a text of that model alone. No models: the text is not split.
+/// `before`, one model and `after` form a text with only that model. No models: the text is not split.
 struct ModelSpans {
     TextSpan before, after;
     std::vector<TextSpan> models;
-    bool complete = true;  ///< the text has nothing else that a reader could take for a model
+    bool complete = true;  ///< no other part of the text could be a model for a reader
 
     std::uint64_t around() const { return before.size() + after.size(); }  ///< bytes read with every model
 };
 
-/// Splits the layout that programs write, without parsing other syntax. Callers must check that a part holds one model,
-/// and that the number of models is right. One pass, by pieces of the text.
+/// Splits the usual layout of programs, without parsing other syntax. Callers must check that a part contains one
+/// model, and that the number of models is right. One pass, in pieces of the text.
 ModelSpans modelSpans(Format format, const TextSource& text);
 
 /// By format: MODEL and ENDMDL, or END between whole frames (PDB, PDBQT, PQR); rows of _atom_site by their

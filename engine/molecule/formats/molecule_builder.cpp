@@ -35,7 +35,7 @@ Assembly neighbourCells(const Molecule& molecule) {
 }
 
 constexpr std::size_t kMaxWarningsOfReader = 20;
-// A file may state a name once and refer to it from every atom, and each of them compares it with the name before.
+// A file may state a name once and refer to it from every atom, and each atom compares it with the previous one's.
 constexpr std::size_t kLongestChainName = 64;
 
 }  // namespace
@@ -106,7 +106,7 @@ Element MoleculeBuilder::element(std::string_view symbol, std::uint64_t line) {
         return static_cast<Element>(*number);
     std::size_t letters = 0;
     while (letters < symbol.size() && isLetter(symbol[letters])) ++letters;
-    // After the letters a file may add the charge or its own numbering, but nothing else.
+    // A file may append the charge or its own numbering to the letters, but nothing else.
     const bool usual = symbol.find_first_not_of("0123456789+-", letters) == std::string_view::npos;
     const std::string_view bare = symbol.substr(0, letters);
     if (usual && (bare == "T" || bare == "t")) return 1;  // tritium
@@ -127,7 +127,7 @@ void MoleculeBuilder::warn(const std::string& sentence) {
 
 std::optional<float> MoleculeBuilder::coordinate(std::string_view text, char axis, std::uint64_t line, double scale) {
     const auto value = parseNumber(text);
-    if (value && std::abs(*value * scale) <= kFarthestCoordinate)  // false for nan
+    if (value && std::abs(*value * scale) <= kFarthestCoordinate)  // false for NaN
         return static_cast<float>(*value * scale);
     const std::string shown = printable(trim(text));
     std::string why = std::string(shown.empty() ? "missing " : "invalid ") + axis + " coordinate";
@@ -150,7 +150,7 @@ std::optional<glm::vec3> MoleculeBuilder::position(const std::array<std::string_
 
 std::optional<glm::vec3> MoleculeBuilder::computedPosition(const glm::dvec3& position, std::uint64_t line) {
     for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(position[axis]) <= kFarthestCoordinate) continue;  // false for nan
+        if (std::abs(position[axis]) <= kFarthestCoordinate) continue;  // false for NaN
         leaveOutAtom("the atom is not within 1e9 Å", line);
         return std::nullopt;
     }

@@ -1,6 +1,6 @@
 #pragma once
-// A view of MessagePack (msgpack.org's specification) in place: copies and allocates nothing. Announced lengths are
-// only compared with the bytes that exist.
+// Reads MessagePack (msgpack.org's specification) in place: copies and allocates nothing. Announced lengths are only
+// compared with the available bytes.
 
 #include <cstdint>
 #include <optional>
@@ -19,7 +19,7 @@ struct MsgpackValue {
     std::string_view bytes;  ///< text, binary; for a container the bytes after its header, to the document's end
 
     bool is(Kind other) const { return kind == other; }
-    /// The value of a map's key, the first if repeated; empty if there is none, or this is no map.
+    /// The value of a map's key, the first if repeated; empty if it is missing, or this is no map.
     std::optional<MsgpackValue> find(std::string_view key) const;
     /// An integer, or a floating-point number with an integral value.
     std::optional<std::int64_t> asInteger() const;

@@ -38,7 +38,7 @@ public:
     Extremes(IntegersPointer packed, IntegerType type) : packed_(std::move(packed)) {
         const auto bits = static_cast<unsigned>(8 * type.bytes);
         high_ = type.isSigned ? (1 << (bits - 1)) - 1 : (1 << bits) - 1;
-        low_ = type.isSigned ? -high_ - 1 : -1;  // -1: never met among unsigned values
+        low_ = type.isSigned ? -high_ - 1 : -1;  // -1: never occurs among unsigned values
     }
 
 private:

@@ -65,8 +65,8 @@ IntegersPointer expandRuns(IntegersPointer runs);
 /// Running sums; they wrap at 32 bits, which encoders rely on.
 IntegersPointer sumDeltas(IntegersPointer values, std::int32_t origin);
 
-/// The same values, which must be exactly `size`. The stream throws PackedFault at one more, or at the end if there are
-/// fewer.
+/// The same values, which must number exactly `size`. The stream throws PackedFault at one more, or at the end if there
+/// are fewer.
 IntegersPointer exactly(IntegersPointer values, std::size_t size);
 
 }  // namespace nacre

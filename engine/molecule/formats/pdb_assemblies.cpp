@@ -62,7 +62,7 @@ void Remark350::addChains(std::string_view list) {
                 return;
             }
             part().named = true;
-            if (chain.size() == 1) part().chains += chain;  // no other is a chain of these files
+            if (chain.size() == 1) part().chains += chain;  // chains of these files have one character
         }
         list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 1);
     }

@@ -12,7 +12,7 @@ namespace nacre::pdb {
 
 class Remark350 {
 public:
-    /// @param maxAtoms  that there is memory for
+    /// @param maxAtoms  number of atoms that fit into memory
     explicit Remark350(std::size_t maxAtoms) : limits_(maxAtoms) {}
 
     /// @param line one that begins with "REMARK 350"

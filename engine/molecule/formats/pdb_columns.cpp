@@ -1,4 +1,4 @@
-// Atom lines whose fields are not in their columns: shifted, or divided by single blanks or tabs.
+// Atom lines with fields outside their columns: shifted, or separated by single blanks or tabs.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -25,7 +25,7 @@ bool isResidueNumber(std::string_view word) {
     return parseInteger(word).has_value();
 }
 
-/// Columns 55 to 80 from the words behind the coordinates: occupancy, B factor, segment, element.
+/// Columns 55 to 80 from the words after the coordinates: occupancy, B factor, segment, element.
 std::string columnsBehind(std::string_view rest) {
     if (column(rest, 4) == '.' && column(rest, 10) == '.') return std::string(rest);
     const std::vector<std::string_view> words = wordsOf(rest);
@@ -81,7 +81,7 @@ std::optional<std::string> inColumns(std::string_view line, const Coordinates& w
         digits.remove_suffix(1);
     }
     std::string text = leftAligned(record, kRecord);
-    if (serial.size() == kSerial + 1) text.pop_back();  // it starts early
+    if (serial.size() == kSerial + 1) text.pop_back();  // it starts one column early
     text += rightAligned(serial.size() > kSerial + 1 ? std::string_view() : serial, kSerial) + ' ';
     text += leftAligned((name.size() < kLongestName ? " " : "") + std::string(name), kLongestName) + ' ';
     text += leftAligned(rightAligned(residue, 3), 4) + (chain.empty() ? ' ' : chain.back());

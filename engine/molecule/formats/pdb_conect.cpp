@@ -16,7 +16,7 @@
 namespace nacre::pdb {
 namespace {
 
-/// One kind of ignored record: how many, and where the first is.
+/// One kind of ignored record: number, and line of the first.
 struct Ignored {
     std::size_t count = 0;
     std::uint64_t firstLine = 0;
@@ -29,8 +29,8 @@ struct Ignored {
     }
 };
 
-/// The numbers of a record, if some have six digits or more: then blanks stand between them, and no columns hold.
-/// Numbers that fill their columns touch as well, but end where columns end.
+/// The numbers of a record, if some have six digits or more: then blanks separate them, and columns do not hold.
+/// Numbers that fill their columns also touch, but end at column ends.
 std::vector<std::string_view> longNumbers(std::string_view line) {
     constexpr std::size_t kBegin = 6, kWidth = 5, kTouching = 10;
     const std::vector<std::string_view> words = wordsOf(line.substr(kBegin));
@@ -61,7 +61,7 @@ float usualLength(const Molecule& molecule, const std::vector<Bond>& bonds) {
 }  // namespace
 
 void ConectTable::add(std::string_view line, std::uint64_t lineNumber) {
-    // Columns 32 and on held hydrogen bonds and salt bridges in old files; they are no bonds.
+    // In old files, columns 32 and on held hydrogen bonds and salt bridges, which are no bonds.
     constexpr std::array<std::size_t, 4> kPartners = {12, 17, 22, 27};
     const std::vector<std::string_view> words = longNumbers(line);
     const auto from = words.empty() ? integer(columns(line, 7, 11), 5) : integer(words[0], 5);
@@ -121,7 +121,7 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
         }
     }
     const float farthest = kManyTimesUsual * usualLength(molecule, bonds);
-    std::set<std::pair<std::uint32_t, std::uint32_t>> refused;  // each stands with both of its atoms
+    std::set<std::pair<std::uint32_t, std::uint32_t>> refused;  // each is listed with both of its atoms
     std::size_t kept = 0;
     for (std::size_t i = 0; i < bonds.size(); ++i) {
         if (mayBeBonded(molecule, bonds[i].a, bonds[i].b, farthest))

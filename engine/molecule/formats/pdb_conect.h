@@ -13,12 +13,12 @@ namespace nacre::pdb {
 
 class ConectTable {
 public:
-    /// @param maxAtoms  of the molecule; limits what is collected
+    /// @param maxAtoms  of the molecule; limits the collected pairs
     explicit ConectTable(std::size_t maxAtoms) : mostPairs_(kPairsPerAtom * maxAtoms + kFewPairs) {}
 
     void add(std::string_view line, std::uint64_t lineNumber);
 
-    /// To drop records that turn out irrelevant: take the size before them and return to it.
+    /// Size for shrink(): to drop records that turn out irrelevant, take it before them.
     std::size_t size() const { return pairs_.size(); }
     void shrink(std::size_t size) { pairs_.resize(std::min(size, pairs_.size())); }
 

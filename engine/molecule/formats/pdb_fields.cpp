@@ -66,10 +66,10 @@ std::optional<std::int64_t> hybrid36(std::string_view text, std::size_t width) {
     return value - 10 * firstLetterPower + decimals + (lower ? 26 * firstLetterPower : 0);
 }
 
-/// Symbol of one letter, if it is the beginning of an element's name at all.
+/// Element of a one-letter symbol, or unknown if there is none.
 Element oneLetter(char c) { return isLetter(c) ? elementFromSymbol(std::string_view(&c, 1)) : Element{0}; }
 
-/// Atom names of standard residues start with the element in any column; only selenium takes two letters.
+/// In standard residues, atom names start with the element in any column; only selenium has two letters.
 Element inStandardResidue(std::string_view name) {
     const std::size_t first = name.find_first_not_of("0123456789");
     if (first == std::string_view::npos) return 0;
@@ -85,7 +85,7 @@ bool isPlainSymbol(std::string_view name) {
     return false;
 }
 
-/// Element of an ion's name in capitals, without sign and numbers; programs have names of their own for some.
+/// Element of an ion's name in capitals, without sign and numbers; some have special names in programs.
 Element ionOf(std::string_view name) {
     struct Ion {
         std::string_view name, symbol;
@@ -98,21 +98,21 @@ Element ionOf(std::string_view name) {
     return elementFromSymbol(name);
 }
 
-/// In capitals, without signs and numbers at both ends: "Mg+2" and "MG2" are "MG".
+/// A name in capitals, without signs and numbers at both ends: "Mg+2" and "MG2" are "MG".
 std::string bareName(std::string_view name) {
     constexpr std::string_view kBeside = "0123456789+-";
     const std::size_t first = std::min(name.find_first_not_of(kBeside), name.size());
     return upperCase(name.substr(first, name.find_last_not_of(kBeside) + 1 - first));
 }
 
-/// By a sign, or by the residue that has the same name or is called ION.
+/// Whether names indicate an ion: by a sign, or by a residue of the same name or called ION.
 bool isNamedAsIon(std::string_view name, const std::string& bare, const Name& residueName) {
     return name.find_first_of("+-") != std::string_view::npos || bare == bareName(residueName.view()) ||
            startsWith(residueName.view(), "ION");
 }
 
 /// Columns 13-14 hold the symbol, right-justified; names of four characters have no room for that, so that theirs may
-/// be one letter as well.
+/// have one letter.
 Element byNameColumns(std::string_view field) {
     const std::string_view name = trim(field);
     if (isPlainSymbol(name)) return elementFromSymbol(name);
@@ -157,7 +157,7 @@ std::optional<std::int64_t> integer(std::string_view field, std::size_t width) {
 
 namespace {
 
-/// Columns of a serial number behind those that are its own: 2 for "ATOM  1000000".
+/// Columns that a serial number extends beyond its own: 2 for "ATOM  1000000".
 std::size_t overflowOfSerial(std::string_view line) {
     constexpr std::size_t kEnd = 11, kMost = 4;
     if (!isDigit(column(line, 7)) || isDigit(column(line, 6))) return 0;
@@ -179,7 +179,7 @@ std::optional<std::int64_t> serial(std::string_view line) {
 std::size_t pushOfSerial(std::string_view line, std::size_t shift) {
     constexpr std::size_t kChain = 22, kNumber = 23, kNumberEnd = 26;
     const std::size_t extra = std::min(overflowOfSerial(line), shift);
-    // The residue's number ends where the push puts it; without a push it would begin in the column of the chain.
+    // The residue's number ends where the shift puts it; without a shift it would begin in the chain's column.
     for (std::size_t push = extra; push > 0; --push) {
         const bool ends = isDigit(column(line, kNumberEnd + push)) && !isDigit(column(line, kNumberEnd + push + 1));
         const bool begins = !isDigit(column(line, kChain + push)) || column(line, kNumber + push) == ' ';
@@ -196,8 +196,8 @@ Coordinates coordinates(std::string_view line) {
     constexpr std::size_t kUsualDecimals = 3, kUsualEnd = 54;
     Coordinates found;
     bool touch = false;
-    std::size_t at = 26;  // behind the residue's number, which may be too long, or pushed to the right
-    // Single blanks or tabs divide the fields.
+    std::size_t at = 26;  // after the residue's number, which may be too long, or shifted to the right
+    // Single blanks or tabs separate the fields.
     if (const std::size_t point = line.find('.', 12); point < 30) at = line.find_last_of(" \t", point) + 1;
     const auto skipDigits = [&] {
         while (at < line.size() && isDigit(line[at])) ++at;
@@ -218,11 +218,11 @@ Coordinates coordinates(std::string_view line) {
         if (at >= line.size() || line[at] != '.') return columned;
         const std::size_t point = at++;
         skipDigits();
-        // The digits of two numbers run into each other.
+        // Two numbers without a blank between them.
         if (at < line.size() && line[at] == '.') at = std::min(point + 1 + kUsualDecimals, at), touch = true;
         field = line.substr(begin, at - begin);
     }
-    // Programs that cut wide numbers after eight characters keep the columns.
+    // Programs that truncate wide numbers to eight characters keep the columns.
     const auto isCut = [](std::string_view field) {
         return pdb::number(field) && field.find('.') != std::string_view::npos;
     };
@@ -240,7 +240,7 @@ std::string_view segment(std::string_view line) {
 }
 
 Element statedElement(std::string_view line) {
-    // Old files have the entry's code and a line number in columns 73-80; digits there are no symbol.
+    // Old files have the entry's code and a line number in columns 73-80; digits there are not a symbol.
     const std::string_view symbol = trim(columns(line, 77, 78));
     return symbol.empty() ? Element{0} : elementFromSymbol(symbol);
 }
@@ -265,7 +265,7 @@ Element elementOfIon(const Name& name, const Name& residueName, Element stated) 
     if (written.empty() || residueTemplate(residueName)) return 0;
     const std::string bare = bareName(written);
     if (bare.empty()) return 0;
-    const bool ofPrograms = bare.size() == 3;  // such symbols are in no other table
+    const bool ofPrograms = bare.size() == 3;  // programs' symbols of three letters are in no other table
     const Element ion = ofPrograms || isNamedAsIon(written, bare, residueName) ? ionOf(bare) : Element{0};
     const bool unknown = stated == 0 || stated == oneLetter(bare.front());
     return unknown ? ion : stated;
@@ -275,8 +275,8 @@ Element elementByAutoDockType(std::string_view type) {
     struct Type {
         std::string_view type, symbol;
     };
-    // Types of AutoDock 4's parameters that are no symbols: aromatic carbon, polar hydrogen, acceptors, the carbons
-    // that rings are closed with, and the water of hydrated docking.
+    // AutoDock 4 types that are no symbols: aromatic carbon, polar hydrogen, acceptors, the carbons that close rings,
+    // and the water of hydrated docking.
     static constexpr Type kTypes[] = {{"A", "C"},  {"HD", "H"}, {"HS", "H"}, {"NA", "N"}, {"NS", "N"},
                                       {"OA", "O"}, {"OS", "O"}, {"SA", "S"}, {"Z", "C"},  {"G", "C"},
                                       {"GA", "C"}, {"J", "C"},  {"Q", "C"},  {"W", "O"}};

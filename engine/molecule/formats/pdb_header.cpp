@@ -17,7 +17,7 @@ void join(std::string& text, std::string_view part, std::size_t most) {
     text += part;
 }
 
-/// Calls for each "KEY: value" of "MOL_ID: 1; MOLECULE: HIV-1 PROTEASE; CHAIN: A, B;".
+/// Calls `visit` for each "KEY: value" of "MOL_ID: 1; MOLECULE: HIV-1 PROTEASE; CHAIN: A, B;".
 void eachToken(std::string_view text, const std::function<void(std::string_view key, std::string_view value)>& call) {
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(';'), text.size());
@@ -67,7 +67,7 @@ void Header::takeCrystal(std::string_view line, std::uint64_t number) {
         }
         values[i] = *value;
     }
-    // Files without a crystal say 1 1 1 90 90 90.
+    // Files without a crystal state 1 1 1 90 90 90.
     if (values[0] <= 1 && values[1] <= 1 && values[2] <= 1) return;
     cell_ = values;
     spaceGroup_ = nacre::trim(columns(line, 56, 66));

@@ -75,7 +75,7 @@ private:
                  const std::vector<MsgpackValue>& values, std::size_t rows) {
         std::vector<BcifColumn> columns;
         columns.reserve(values.size());
-        std::size_t at = 0;  // the column in work
+        std::size_t at = 0;  // current column
         try {
             for (; at < values.size(); ++at) columns.emplace_back(values[at], rows, mostStrings_);
             std::vector<MmcifCell> row(columns.size());
@@ -91,7 +91,7 @@ private:
 
     static constexpr std::size_t kMaxColumns = 1000;        // the dictionary's largest category has some 120
     static constexpr std::size_t kMaxRows = 4 * kMaxAtoms;  // all models together
-    static constexpr std::size_t kFewStrings = 100'000;     // different ones in a column that may always be there
+    static constexpr std::size_t kFewStrings = 100'000;     // different ones in a column; always allowed
 
     const std::string& name_;
     std::size_t bytes_, mostStrings_;

@@ -56,9 +56,9 @@ struct CmlAtom {
     bool fractional = false;
 };
 
-/// An atom that waits for its crystal's cell and symmetry, which may stand behind it.
+/// An atom that waits for its crystal's cell and symmetry, which may follow it.
 struct PendingAtom {
-    Atom atom;  ///< its position may be in parts of the cell
+    Atom atom;  ///< its position may be fractional
     bool fractional;
 };
 
@@ -152,7 +152,7 @@ private:
                       : attributes["parameterType"] == "angle" ? 3
                                                                : 0;
         if (cellScalar_ != kNoScalar) cell_[cellScalar_].clear();         // of an earlier crystal
-        if (name == "crystal") spaceGroup_.clear(), operations_.clear();  // of an earlier one
+        if (name == "crystal") spaceGroup_.clear(), operations_.clear();  // of an earlier crystal
         if (name == "symmetry") {
             spaceGroup_ = attributes["spaceGroup"].substr(0, kLongestScalar);
             operations_.clear();
@@ -190,7 +190,7 @@ private:
         if (withoutPrefix(qualified) == "molecule" && --moleculeDepth_ == 0) finishMolecule();
     }
 
-    /// Which number of the cell a scalar of <crystal> is; in "cml:a" or "iucr:_cell_angle_alpha" the end tells.
+    /// Which cell parameter a scalar of <crystal> is; in "cml:a" or "iucr:_cell_angle_alpha" the end decides.
     static std::size_t cellScalarOf(const Attributes& attributes) {
         static constexpr std::string_view kScalars[] = {"a", "b", "c", "alpha", "beta", "gamma"};
         std::string_view name = attributes["title"].empty() ? attributes["dictRef"] : attributes["title"];
@@ -206,7 +206,7 @@ private:
         for (std::size_t i = 0; i < 3; ++i) cell_[cellScalar_ + i] = words[i];
     }
 
-    /// Three rows of a rotation and a shift, of parts of the cell; perhaps a fourth row.
+    /// Three rows of a rotation and a shift, in fractional coordinates; possibly a fourth row.
     void addOperation() {
         const std::vector<std::string_view> words = wordsOf(operation_);
         gemmi::Op operation{};
@@ -225,7 +225,7 @@ private:
             builder_.leaveOut("symmetry operations", "not of a space group", line());
     }
 
-    /// Of the crystal: those that it lists, or its space group's; none of a file that states neither.
+    /// The crystal's operations: those that it lists, or its space group's; empty if it states neither.
     std::vector<gemmi::Op> symmetry() {
         std::vector<gemmi::Op> operations = operations_;
         const gemmi::SpaceGroup* group = spaceGroup_.empty() ? nullptr : spaceGroupOf(spaceGroup_);
@@ -239,13 +239,13 @@ private:
         return operations;
     }
 
-    /// Begins the names of a later molecule's subchains: the symmetry of an earlier crystal does not apply to it.
+    /// Prefix of a later molecule's subchains: the symmetry of an earlier crystal does not apply to it.
     std::string subchainPrefix(bool symmetric) {
         const bool apart = outermost_ > 1 && (symmetric || builder_.molecule().file.cell);
         return apart ? std::to_string(outermost_) + " " : std::string();
     }
 
-    /// Atoms of a molecule, whose cell and symmetry may stand behind them.
+    /// Places atoms of a molecule, whose cell and symmetry may follow them.
     void placeAtoms() {
         if (std::none_of(atoms_.begin(), atoms_.end(), [](const PendingAtom& a) { return a.fractional; })) {
             const std::string prefix = subchainPrefix(false);
@@ -286,7 +286,7 @@ private:
         if (nameText_.size() > kLongestTitle) inName_ = false;
     }
 
-    /// The attribute of three dimensions, or else that of two.
+    /// The attribute of three dimensions, else that of two.
     static std::string_view coordinate(const Attributes& attributes, std::string_view solid, std::string_view flat) {
         const bool isSolid = !attributes["x3"].empty();
         return isSolid ? attributes[solid] : flat.empty() ? std::string_view() : attributes[flat];
@@ -294,7 +294,7 @@ private:
 
     void addAtom(const CmlAtom& given) {
         if (given.x.empty()) {
-            idIndex(given.id);  // its bonds are left out with it
+            idIndex(given.id);  // its bonds are left out as well
             return builder_.leaveOutAtom("atom '" + printable(given.id) + "' has no coordinates", line());
         }
         const bool flat = given.z.empty();
@@ -324,7 +324,7 @@ private:
         known = static_cast<std::uint32_t>(index);
     }
 
-    /// Atoms as lists of words in the array's own attributes.
+    /// Adds atoms given as lists of words in the array's own attributes.
     void addAtomArray(const Attributes& attributes) {
         const bool solid = !attributes["x3"].empty(), fractional = !solid && !attributes["xFract"].empty();
         std::string_view ids = attributes["atomID"], elements = attributes["elementType"];
@@ -348,14 +348,14 @@ private:
              {"atomRefs2", "atomsRefs2", "atomRefs"})  // the first is CML's; the others occur as well
             if (pair.empty()) pair = attributes[name];
         std::string_view a = nextWord(pair), b = nextWord(pair);
-        if (b.empty()) {  // one attribute for each atom
+        if (b.empty()) {  // one attribute per atom
             a = bondEnds(attributes, 1);
             b = bondEnds(attributes, 2);
         }
         addBond(a, b, attributes["order"]);
     }
 
-    /// The first or second atoms of bonds. Some programs write a plural into the name for one.
+    /// The first or second atoms of bonds. Some programs use the plural name for a single one.
     static std::string_view bondEnds(const Attributes& attributes, int which) {
         const std::string_view one = attributes[which == 1 ? "atomRef1" : "atomRef2"];
         return one.empty() ? attributes[which == 1 ? "atomRefs1" : "atomRefs2"] : one;
@@ -377,7 +377,7 @@ private:
             {idIndex(a), idIndex(b), static_cast<std::uint8_t>(orderOf(order)), static_cast<std::uint32_t>(line())});
     }
 
-    /// Names are kept once, whether an atom or a bond is the first to mention them.
+    /// Names are stored once, whether an atom or a bond mentions them first.
     std::uint32_t idIndex(std::string_view id) {
         const auto known = indexOfId_.find(id);
         if (known != indexOfId_.end()) return known->second;
@@ -395,7 +395,7 @@ private:
         return 1;
     }
 
-    /// Bonds may precede their atoms, so they wait for the molecule's end.
+    /// Bonds may precede their atoms, so they wait for the end of the molecule.
     void finishMolecule() {
         placeAtoms();
         for (const CmlBond& bond : pending_) {
@@ -427,7 +427,7 @@ private:
     std::vector<std::uint32_t> atomOfId_;                          ///< kNoAtom until the atom comes
     std::vector<CmlBond> pending_;
     static constexpr std::size_t kNoScalar = 6, kLongestScalar = 120, kLongestOperation = 1000, kMostOperations = 192;
-    std::size_t cellScalar_ = kNoScalar;  ///< that is being read
+    std::size_t cellScalar_ = kNoScalar;  ///< index of the scalar being read
     std::array<std::string, 6> cell_;     ///< three lengths, Å, and three angles, degrees
     std::string spaceGroup_, operation_;
     std::vector<gemmi::Op> operations_;  ///< of the crystal

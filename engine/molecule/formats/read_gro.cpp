@@ -8,9 +8,9 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t kFirstPosition = 20;    // after residue number, residue name, atom name and atom number
-constexpr std::size_t kShortestGroLine = 26;  // coordinates of two characters, without the last end of line
+constexpr std::size_t kShortestGroLine = 26;  // coordinates of two characters, without trailing blanks
 constexpr std::size_t kMostShift = 4;
-constexpr double kAngstrom = 10;  // in a nm
+constexpr double kAngstrom = 10;  // per nm
 constexpr std::int32_t kNumbersWrapAt = 100000;
 
 class GroReader : public FrameReader {
@@ -32,7 +32,7 @@ private:
         refuseCount(announced, lines_.number());
     }
 
-    /// The distance of the decimal points: files may be written with more digits than the usual three.
+    /// The distance between decimal points: files may have more digits than the usual three.
     static std::size_t widthOfCoordinates(std::string_view line) {
         constexpr std::size_t kUsual = 8, kWidest = 32;
         const std::size_t first = line.find('.', kFirstPosition);
@@ -43,7 +43,7 @@ private:
 
     static std::size_t firstPoint(std::string_view line) { return line.find('.', kFirstPosition - kMostShift); }
 
-    /// The line as if a few blanks were not lost at its begin.
+    /// Restores a few blanks lost at the start of a line.
     std::string_view unshifted(std::string_view line) {
         const std::size_t point = firstPoint(line);
         if (point >= point_ || point_ - point > kMostShift) return line;
@@ -70,7 +70,7 @@ private:
         builder_.addAtom(atom, "", unwrapped(parseInteger(columns(line, 0, 5)).value_or(0)), '\0', residue);
     }
 
-    /// Residue numbers have five digits: after 99999 comes 0 again.
+    /// Residue numbers have five digits: 99999 is followed by 0.
     std::int32_t unwrapped(std::int64_t written) {
         const auto number = static_cast<std::int32_t>(written);
         if (lastNumber_ == kNumbersWrapAt - 1 && number == 0 && wraps_ < 10000) ++wraps_;
@@ -96,7 +96,7 @@ private:
             }
             box[kPlace[i][0]][static_cast<int>(kPlace[i][1])] = static_cast<float>(*value * kAngstrom);
         }
-        builder_.takeBox(box);  // none is written as zeros
+        builder_.takeBox(box);  // a missing box is written as zeros
     }
 
     std::size_t width_ = 8, point_ = 0;

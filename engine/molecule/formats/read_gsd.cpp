@@ -1,5 +1,5 @@
 // GSD (HOOMD-blue): a header, an index of chunks by frame and name, a list of names, and chunks of numbers. A frame
-// that lacks a chunk has that of the first. Units are the simulation's own.
+// that lacks a chunk uses the first frame's. Units are the simulation's.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -100,7 +100,7 @@ private:
             cannotRead(name_, "it lists more than it holds");
     }
 
-    /// In fields of 64 bytes, or from version 2 on one after the other.
+    /// In fields of 64 bytes or, from version 2 on, consecutive.
     void readNames(std::uint64_t place, std::uint64_t entries, bool packed) {
         require(place, entries, kNameEntry);
         std::string_view list = bytes_.substr(place, entries * kNameEntry);
@@ -112,7 +112,7 @@ private:
         }
     }
 
-    /// Entries are sorted by frame; unused ones have no place.
+    /// Entries are sorted by frame; unused ones have no position.
     void readIndex(std::uint64_t place, std::uint64_t entries) {
         require(place, entries, kIndexEntry);
         for (std::uint64_t i = 0; i < entries; ++i) {
@@ -135,13 +135,13 @@ private:
         return found == chunksOfFirst_.end() ? nullptr : &found->second;
     }
 
-    /// Numbers of a chunk with as many columns, of four bytes each; none if there is no such chunk.
+    /// Numbers of a chunk with as many columns, of four bytes each; empty if there is no such chunk.
     template <typename Number>
     std::vector<Number> numbers(std::string_view name, std::uint64_t columns) const {
         constexpr std::uint8_t kUnsigned = 3, kSigned = 7, kReal = 9;
         const GsdChunk* found = chunk(name);
         if (!found || found->rows == 0) return {};
-        // Pairs of bonds are signed where Python writes them.
+        // Python writes bond pairs as signed numbers.
         const bool fits = std::is_floating_point_v<Number> ? found->type == kReal
                                                            : found->type == kUnsigned || found->type == kSigned;
         if (found->columns != columns || !fits) {
@@ -155,7 +155,7 @@ private:
         return values;
     }
 
-    /// Rows of characters, with zeros at the end.
+    /// Rows of characters, padded with zeros.
     std::vector<std::string> typeNames() const {
         std::vector<std::string> types;
         const GsdChunk* found = chunk("particles/types");
@@ -169,7 +169,7 @@ private:
         return types;
     }
 
-    /// Lengths, and tilts as shares of them. The box's middle is the origin.
+    /// Lengths, and tilts as fractions of them. The box's middle is the origin.
     void takeBox(MoleculeBuilder& builder) const {
         const std::vector<float> b = numbers<float>("configuration/box", 1);
         if (b.size() != 6) return;
@@ -188,7 +188,7 @@ private:
     using Chunks = std::map<std::uint16_t, GsdChunk>;
     Chunks chunksOfFirst_;
     std::vector<Chunks> chunksOf_;  ///< by frame to read
-    const Chunks* own_ = nullptr;   ///< of the frame that is read
+    const Chunks* own_ = nullptr;   ///< of the current frame
     mutable int unread_ = 0;        ///< chunks of that frame
     const std::string unknown_ = "?";
 };

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMostH5Bytes = std::size_t{512} << 20;  // the library holds a copy
 constexpr std::size_t kMostTopologyBytes = std::size_t{256} << 20;
 
-/// What all frames share.
+/// Data of an atom common to all frames.
 struct H5Atom {
     std::string name, residue, segment;
     std::int32_t number = 1;
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Of H5MD. Species have names, masses that tell elements, or are kinds of grains.
+    /// For H5MD. Species have names, masses that imply elements, or are kinds of grains.
     void addParticles(MoleculeBuilder& builder, std::size_t frame, const TrajectoryFrame& places) {
         const std::string& group = data_.group();
         const Hdf5Handle species = data_.element(group + "/species");
@@ -161,7 +161,7 @@ private:
             builder.molecule().residues.back().segment = Name(stated.segment);
         }
     }
-    /// MDTraj's chains have numbers alone: A, B, ..., and then the numbers.
+    /// MDTraj's chains have only numbers: named A, B, ..., then by number.
     static std::string chainName(std::uint32_t chain) {
         return chain < 26 ? std::string(1, static_cast<char>('A' + chain)) : std::to_string(chain + 1);
     }
@@ -202,7 +202,7 @@ private:
         ++chains_;
     }
 
-    /// Its name and number may stand behind its atoms.
+    /// A residue's name and number may follow its atoms.
     void readResidue(JsonWalk& walk) {
         const std::size_t first = atoms_.size();
         std::string buffer, name, segment;
@@ -241,7 +241,7 @@ private:
         });
     }
 
-    /// The two atoms, perhaps with a type and an order.
+    /// Two atoms, possibly with a type and an order.
     void readBond(JsonWalk& walk) {
         std::array<std::int64_t, 2> ends{-1, -1};
         std::size_t place = 0;

@@ -1,5 +1,5 @@
-// AMBER's coordinates (INPCRD, RST7): a title, a count, numbers of twelve columns; perhaps velocities and a box. They
-// go with a topology, which names the atoms.
+// AMBER's coordinates (INPCRD, RST7): a title, a count, numbers of twelve columns; possibly velocities and a box.
+// Requires a topology, which names the atoms.
 #include <cmath>
 
 #include "engine/molecule/formats/molecule_builder.h"

@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    /// What the header announces, if it is not what the sections have.
+    /// Warns if the header announces other counts than the sections have.
     void compareCounts() {
         const auto compare = [&](const char* what, const Announced& announced, std::int64_t found) {
             if (announced.line > 0) builder_.compareCount(what, announced.count, found, announced.line);
@@ -109,7 +109,7 @@ private:
         constexpr std::size_t kMostLabels = 100'000;
         if (labels_.size() < kMostLabels) labels_[std::string(words[0])] = words[1];
     }
-    /// By its label, if it has one: rows state either.
+    /// A type by its label, if it has one: rows may state either.
     std::string_view typeOf(std::string_view stated) const {
         const auto label = labels_.find(stated);
         return label == labels_.end() ? stated : label->second;
@@ -131,7 +131,8 @@ private:
             if (hint == style.name) columns_ = style.columns;
     }
 
-    /// Without the name of a style the number of columns tells it, less three flags of images; a charge has a point.
+    /// Without a style name, the number of columns determines the style, minus three image flags; a charge has a
+    /// decimal point.
     void guessStyle(const Words& words) {
         const auto isWhole = [&](std::size_t i) { return parseInteger(words[i]).has_value(); };
         std::size_t count = words.count;
@@ -169,7 +170,7 @@ private:
         rows_.push_back({*id, atom, Name(typeOf(words[at.type])), static_cast<std::int32_t>(molecule), charge});
     }
 
-    /// By their numbers: the file has them in any order, and trajectories as well.
+    /// By number: the file and trajectories have atoms in any order.
     void addAtoms() {
         std::stable_sort(rows_.begin(), rows_.end(),
                          [](const LammpsAtom& a, const LammpsAtom& b) { return a.id < b.id; });
@@ -202,7 +203,7 @@ private:
 
     struct Announced {
         std::int64_t count = 0;
-        std::uint64_t line = 0;  ///< 0: the header does not tell
+        std::uint64_t line = 0;  ///< 0: the header does not announce it
     };
     struct LammpsAtom {
         std::int64_t id;

@@ -41,7 +41,7 @@ private:
         return std::nullopt;
     }
 
-    /// "ITEM: BOX BOUNDS xy xz yz pp pp ff": p is periodic. Old files do not tell. "abc origin" has the edges and the
+    /// "ITEM: BOX BOUNDS xy xz yz pp pp ff": p is periodic. Old files do not state it. "abc origin" has edges and
     /// corner instead.
     void readBounds() {
         std::size_t flags = 0;
@@ -61,7 +61,7 @@ private:
             if (general) edges_[static_cast<std::size_t>(axis)] = {number(0), number(1), number(2)};
         }
         if (general) return;
-        // With tilts (xy, xz, yz) the bounds are those of the box's corners.
+        // With tilts (xy, xz, yz), the bounds enclose the box's corners.
         const double xy = tilt.x, xz = tilt.y, yz = tilt.z;
         low_.x -= std::min({0.0, xy, xz, xy + xz});
         high.x -= std::max({0.0, xy, xz, xy + xz});

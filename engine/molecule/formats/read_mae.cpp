@@ -13,7 +13,7 @@ namespace nacre {
 
 namespace {
 
-/// Words between blanks or in quotes; comments between number signs are skipped.
+/// Words between blanks or in quotes; skips comments between number signs.
 class MaeWords {
 public:
     explicit MaeWords(std::string_view text) : text_(text) {}
@@ -109,7 +109,7 @@ private:
         return word;
     }
 
-    /// After its opening brace. @param name  with the number of rows: "m_atom[12]"
+    /// Reads a block after its opening brace. @param name  with the number of rows: "m_atom[12]"
     void readBlock(std::string_view name, int depth) {
         if (depth > kDeepest) cannotRead(name_, "its blocks are nested too deep", words_.line());
         std::vector<std::string_view> names, values;

@@ -1,5 +1,5 @@
-// gemmi's CIF grammar with actions of our own: gemmi's document would keep every value as a string, which for a
-// capsid of a million atoms is over a gigabyte.
+// gemmi's CIF grammar with our own actions: gemmi's document would keep every value as a string, over a gigabyte for a
+// capsid of a million atoms.
 #include <algorithm>
 #include <gemmi/cif.hpp>
 #include <iterator>
@@ -107,7 +107,7 @@ private:
 
     /// Tags of small-molecule CIF have no dot: _atom_site_fract_x is mmCIF's _atom_site.fract_x.
     static std::pair<std::string, std::string> splitCore(const std::string& tag) {
-        // Longer ones first.
+        // Longer names first.
         static constexpr std::string_view kCategories[] = {"atom_site_aniso",   "atom_site",  "cell",
                                                            "symmetry_equiv",    "symmetry",   "chemical",
                                                            "space_group_symop", "space_group"};
@@ -128,7 +128,7 @@ private:
     bool open_ = false, wanted_ = false;
 };
 
-/// The text that a rule matched: PEGTL 2.8 has no string_view() for it.
+/// The text that a rule matched: PEGTL 2.8 has no string_view().
 template <typename Input>
 std::string_view textOf(const Input& in) {
     return {in.begin(), in.size()};
@@ -223,7 +223,7 @@ std::string sentenceOf(const std::vector<CifBlock>& blocks) {
            (blocks.size() > kMostBlocksNamed ? ", ..." : "");
 }
 
-/// Blocks one after the other, as models. One that cannot be read is left out.
+/// Blocks one after the other, as models. Unreadable ones are left out.
 std::vector<Molecule> parseBlocks(const std::string& name, const std::vector<CifBlock>& blocks,
                                   const ReadOptions& options, int lastModel) {
     std::vector<Molecule> models;
@@ -279,7 +279,7 @@ std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, 
         return parseFile(name, text, options, lastModel);
     } catch (const pegtl::parse_error&) {
     }
-    // Words of old files may hold letters in some author's encoding, or zeros; the grammar takes them in quotes only.
+    // Words of old files may contain letters in some other encoding, or zeros; the grammar accepts them only in quotes.
     std::string replaced(text);
     std::size_t foreign = 0;
     for (char& c : replaced) {

@@ -47,7 +47,7 @@ private:
     void category(const std::string& name) {
         if (walk_.peek() != '{') fail("the category " + printable(name) + " is not an object");
         std::vector<std::string> names;
-        std::vector<JsonWalk> columns;  // each at the values to come
+        std::vector<JsonWalk> columns;  // each at its next value
         std::optional<std::size_t> rows;
         walk_.object([&](const std::string& key) {
             if (names.size() == kMaxColumns) fail("the category " + printable(name) + " has too many columns");

@@ -1,4 +1,4 @@
-// MMTF, version 1: arrays over all models, chains, residues and atoms, which the counts of one level nest in the next.
+// MMTF, version 1: arrays over all models, chains, residues and atoms; the counts of one level nest the next.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -54,7 +54,7 @@ private:
             fields_.fail("MMTF version '" + printable(version) + "' is not supported; supported: 1");
     }
 
-    /// An unencoded list of counts that together are `total`.
+    /// An unencoded list of counts that sum to `total`.
     std::vector<std::uint32_t> counts(const char* field, std::size_t size, std::size_t total) const {
         const MsgpackValue list = fields_.list(field);
         if (!list.is(Kind::array) || list.count != size)
@@ -100,7 +100,7 @@ private:
         alternates_ = fields_.integers("altLocList", atoms_, 0);
     }
 
-    /// Goes through every model; atoms and bonds are added for those that are wanted.
+    /// Walks through every model; adds atoms and bonds of wanted ones.
     void walk() {
         std::size_t chain = 0;
         for (std::size_t model = 1; model <= models_; ++model) {
@@ -118,7 +118,7 @@ private:
     }
 
     void addGroup(std::size_t chain, bool taken) {
-        const auto index = static_cast<std::size_t>(typeOfGroup_.next());  // a negative one is too large
+        const auto index = static_cast<std::size_t>(typeOfGroup_.next());  // a negative index becomes too large
         const std::int32_t number = numbers_.next();
         const char insertion = character(insertions_.next());
         if (index >= types_.size()) fields_.fail("groupTypeList refers to a group that is not there");
@@ -143,7 +143,7 @@ private:
         next_ += type.atoms.size();
     }
 
-    /// A hostile group could bond all its atoms with each other, and be referred to a million times.
+    /// A hostile group could bond all its atoms with each other, and a million residues could refer to it.
     void countBonds(std::size_t more) {
         constexpr std::size_t kMaxBondsPerAtom = 16;
         bonds_ += more;
@@ -190,7 +190,7 @@ private:
         }
     }
 
-    /// Index among the models read of the one with an atom of the file; their number if none has it.
+    /// Index, among the models read, of the one that contains an atom of the file; their number if none does.
     std::size_t modelOf(std::size_t atom) const {
         const auto after = std::upper_bound(begins_.begin(), begins_.end(), atom);
         if (after == begins_.begin() || atom >= end_) return builders_.size();
@@ -198,7 +198,7 @@ private:
     }
 
     /// Number of values that an encoded array announces: bonds between groups have no other count. Limited by the
-    /// file's size, as everywhere.
+    /// file's size, like all counts.
     std::size_t encodedLength(const MsgpackValue& list) const {
         if (!list.is(Kind::binary) || list.bytes.size() < 8) fields_.fail("bondAtomList is not an encoded array");
         std::int32_t length = 0;
@@ -269,7 +269,7 @@ private:
 
     MmtfFields fields_;
     std::deque<MoleculeBuilder> builders_;           ///< of the models that are read
-    std::size_t maxAtoms_, firstModel_, lastModel_;  ///< of models those that are read
+    std::size_t maxAtoms_, firstModel_, lastModel_;  ///< models from `firstModel_` to `lastModel_` are read
     std::size_t atoms_ = 0, groups_ = 0, chains_ = 0, models_ = 0;
     std::vector<std::uint32_t> groupsOfChain_, chainsOfModel_;
     std::vector<MmtfGroup> types_;
@@ -278,7 +278,7 @@ private:
     std::array<MmtfFloats, 3> positions_;
     MmtfFloats temperature_, occupancy_;
     std::vector<std::size_t> begins_;  ///< first atoms of the models that are read
-    std::size_t next_ = 0, end_ = 0;   ///< the atom to come; after the last of those models
+    std::size_t next_ = 0, end_ = 0;   ///< the next atom; end of the last of those models
     std::size_t bonds_ = 0;
     std::int64_t bondsOfAll_ = 0, assemblies_ = 0, mostTransforms_ = 0;
 };

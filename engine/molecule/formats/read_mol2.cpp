@@ -70,7 +70,7 @@ private:
     std::uint64_t number_ = 0;
 };
 
-/// Where a record lies, and how many lines its sections have.
+/// Position of a record, and numbers of lines in its sections.
 struct Mol2Record {
     std::string_view text;  ///< begins with "@<TRIPOS>MOLECULE"
     std::uint64_t line = 0;
@@ -147,7 +147,7 @@ private:
         resolveBonds();
     }
 
-    /// Calls with each line of the record, until the next one begins.
+    /// Calls `visit` with each line of the record, until the next one begins.
     template <typename Visit>
     static void eachLine(const Mol2Record& record, Visit visit) {
         Mol2Lines lines(record.text, record.line);
@@ -190,7 +190,7 @@ private:
             const bool status = startsWith(word, "ROOT") || startsWith(word, "LEAF");
             return std::string(word == "****" || status ? std::string_view() : word);
         };
-        if (substructures_.size() == maxAtoms_) return;  // each has an atom at least
+        if (substructures_.size() == maxAtoms_) return;  // each has at least one atom
         if (const auto id = parseInteger(words[0])) substructures_[*id] = {stated(words[6]), stated(words[5])};
     }
 
@@ -218,7 +218,7 @@ private:
 
     /// "C.ar" is carbon; all lower-case types ("ca", "c3", "hn") are GAFF's, which names the element by the first
     /// letter except for chlorine and bromine. Types of AMBER's and CHARMM's proteins ("CA", "NH1", "OS", "N*") look
-    /// like other elements, so that the atom's name tells.
+    /// like other elements, so that the atom's name decides.
     Element elementOf(const Words& words, std::uint64_t line) {
         const std::string_view symbol = words[5].substr(0, words[5].find('.'));
         const bool gaff = !symbol.empty() && symbol[0] >= 'a' && symbol[0] <= 'z';
@@ -236,7 +236,7 @@ private:
         const auto found = substructures_.find(id);
         const std::string_view type =
             found == substructures_.end() ? std::string_view() : std::string_view(found->second.name);
-        // "GLY402" is a residue's name and its number in the chain.
+        // "GLY402": the residue's name and its number in the chain.
         const std::size_t letters = stated.find_last_not_of("0123456789") + 1;
         const auto digits = parseInteger(stated.substr(letters));
         const std::string_view start = type.empty() ? stated.substr(0, letters) : type;

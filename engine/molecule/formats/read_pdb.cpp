@@ -30,7 +30,7 @@ namespace {
 
 constexpr std::size_t kLongestJoinedTitle = 4096;
 
-/// Text for people: replaces everything but printable ASCII by question marks.
+/// Text for messages: replaces everything but printable ASCII by question marks.
 std::string asciiOnly(std::string_view text) {
     std::string clean(text);
     for (char& c : clean)
@@ -40,7 +40,7 @@ std::string asciiOnly(std::string_view text) {
 
 enum class Flavour { pdb, pdbqt };
 
-/// Records that are counted and not used, with the reason.
+/// Records that are counted but not used, with the reason.
 struct UnusedItem {
     std::string_view record, items, why = "not used";
 };
@@ -109,8 +109,8 @@ private:
             endModel();
             conectBefore_ = conect_.size();
         } else if (startsWith(line, "ENDMDL")) {
-            // Some programs number each model's atoms from 1 and state its bonds inside it: they are that model's
-            // alone.
+            // Some programs number each model's atoms from 1 and state bonds inside the model: these belong to that
+            // model only.
             if (conectBefore_ && modelInProgress() != wanted_) conect_.shrink(*conectBefore_);
             conectBefore_.reset();
             endModel();
@@ -120,7 +120,7 @@ private:
             title(line);
             noteConfidence(line);
         } else if (const auto range = secondaryOfPdbLine(line)) {
-            if (secondary_.size() < maxAtoms_) {  // a residue has an atom at least
+            if (secondary_.size() < maxAtoms_) {  // a residue has at least one atom
                 secondary_.push_back(*range);
                 secondary_.back().line = lines_.number();
             }
@@ -135,15 +135,15 @@ private:
         }
     }
 
-    /// As the databases of predictions begin: "TITLE     ALPHAFOLD MONOMER V2.0 PREDICTION FOR ...". A crystal
-    /// structure may mention AlphaFold as well, but not there.
+    /// Title of prediction databases: "TITLE     ALPHAFOLD MONOMER V2.0 PREDICTION FOR ...". Titles of crystal
+    /// structures may mention AlphaFold, but elsewhere.
     void noteConfidence(std::string_view line) {
         const std::string text = lowerCase(pdb::trim(pdb::columns(line, 11, 80)));
         const bool program = startsWith(text, "alphafold") || startsWith(text, "esmfold");
         if (program && text.find("prediction") != std::string::npos) molecule_.file.confidence = true;
     }
 
-    /// Files of consecutive structures: the part between two ENDs is one, with its CONECT records.
+    /// In files of consecutive structures, the part between two ENDs is one structure, with its CONECT records.
     void endStructure() {
         if (atomsInModel_ > 0 && modelInProgress() != wanted_) conect_.shrink(conectOfStructure_);
         if (atomsInModel_ > 0) conectOfStructure_ = conect_.size();
@@ -227,7 +227,7 @@ private:
         if (!firstModel_.empty()) identities_.push_back(identityOf(line));
     }
 
-    /// A record stands behind its atom's: U(1,1), U(2,2), U(3,3), U(1,2), U(1,3), U(2,3) in 1e-4 Å^2.
+    /// A record follows its atom's: U(1,1), U(2,2), U(3,3), U(1,2), U(1,3), U(2,3) in 1e-4 Å^2.
     void displacement(std::string_view line) {
         const auto leaveOut = [&](const char* why) {
             addNote(molecule_.notes, ReadAction::leftOut, "anisotropic displacements", why, 1, lines_.number());
@@ -257,8 +257,8 @@ private:
         ++guessedElements_;
     }
 
-    /// Ions are residues of one atom, so they are known when the residue is complete. Programs that do not number them
-    /// write residues of many.
+    /// Ions are residues of one atom, so they are recognised when the residue is complete. Programs that do not number
+    /// them write residues of many.
     void endResidue() {
         if (molecule_.residues.empty()) return;
         const Residue& residue = molecule_.residues.back();
@@ -282,7 +282,7 @@ private:
         return static_cast<std::uint32_t>(molecule_.residues.size() - 1);
     }
 
-    /// Numbers too large for their columns are stars; then the first name that comes again tells the next residue.
+    /// Numbers too large for their columns are stars; then a repeated atom name marks the next residue.
     bool repeatsWithoutNumber(std::string_view line) const {
         return pdb::column(line, 26) == '*' &&
                molecule_.atoms[molecule_.residues.back().firstAtom].name == Name(pdb::trim(pdb::columns(line, 13, 16)));
@@ -305,7 +305,7 @@ private:
         const char letter = pdb::column(line, 22);
         const bool polymer = line[0] == 'A' && residueTemplate(residue.name) && !isWater(residue.name);
         std::int32_t& last = lastOfPolymer_[static_cast<unsigned char>(letter)];
-        // Programs with more chains than letters begin with A again, whose numbers then repeat.
+        // Programs with more chains than letters begin with A again; then residue numbers repeat.
         if (polymer && letter != ' ' && letter != latestLetter_ && residue.number <= last)
             chainIndex_[static_cast<unsigned char>(letter)] = -1;
         residue.chain = residue.subchain = chainOf(letter, segment);
@@ -326,7 +326,7 @@ private:
         return whole && follows && value - before < kLargestGap ? value : number;
     }
 
-    /// Without a letter, a segment is a chain.
+    /// Without a letter, the segment is the chain.
     std::uint32_t chainOf(char letter, std::string_view segment) {
         const bool bySegment = letter == ' ' && !segment.empty();
         int& index = bySegment ? chainOfSegment_.try_emplace(std::string(segment), -1).first->second
@@ -382,8 +382,8 @@ private:
         return std::move(molecule_);
     }
 
-    /// CONECT records behind all models name atoms of the first. A model whose atom of that number is another one has
-    /// none of its bonds.
+    /// CONECT records after all models name atoms of the first. A model in which such a number is a different atom gets
+    /// none of their bonds.
     void forgetOtherAtoms() {
         if (firstModel_.empty() || conectInModel_) return;
         std::vector<std::int64_t> numbers;
@@ -411,25 +411,26 @@ private:
     pdb::Remark350 remark350_;
     pdb::Header header_;
     std::vector<std::int64_t> serials_;
-    std::vector<std::pair<std::int64_t, std::size_t>> firstModel_;  ///< numbers and identities, if another is wanted
-    std::vector<std::size_t> identities_;                           ///< of the atoms, beside those
+    std::vector<std::pair<std::int64_t, std::size_t>> firstModel_;  ///< numbers and identities, if another model is
+                                                                    ///< wanted
+    std::vector<std::size_t> identities_;                           ///< identities of the current model's atoms
     bool conectInModel_ = false;
     std::vector<SecondaryRange> secondary_;
     std::array<int, 256> chainIndex_{};
-    std::array<std::int32_t, 256> lastOfPolymer_{};  ///< number of its latest residue, by the chain's letter
+    std::array<std::int32_t, 256> lastOfPolymer_{};  ///< number of the latest polymer residue, by the chain's letter
     char latestLetter_ = '\0';
     std::map<std::string, int> chainOfSegment_;
-    Element stated_ = 0;  ///< of the latest atom, by its line; 0: none
+    Element stated_ = 0;  ///< element stated for the latest atom; 0: none
     std::int64_t guessedElements_ = 0;
-    std::size_t leftOut_ = 0;  ///< atoms; the first has this fault
+    std::size_t leftOut_ = 0;  ///< number of left-out atoms; the first has this fault
     std::string fault_;
     std::uint64_t lineOfFault_ = 0;
     std::string latestResidue_;  ///< its columns 18 to 28
     std::string latestAtom_;     ///< its columns 13 to 27; empty if it was left out
-    std::string inColumns_;      ///< the line that is read, if it was not
+    std::string inColumns_;      ///< holds the current line after a correction of columns
     bool sawModelRecord_ = false;
-    std::optional<std::size_t> conectBefore_;  ///< of conect_, where the model that is open began
-    std::size_t conectOfStructure_ = 0;        ///< the same, where END divides structures
+    std::optional<std::size_t> conectBefore_;  ///< size of conect_ at the start of the open model
+    std::size_t conectOfStructure_ = 0;        ///< likewise at the start of a structure, where END separates them
     int models_ = 0;
     std::int64_t atomsInModel_ = 0;
     std::int64_t totalAtoms_ = 0;

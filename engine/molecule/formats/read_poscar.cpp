@@ -1,5 +1,5 @@
 // VASP's POSCAR, CONTCAR and XDATCAR: a title, a scale, three cell vectors, symbols and counts of the species, then
-// positions; an XDATCAR goes on with further configurations.
+// positions; an XDATCAR has further configurations.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -74,8 +74,7 @@ private:
         for (glm::dvec3& vector : cell_) vector *= scale_;
     }
 
-    /// Symbols stand before the counts; old files have them in the title at best. "Fe_pv" and "Fe/1a2b" name a
-    /// potential.
+    /// Symbols precede the counts; in old files they are at best in the title. "Fe_pv" and "Fe/1a2b" name a potential.
     void readSpecies(std::string_view title) {
         std::vector<std::string_view> symbols = wordsOf(next()), counts = symbols;
         if (!symbols.empty() && parseInteger(symbols[0]))
@@ -122,7 +121,7 @@ private:
             }
     }
 
-    /// Velocities stand behind a blank line, or one that names their kind.
+    /// Velocities follow a blank line, or one that names their kind.
     void noteVelocities() {
         LineReader ahead = lines_;
         if (!ahead.next() || lowerCase(ahead.line()).find("configuration") != std::string::npos) return;
@@ -135,7 +134,7 @@ private:
         if (rows == atoms_) builder_.pass("velocities", rows);
     }
 
-    /// Velocities and the like are skipped. Where the cell varies, each configuration has a header of its own.
+    /// Skips velocities and other data. If the cell varies, each configuration has its own header.
     bool skipToConfiguration() {
         for (LineReader ahead = lines_; ahead.next(); lines_ = ahead) {
             if (lowerCase(ahead.line()).find("configuration") != std::string::npos) return true;

@@ -13,7 +13,7 @@ namespace nacre {
 
 namespace {
 
-/// The fields of one atom line as they are written.
+/// The fields of one atom line as written.
 struct PqrFields {
     std::string_view serial, name, residue, chain, number;
     std::array<std::string_view, 3> position;
@@ -61,7 +61,7 @@ private:
             endModel();
             conectBefore_ = conect_.size();
         } else if (startsWith(line, "ENDMDL")) {
-            // Bonds that are stated inside a model are that model's alone.
+            // Bonds stated inside a model belong to that model only.
             if (conectBefore_ && models_ + 1 != model_) conect_.shrink(*conectBefore_);
             conectBefore_.reset();
             endModel();
@@ -82,7 +82,7 @@ private:
         const std::size_t numbers = words.count - 5;
         for (std::size_t i = numbers; i < numbers + least; ++i)
             if (!parseNumber(words[i])) return std::nullopt;
-        // A name of four letters runs into the chain, or into the next name: columns tell them apart.
+        // A name of four letters touches the chain or the next name: columns separate them.
         if (words.count == 9 && words[2].size() > 4) return std::nullopt;
         PqrFields fields;
         fields.serial = words[0];
@@ -90,7 +90,7 @@ private:
         fields.residue = words[2];
         fields.chain = words.count == 10 ? words[3] : std::string_view();
         fields.number = words[numbers - 1];
-        // "A1000": the chain has run into the number.
+        // "A1000": chain and number touch.
         const bool joined = fields.chain.empty() && fields.number.size() > 1 &&
                             !parseInteger(fields.number.substr(0, 1)) && parseInteger(fields.number.substr(1)) &&
                             fields.number[0] != '-' && fields.number[0] != '+';
@@ -105,9 +105,8 @@ private:
         return fields;
     }
 
-    /// By blanks, or else by columns. Words that run into each other show where they do by their signs, or by their
-    /// decimal points in the usual columns.
-    /// @param apart  keeps the text of words that ran into each other
+    /// By blanks, or else by columns. Words that touch are divided at signs, or by decimal points in the usual columns.
+    /// @param apart  holds the text of divided words
     static PqrFields fieldsOf(std::string_view line, std::string& apart) {
         if (const auto fields = fieldsByWords(line, 5)) return *fields;
         const PqrFields columned = fieldsByColumns(line);
@@ -179,7 +178,7 @@ private:
     MoleculeBuilder builder_;
     pdb::ConectTable conect_;
     std::vector<std::int64_t> serials_;
-    std::optional<std::size_t> conectBefore_;  ///< of conect_, where the model that is open began
+    std::optional<std::size_t> conectBefore_;  ///< size of conect_ at the start of the open model
     std::int64_t models_ = 0, atomsInModel_ = 0, totalAtoms_ = 0;
 };
 

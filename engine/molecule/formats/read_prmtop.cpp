@@ -11,9 +11,9 @@ namespace nacre {
 
 namespace {
 
-constexpr double kAmberCharge = 18.2223;  // of an elementary charge
+constexpr double kAmberCharge = 18.2223;  // per elementary charge
 
-/// Fields of one section, in their columns.
+/// Fields of one section, by columns.
 struct PrmtopSection {
     std::string_view text;
     std::uint64_t line = 0;
@@ -134,13 +134,13 @@ private:
         });
         return all;
     }
-    static constexpr std::int64_t kNoInteger = -3;  // the place of no atom
+    static constexpr std::int64_t kNoInteger = -3;  // marks no atom
     std::vector<std::int64_t> integers(const char* flag, std::size_t most) {
         return parsed(flag, most, parseInteger, kNoInteger);
     }
     std::vector<double> numbers(const char* flag, std::size_t most) { return parsed(flag, most, parseNumber, 0.0); }
 
-    /// Triples: both atoms' numbers times three, from 0, and the bond's type.
+    /// Triples: three times the index of each atom, and the bond's type.
     void addBonds(const char* flag) {
         constexpr std::size_t kMostOfAtom = 3 * MoleculeBuilder::kMostBondsPerAtom;
         const std::vector<std::int64_t> triples = integers(flag, kMostOfAtom * builder_.molecule().atoms.size());

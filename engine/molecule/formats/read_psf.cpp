@@ -1,5 +1,5 @@
-// PSF topologies (CHARMM, NAMD, X-PLOR): atoms with segments, types, charges and masses, and bonds. Fields stand in
-// columns, in wider ones with EXT, or between blanks; a blank segment needs the columns.
+// PSF topologies (CHARMM, NAMD, X-PLOR): atoms with segments, types, charges and masses, and bonds. Fields have fixed
+// columns, wider ones with EXT, or are separated by blanks; a blank segment requires columns.
 #include <cmath>
 
 #include "engine/molecule/formats/topology.h"

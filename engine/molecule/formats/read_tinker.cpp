@@ -1,5 +1,5 @@
-// Tinker XYZ and ARC: a count and a title, perhaps a line with the periodic box, then number, name, position, type and
-// bonded atoms; frame after frame.
+// Tinker XYZ and ARC: frames of a count and a title, possibly a line with the periodic box, then lines of number, name,
+// position, type and bonded atoms.
 #include <algorithm>
 #include <cmath>
 
@@ -76,7 +76,7 @@ private:
         const std::int64_t own = records_++;
         for (std::size_t i = 6; i < words.size(); ++i) {
             const auto other = parseInteger(words[i]);
-            if (!other || *other - 1 < own) continue;  // each bond stands with both of its atoms
+            if (!other || *other - 1 < own) continue;  // each bond is listed with both of its atoms
             if (bonds_.size() < builder_.mostBonds()) bonds_.push_back({own, *other - 1, lines_.number()});
         }
     }
@@ -87,7 +87,7 @@ private:
             builder_.addBond(builder_.atomOfRecord(bond.a), builder_.atomOfRecord(bond.b), 1, bond.line);
     }
 
-    /// By the numbers of their records.
+    /// Bonds by record numbers.
     struct TinkerBond {
         std::int64_t a, b;
         std::uint64_t line;

@@ -67,7 +67,7 @@ private:
                 vector[static_cast<int>(i)] = static_cast<float>(*value);
             }
         }
-        if (frames_ < model_) builder_.takeCell(box, line, repeats_);  // a cell of its own precedes its atoms
+        if (frames_ < model_) builder_.takeCell(box, line, repeats_);  // a frame's own cell precedes its atoms
     }
 
     std::int64_t readAtoms(std::int64_t most) {

@@ -18,11 +18,11 @@ constexpr std::size_t kShortestAtomLine = 7;  // "C 0 0 0"
 struct Layout {
     std::size_t species = 0;            ///< word of the atom line
     std::size_t position = 1;           ///< word of x
-    std::vector<std::string> unused{};  ///< other columns that the comment names, such as "velocities"
+    std::vector<std::string> unused{};  ///< names of other columns, such as "velocities"
     bool named = false;                 ///< the comment names the columns
 };
 
-/// What a property of an extended XYZ file is called in notes.
+/// Name of an extended XYZ property in notes.
 std::string_view plainName(std::string_view property) {
     for (const char* name : {"velocities", "momenta", "forces", "charges", "masses", "magmoms"})
         if (startsWith(property, std::string_view(name).substr(0, 4)) || (property == "force" && name[0] == 'f'))
@@ -136,7 +136,7 @@ private:
         builder_.pass("further columns", static_cast<std::int64_t>(furthest_));
     }
 
-    /// Columns by the comment of an extended XYZ file. Without a usable list they are the usual ones.
+    /// Columns from the comment of an extended XYZ file; without a usable list, the usual ones.
     Layout layoutOf(std::string_view comment) {
         const std::string lower = lowerCase(comment);
         std::size_t at = lower.find("properties=");
@@ -175,7 +175,7 @@ private:
 
     std::string_view comment_;
     Layout layout_;
-    std::size_t furthest_ = 0;  ///< words of an atom line behind the coordinates, without names
+    std::size_t furthest_ = 0;  ///< most words after the coordinates of an atom line, if columns are unnamed
 };
 
 }  // namespace

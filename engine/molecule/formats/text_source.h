@@ -13,11 +13,11 @@ namespace nacre {
 
 struct TextSource {
     std::uint64_t size = 0;
-    /// Reads existing bytes. @throws Error
+    /// Reads bytes that exist. @throws Error
     std::function<void(std::uint64_t at, char* to, std::size_t count)> read;
 };
 
-/// @param text  outlives it
+/// @param text  outlives the result
 inline TextSource textInMemory(std::string_view text) {
     return {text.size(), [text](std::uint64_t at, char* to, std::size_t count) {
                 text.copy(to, count, static_cast<std::size_t>(at));

@@ -14,11 +14,11 @@ struct TopologyAtom {
     double mass = 0;    ///< u; 0: a virtual site
 };
 
-/// Element by mass, or else by name; both are guesses. 0 for a virtual site.
+/// Element by mass, else by name; both are guesses. 0 for a virtual site.
 Element elementOfTopology(MoleculeBuilder& builder, const TopologyAtom& stated, std::string_view name,
                           std::string_view residue);
 
-/// Stores type, charge and mass of the atom that was added last.
+/// Stores type, charge and mass of the most recently added atom.
 void keepTopology(MoleculeBuilder& builder, const TopologyAtom& stated);
 
 /// The molecule of a topology, whose atoms have no positions yet.

@@ -98,7 +98,7 @@ void addNucleotide(SampleBuilder& builder, const Base& base, std::int32_t number
     if (phosphate)
         for (const TableAtom& atom : kPhosphate) builder.atom(atom.name, atom.element, place(atom, frame));
     for (const TableAtom& atom : kSugar) {
-        // The table's O3' sits on the phosphate that it gives, so it belongs to the neighbour one step up.
+        // The table's O3' belongs to the phosphate in the table, so to the neighbour one step up.
         const double extraSteps = atom.name == "O3'" ? -1 : 0;
         builder.atom(atom.name, atom.element, place(atom, frame, extraSteps));
     }
@@ -110,7 +110,7 @@ void addNucleotide(SampleBuilder& builder, const Base& base, std::int32_t number
 Molecule sampleDna() {
     SampleBuilder builder("B-DNA dodecamer CGCGAATTCGCG, fibre model of Arnott and Hukins (1972)");
     const int length = static_cast<int>(kSequence.size());
-    // The sequence is its own complement, so both strands carry it; each runs 5' to 3' against its own axis. Steps
+    // The sequence is its own complement, so both strands have it; each runs 5' to 3' against its own axis. Steps
     // counted from the middle put the dyad of the whole duplex on the table's dyad.
     for (const bool opposite : {false, true}) {
         builder.chain(opposite ? "B" : "A");

@@ -37,7 +37,7 @@ void settle(glm::dvec3& a, glm::dvec3& b, double wanted) {
     b -= half;
 }
 
-/// Six bonds and six angles leave a six-membered chair no freedom, so that projecting onto them in turn finds it.
+/// Six bonds and six angles determine a six-membered chair, so that projecting onto them in turn finds it.
 Ring chair() {
     Ring ring;
     // 4C1: C4 above and C1 below the plane of the others, seen from the side where the numbering runs clockwise.

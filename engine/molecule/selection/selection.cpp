@@ -123,7 +123,7 @@ private:
             case SelectionTest::polymer:
                 return ofKind({ResidueKind::protein, ResidueKind::nucleic});
             case SelectionTest::ligand:
-                if (!step.words.empty())  // the main one
+                if (!step.words.empty())  // the main chain identifier
                     return whereResidue([main = mainLigandOf(facts_)](std::size_t i) { return main == i; });
                 return ofKind({ResidueKind::ligand});
             case SelectionTest::water:
@@ -199,7 +199,7 @@ private:
             return whereResidue([&](std::size_t i) { return chains[molecule_.residues[i].chain]; });
         }
         if (step.test == SelectionTest::entity) {
-            std::vector<bool> entities{false};  // 0: of none
+            std::vector<bool> entities{false};  // 0: no entity
             for (const std::string& id : molecule_.entities) {
                 const auto name = molecule_.file.entityNames.find(id);
                 entities.push_back(anyMatches(step.words, id) ||
@@ -276,7 +276,7 @@ private:
                 for (const std::string& word : step.words) wanted[elementFromSymbol(word)] = true;
                 return whereAtom([&](const Atom& atom) { return wanted[atom.element]; });
             }
-            // The file's number is a float; so is the one that it is compared with, or 0.3 would not equal 0.3.
+            // The file's number is a float; so is the compared number, or 0.3 would not equal 0.3.
             case SelectionTest::temperatureFactor:
                 return whereAtom([&](const Atom& atom) {
                     return holds(step.comparison, atom.temperatureFactor, static_cast<float>(step.value));
@@ -311,7 +311,7 @@ private:
         return whereResidue([&](std::size_t i) { return touched[molecule_.residues[i].chain]; });
     }
 
-    /// Some atoms, and those that bonds join to them.
+    /// The given atoms, and those bonded to them.
     Set withBonded(const Set& set) const {
         Set more = set;
         for (const Bond& bond : molecule_.bonds) {
@@ -321,7 +321,7 @@ private:
         return more;
     }
 
-    /// All that bonds connect with some atoms.
+    /// All atoms connected to the given ones by bonds.
     Set wholeMolecules(const Set& set) const {
         DisjointSets connected(molecule_.atoms.size());
         for (const Bond& bond : molecule_.bonds) connected.join(bond.a, bond.b);

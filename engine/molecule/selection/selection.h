@@ -63,8 +63,8 @@ enum class SelectionTest : std::uint8_t {
     occupancy,
     within,
     around,
-    expand,  ///< within, behind its operand
-    extend,  ///< by bonds, whose number is the distance
+    expand,  ///< like within, after its operand
+    extend,  ///< by bonds; `distance` is their number
     byResidue,
     byChain,
     byMolecule,

@@ -91,7 +91,7 @@ private:
         }
     }
 
-    /// PyMOL and ChimeraX differ in what "a and b around 5" is about.
+    /// PyMOL and ChimeraX differ in the operand of "a and b around 5".
     void refuseAfterOperator(std::size_t begin) {
         if (!afterOperator_) return;
         position_ = begin;
@@ -125,7 +125,7 @@ private:
         } else if (first == byResidue || first == byChain || first == byMolecule || first == neighbor) {
             const std::string word(nextToken());
             accept(*first);
-            const bool before = std::exchange(afterOperator_, false);  // "byres ligand around 5" has one reading
+            const bool before = std::exchange(afterOperator_, false);  // "byres ligand around 5" has only one meaning
             operand(word.c_str());
             afterOperator_ = before;
             push(*first);
@@ -156,7 +156,7 @@ private:
         if (!parentheses) refuseOperator(operation);
     }
 
-    /// If PyMOL would extend an operation differently than it reads, the user must add parentheses.
+    /// If PyMOL's operand would be longer, the user must add parentheses.
     void refuseOperator(const char* operation) {
         const auto next = keyword();
         if (next && (*next == conjunction || *next == disjunction || *next == within || *next == around))
@@ -219,13 +219,13 @@ private:
         return test == model ? "a model number" : "an atom's number";
     }
 
-    /// "#1/A,B:10-20,HEM@CA": all parts must hold. Each means the same as its keyword.
+    /// "#1/A,B:10-20,HEM@CA": all parts must match. Each is equivalent to its keyword.
     void chimeraSpecifier() {
         std::string marks;
         chimera_ = true;
         while (!atEndHere() && kMarks.find(text_[position_]) != std::string_view::npos && !isZone()) {
             const char mark = text_[position_];
-            // PyMOL's paths look similar, but each position has another meaning.
+            // PyMOL's paths look similar, but their positions have other meanings.
             if (marks.find(mark) != std::string::npos)
                 fail("'" + std::string(1, mark) + "' stands twice in a specifier");
             marks += mark;
@@ -255,7 +255,7 @@ private:
         return {};
     }
 
-    /// Values with + or commas between them. @param read  takes one; false if it is not usable
+    /// Values separated by + or commas. @param read  takes one; false if it is unusable
     template <typename Read>
     void list(const char* wanted, const Read& read) {
         do {
@@ -366,14 +366,14 @@ private:
     }
 
     int depth_ = 0;
-    bool afterOperator_ = false;  // of the term: an operator is open to its left
+    bool afterOperator_ = false;  // an operator is open to the left of the term
     Selection result_;
 };
 
 }  // namespace
 
 Selection parseSelection(std::string_view text) {
-    // Blanks of any kind are one kind: the text is written into views and lists, whose lines end.
+    // All blanks become spaces: views and lists store the text in lines.
     std::string plain(text.substr(0, kLongestText + 1));
     std::replace_if(plain.begin(), plain.end(), isBlank, ' ');
     return Parser(plain).parse();

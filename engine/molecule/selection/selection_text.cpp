@@ -12,7 +12,7 @@ namespace {
 
 using enum SelectionTest;
 
-/// The words of a test, with blanks between them: the names of PyMOL, ChimeraX and VMD where they mean one thing.
+/// The words of a test, separated by blanks: names of PyMOL, ChimeraX and VMD that have one meaning.
 struct Keywords {
     SelectionTest test;
     std::string_view words;
@@ -57,7 +57,7 @@ constexpr Keywords kKeywords[] = {
     {disjunction, "or |"},
 };
 
-/// Calls with each word and its test until that returns true.
+/// Calls `visit` with each word and its test until it returns true.
 template <typename Visit>
 void anyKeyword(const Visit& visit) {
     for (const auto& [test, words] : kKeywords)
@@ -139,7 +139,7 @@ std::vector<std::string> SelectionText::keywords() {
 }
 
 void SelectionText::fail(const std::string& why) const {
-    // Columns count characters as people see them, so that bytes within one do not count.
+    // Columns count visible characters, not bytes.
     std::size_t column = 1;
     for (std::size_t i = 0; i < position_ && i < text_.size(); ++i)
         if ((static_cast<unsigned char>(text_[i]) & 0xc0) != 0x80) ++column;

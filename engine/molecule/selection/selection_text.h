@@ -24,7 +24,7 @@ protected:
     std::string_view word();
     /// The next word or operator; moves to its beginning.
     std::string_view nextToken();
-    /// Meaning of the next token, if it is a keyword: names of PyMOL, ChimeraX and VMD where they agree.
+    /// Meaning of the next token if it is a keyword: names of PyMOL, ChimeraX and VMD that agree.
     std::optional<SelectionTest> keyword();
     bool accept(SelectionTest wanted);
     bool acceptCharacter(char wanted);

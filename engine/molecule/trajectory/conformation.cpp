@@ -1,4 +1,4 @@
-// The atoms of one molecule where another has their counterparts.
+// Positions of a molecule's atoms at their counterparts in another molecule.
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -65,7 +65,7 @@ std::vector<std::uint32_t> counterparts(const Molecule& molecule, const Molecule
     return pairs;
 }
 
-/// Atoms without a counterpart, by what hangs together by bonds.
+/// Groups of bonded atoms without a counterpart.
 std::vector<std::vector<std::uint32_t>> looseGroups(const Molecule& molecule, const std::vector<std::uint32_t>& pairs) {
     DisjointSets sets(pairs.size());
     for (const Bond& bond : molecule.bonds)
@@ -78,7 +78,7 @@ std::vector<std::vector<std::uint32_t>> looseGroups(const Molecule& molecule, co
     return all;
 }
 
-/// Moves a group as the matched atoms around it move: as one body.
+/// Moves a group rigidly with the matched atoms around it.
 void carry(const Molecule& molecule, const std::vector<std::uint32_t>& group, std::vector<std::uint32_t> matched,
            std::vector<glm::vec3>& positions) {
     constexpr std::size_t kAround = 12;
@@ -118,7 +118,7 @@ Conformation conformationOf(const Molecule& molecule, const Molecule& other, con
     Conformation end{std::vector<glm::vec3>(pairs.size()), matched.size()};
     for (std::size_t i = 0; i < pairs.size(); ++i) end.positions[i] = molecule.atoms[i].position;
     for (std::size_t i = 0; i < matched.size(); ++i) end.positions[matched[i]] = glm::vec3(onto(moving[i]));
-    // More groups than these stay: each looks through all matched atoms.
+    // Further groups stay: each group searches all matched atoms.
     constexpr std::size_t kMostCarried = 2000;
     const std::vector<std::vector<std::uint32_t>> groups = looseGroups(molecule, pairs);
     for (std::size_t i = 0; i < std::min(groups.size(), kMostCarried); ++i)

@@ -35,7 +35,7 @@ struct Hdf5Library {
     NACRE_HDF5_CALLS(NACRE_HDF5_MEMBER)
 #undef NACRE_HDF5_MEMBER
     hid_t nativeDouble = -1, fileAccess = -1;
-    std::string missing;  ///< why it cannot be used; empty: it can
+    std::string missing;  ///< why it cannot be used; empty if it can
 };
 
 const Hdf5Library& hdf5() {
@@ -79,7 +79,7 @@ herr_t nameFirst(hid_t, const char* name, const H5L_info_t*, void* first) {
     return 1;
 }
 
-/// Into memory that is asked for once the sizes are known to be these.
+/// Reads into memory that is allocated once the sizes are checked.
 template <typename Allocate>
 bool readRow(const Hdf5Handle& set, std::size_t frame, std::size_t count, bool framed, hid_t type,
              const Allocate& allocate) {
@@ -113,7 +113,7 @@ herr_t keepReferences(hid_t from, hid_t, H5T_cdata_t* path, std::size_t, std::si
     return hdf5().H5Tis_variable_str(from) > 0 && hdf5().H5Tget_size(from) == Hdf5Heaps::kReferenceBytes ? 0 : -1;
 }
 
-/// While it lives, the library converts texts of any length to this type by leaving their references as they are.
+/// While it exists, the library converts variable-length texts to this type by copying their references.
 class ReferenceType {
 public:
     explicit ReferenceType(hid_t text)
@@ -130,7 +130,7 @@ private:
     Hdf5Handle type_;
 };
 
-/// Strings that stand one after the other, each up to its first NUL.
+/// Fixed-size strings in a row, each up to its first NUL.
 std::vector<std::string> cutTexts(std::string_view bytes, std::size_t size) {
     std::vector<std::string> texts;
     for (std::size_t at = 0; at < bytes.size(); at += size) {
@@ -140,7 +140,7 @@ std::vector<std::string> cutTexts(std::string_view bytes, std::size_t size) {
     return texts;
 }
 
-/// Texts by their references. @param most  bytes of all together; those beyond are empty
+/// Texts by their references. @param most  total bytes; further texts are empty
 std::vector<std::string> heapTexts(Hdf5Heaps& heaps, std::string_view references, std::size_t most) {
     std::vector<std::string> texts;
     for (std::size_t at = 0; at < references.size(); at += Hdf5Heaps::kReferenceBytes) {
@@ -150,7 +150,7 @@ std::vector<std::string> heapTexts(Hdf5Heaps& heaps, std::string_view references
     return texts;
 }
 
-/// Texts of an attribute that has so many strings, of either kind; none of any other attribute.
+/// Texts of an attribute with this many strings, of either kind; empty for any other attribute.
 std::vector<std::string> attributeTexts(hid_t attribute, std::size_t count, Hdf5Heaps& heaps) {
     constexpr std::size_t kLongest = 100;
     const Hdf5Handle type(hdf5().H5Aget_type(attribute), hdf5().H5Tclose);
@@ -172,7 +172,7 @@ std::vector<std::string> attributeTexts(hid_t attribute, std::size_t count, Hdf5
     return hdf5().H5Aread(attribute, type, bytes.data()) < 0 ? std::vector<std::string>() : cutTexts(bytes, size);
 }
 
-/// Whether the bits of a number lie within its bytes: the library converts them without asking.
+/// Whether a number's bits lie within its bytes: the library converts without checking.
 bool isSoundNumber(hid_t type) {
     constexpr std::size_t kMostBytes = 16;
     const H5T_class_t kind = hdf5().H5Tget_class(type);
@@ -196,7 +196,7 @@ bool isSoundNumber(hid_t type) {
            exponentBits <= kMostExponentBits;
 }
 
-/// Whether a dataset of this file alone has room for its elements: the library reads them without asking.
+/// Whether a dataset in this file itself has room for its elements: the library reads without checking.
 bool isWhole(hid_t set) {
     const Hdf5Handle layout(hdf5().H5Dget_create_plist(set), hdf5().H5Pclose);
     const Hdf5Handle space(hdf5().H5Dget_space(set), hdf5().H5Sclose);
@@ -238,7 +238,7 @@ Hdf5Lock::~Hdf5Lock() {
 
 H5mdData H5mdData::ofFile(const std::string& path) {
     requireLibrary();
-    constexpr std::size_t kMostChecked = std::size_t{16} << 20;  // of a trajectory that may be huge
+    constexpr std::size_t kMostChecked = std::size_t{16} << 20;  // of a trajectory, which may be huge
     const std::shared_ptr<ByteFile> file = ByteFile::open(path);
     if (!file) throw Hdf5Fault(ByteFile::whyNotOpened(path));
     const auto read = [file](std::uint64_t at, std::size_t most) {
@@ -392,7 +392,7 @@ H5mdData::H5mdData(hid_t opened, Hdf5Heaps::Read read, std::uint64_t fileBytes)
     if (sizes_.size() != 3 || sizes_[2] != 3 || sizes_[0] == 0)
         throw Hdf5Fault("its positions are not (frame, atom, 3)");
     if (sizes_[1] > kMaxAtoms) throw Hdf5Fault("it has more than " + std::to_string(kMaxAtoms) + " atoms");
-    // A frame may be read through a chunk that holds many.
+    // Reading a frame may require a chunk of many frames.
     constexpr hsize_t kMostOfChunk = hsize_t{1} << 30;
     if (chunkBytes() > kMostOfChunk) throw Hdf5Fault("its chunks are larger than 1 GB");
 }
@@ -413,7 +413,7 @@ hsize_t H5mdData::chunkBytes() const {
     return bytes > 1e18 ? ~hsize_t{0} : static_cast<hsize_t>(bytes);
 }
 
-/// H5MD's box has an attribute: "periodic" or "none" for each axis; some programs state one for all.
+/// H5MD's box has an attribute: "periodic" or "none" per axis; some programs state one for all.
 void H5mdData::readBoundary() {
     H5L_info_t link;
     const std::string path = group_ + "/box";

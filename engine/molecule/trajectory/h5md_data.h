@@ -1,8 +1,8 @@
 #pragma once
-// HDF5 files: H5MD (particles/GROUP/position/value) and MDTraj's (coordinates, in nm). By libhdf5, which is loaded for
-// the first of them, and is not on phones. Its serial build takes one call at a time: hold an Hdf5Lock. Files come from
-// anywhere, so links to other files, storage in other files and filters from plug-ins are not followed, and types and
-// texts are checked before the library converts them. Damaged files can still crash it, so the server reads none.
+// HDF5 files: H5MD (particles/GROUP/position/value) and MDTraj's (coordinates, in nm). Uses libhdf5, which is loaded on
+// first use, and missing on phones. Its serial build allows one call at a time: hold an Hdf5Lock. Files are untrusted:
+// links to other files, external storage and plug-in filters are refused, and types and texts are checked before the
+// library converts them. Damaged files can still crash it, so the server reads none.
 
 #include <hdf5.h>
 
@@ -19,7 +19,7 @@
 
 namespace nacre {
 
-/// While it lives, no other thread reads HDF5 by these readers, and the library prints no errors of this thread.
+/// While it exists, no other thread reads HDF5 through these readers, and the library prints no errors of this thread.
 class Hdf5Lock {
 public:
     Hdf5Lock();
@@ -29,7 +29,7 @@ public:
 
 private:
     std::unique_lock<std::mutex> lock_;
-    H5E_auto2_t print_ = nullptr;  ///< what other users of the library in this process have chosen
+    H5E_auto2_t print_ = nullptr;  ///< the setting of other users of the library in this process
     void* printTo_ = nullptr;
 };
 
@@ -69,24 +69,24 @@ public:
     /// Path of the group of particles; empty in MDTraj's files.
     const std::string& group() const { return group_; }
 
-    /// Positions, box and time. False if the frame is damaged. @param result  has the positions' number
+    /// Reads positions, box and time. False if the frame is damaged. @param result  has as many positions as atoms
     bool read(std::size_t frame, TrajectoryFrame& result) const;
     /// Whether the box repeats along each of its vectors.
     const std::array<bool, 3>& repeats() const { return repeats_; }
 
-    /// A dataset of this file alone; invalid if there is none.
+    /// A dataset in this file itself; invalid if there is none.
     Hdf5Handle dataset(const std::string& path) const;
-    /// An element of H5MD: the same in all frames, or with a value for each.
+    /// An element of H5MD: constant, or with a value per frame.
     Hdf5Handle element(const std::string& path) const;
     static Hdf5Sizes sizesOf(const Hdf5Handle& set);
 
-    /// One row, as doubles; empty if it is not of this many numbers. Data without frames hold for all of them.
+    /// One row, as doubles; empty if it does not have this many numbers. Data without frames apply to all.
     static std::vector<double> rowOf(const Hdf5Handle& set, std::size_t frame, std::size_t count, bool framed);
-    /// The same of a number per atom, in every frame or once.
+    /// As above for a number per atom, per frame or constant.
     static std::vector<double> valuesOf(const Hdf5Handle& set, std::size_t frame, std::size_t count);
-    /// Texts of any kind of string, likewise. @param mostBytes  in memory
+    /// As above for texts of any string type. @param mostBytes  in memory
     std::vector<std::string> textsOf(const Hdf5Handle& set, std::size_t count, std::size_t mostBytes);
-    /// Names of an enumeration's values; none of any other type.
+    /// Names of an enumeration's values; empty for any other type.
     static std::map<double, std::string> enumerationOf(const Hdf5Handle& set);
     /// Å per unit of a dataset, by its attribute "unit".
     double scaleOf(const Hdf5Handle& set);

@@ -14,8 +14,8 @@ std::uint64_t numberIn(std::string_view text, std::size_t at, std::size_t count)
     return value;
 }
 
-/// @param headAt  bytes of a place, or fewer than kHead where there are none
-/// @param steps  of all heaps: those that overlap would be walked again and again
+/// @param headAt  bytes at a position, fewer than kHead if there are none
+/// @param steps  of all heaps: overlapping ones would be walked repeatedly
 template <typename HeadAt, typename Visit>
 void visitObjects(std::uint64_t heap, std::uint64_t fileBytes, std::uint64_t& steps, const HeadAt& headAt,
                   const Visit& visit) {

@@ -1,6 +1,6 @@
 #pragma once
-// Global heaps of HDF5 files, which hold texts of any length. libhdf5 trusts what points into them: damaged files made
-// it read and write beyond its memory, or never end. So these are read here.
+// Global heaps of HDF5 files, which hold variable-length texts. libhdf5 trusts references into them: damaged files made
+// it access memory out of bounds, or loop forever. So they are read here.
 
 #include <cstdint>
 #include <functional>
@@ -19,15 +19,15 @@ struct Hdf5Fault : std::runtime_error {
 
 class Hdf5Heaps {
 public:
-    /// Bytes from a place on; fewer where the file ends.
+    /// Reads bytes from a position; fewer at the end of the file.
     using Read = std::function<std::string(std::uint64_t at, std::size_t most)>;
-    static constexpr std::size_t kReferenceBytes = 16;  ///< length, place of the heap, number in it
+    static constexpr std::size_t kReferenceBytes = 16;  ///< length, position of the heap, index in it
 
-    /// @param base  what places count from
+    /// @param base  origin of positions
     Hdf5Heaps(Read read, std::uint64_t fileBytes, std::uint64_t base)
         : read_(std::move(read)), fileBytes_(fileBytes), base_(base) {}
 
-    /// Looks for heaps in which libhdf5 would not end. @param bytes  the begin of a file @throws Hdf5Fault
+    /// Finds heaps on which libhdf5 would loop forever. @param bytes  the start of a file @throws Hdf5Fault
     static void check(std::string_view bytes);
 
     /// The text, up to its first NUL; empty if the reference is damaged or the text longer than `most`.

@@ -1,4 +1,4 @@
-// The models of one file as a trajectory, where all of them have the same atoms.
+// The models of one file as a trajectory, if all have the same atoms.
 
 #include <algorithm>
 #include <string>

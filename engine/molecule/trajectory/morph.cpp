@@ -18,7 +18,7 @@ constexpr double kStays = 6.5;  // ... and at the next: these stay together
 constexpr double kAngleWeight = 0.5, kContactWeight = 0.01;
 constexpr int kHydrogen = 1;
 
-/// Two atoms whose difference turns with both of them.
+/// Two atoms whose difference rotates with both of them.
 struct Edge {
     std::uint32_t a, b;
     double weight;
@@ -37,16 +37,16 @@ std::vector<Edge> bondedEdges(const Molecule& molecule) {
         bonded[bond.a].push_back(bond.b);
         bonded[bond.b].push_back(bond.a);
     }
-    constexpr std::size_t kMostEnds = 16;  // of real atoms at most 8
+    constexpr std::size_t kMostEnds = 16;  // per atom; real atoms have at most 8
     for (const std::vector<std::uint32_t>& ends : bonded)
         for (std::size_t i = 0; i < std::min(ends.size(), kMostEnds); ++i)
             for (std::size_t k = 0; k < i; ++k) edges.push_back({ends[i], ends[k], kAngleWeight});
     return edges;
 }
 
-/// Atoms that are near each other at both keys. @param counts  which of them count: not hydrogens
+/// Adds pairs of atoms that are near each other at both keys. @param counts  atoms to consider: not hydrogens
 void addContacts(const std::vector<bool>& counts, const Places& from, const Places& to, std::vector<Edge>& edges) {
-    constexpr std::size_t kMostInCell = 64;  // of 125 Å³, where real ones have 15; more stand at one place
+    constexpr std::size_t kMostInCell = 64;  // per 125 Å³, where real structures have 15; more are a crowd
     std::map<std::array<int, 3>, std::vector<std::uint32_t>> cells;
     const auto cellOf = [](const glm::dvec3& p) {
         const glm::ivec3 cell(glm::floor(p / kContact));
@@ -75,7 +75,7 @@ std::vector<glm::dquat> turns(const Places& from, const Places& to, const std::v
     };
     for (const Edge& edge : edges)
         if (edge.weight != kContactWeight) add(edge);
-    // Fewer than three directions tell no rotation.
+    // Fewer than three directions determine no rotation.
     constexpr std::size_t kFewest = 3;
     std::vector<bool> few(from.size());
     for (std::size_t i = 0; i < from.size(); ++i) few[i] = around[i].size() < kFewest;
@@ -127,8 +127,8 @@ public:
     }
 
 private:
-    /// Gives bonds and angles the lengths between those of the keys, one after the other: where a side chain turns
-    /// against its neighbour, the least squares shorten what joins them.
+    /// Interpolates lengths of bonds and angles between the keys, one after the other: where a side chain turns against
+    /// its neighbour, least squares shorten the bonds between them.
     void keepLengths(Places& x, double share) const {
         constexpr int kRounds = 50;
         for (int round = 0; round < kRounds; ++round)
@@ -145,7 +145,7 @@ private:
             }
     }
 
-    /// The product with the matrix of the least squares, a graph's Laplacian.
+    /// The product with the matrix of the least-squares problem, a graph Laplacian.
     void multiply(const Places& x, Places& product) const {
         for (std::size_t i = 0; i < x.size(); ++i) product[i] = diagonal_[i] * x[i];
         for (const Edge& edge : edges_) {
@@ -154,7 +154,7 @@ private:
         }
     }
 
-    /// By conjugate gradients with the diagonal. The mean of what hangs together stays where it starts.
+    /// Solves by conjugate gradients with a diagonal preconditioner. The mean of each connected part stays fixed.
     Places solved(Places x, const Places& wanted) const {
         constexpr int kMostRounds = 2000;
         constexpr double kClose = 1e-8;  // of the first residual's square

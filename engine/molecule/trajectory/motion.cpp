@@ -11,8 +11,8 @@
 namespace nacre {
 namespace {
 
-/// The shortest way to an image of where a way leads. Boxes are reduced (c leans by at most half of a and b), so that
-/// shifting by c, then b, then a finds that.
+/// The shortest vector to an image of a vector's end. Boxes are reduced (c leans by at most half of a and b), so that
+/// shifting by c, then b, then a finds it.
 glm::vec3 nearestImage(glm::vec3 way, const PeriodicBox& box) {
     for (int k = 2; k >= 0; --k) {
         const glm::vec3& edge = box[static_cast<std::size_t>(k)];
@@ -89,7 +89,7 @@ void Motion::findFitted(const Molecule& molecule) {
         if (!options_.whole && (fitted[bond.a] || fitted[bond.b])) fittedBonds_.push_back({bond.a, bond.b});
 }
 
-/// Whole molecules at those of their images that belong together.
+/// Moves whole molecules to the images that belong together.
 void Motion::gather(std::vector<glm::vec3>& positions, const PeriodicBox& box, bool first) {
     std::vector<glm::vec3> shifts(positions.size(), glm::vec3(0));  // by the molecule's first atom
     std::vector<bool> settled(positions.size());
@@ -107,8 +107,7 @@ void Motion::gather(std::vector<glm::vec3>& positions, const PeriodicBox& box, b
         if (first) ways_[i] = image;
     }
     for (std::size_t atom = 0; atom < positions.size(); ++atom) {
-        const std::uint32_t molecule =
-            firstOf_[atom];  // at or before the atom: it has not moved yet, or knows its shift
+        const std::uint32_t molecule = firstOf_[atom];  // at or before the atom: not moved yet, or its shift is known
         if (!settled[molecule]) {
             const glm::vec3 way = positions[molecule] - origin;
             shifts[molecule] = nearestImage(way, box) - way;
@@ -126,13 +125,13 @@ bool Motion::isTorn(const std::vector<glm::vec3>& positions, const PeriodicBox& 
     });
 }
 
-/// Each atom goes to the image of it that is nearest to its neighbour.
+/// Moves each atom to its image nearest to its neighbour.
 void Motion::makeWhole(std::vector<glm::vec3>& positions, const PeriodicBox& box) const {
     for (const Step& step : steps_)
         positions[step.to] = positions[step.from] + nearestImage(positions[step.to] - positions[step.from], box);
 }
 
-/// A frame, with each molecule at the image that is nearest to where it was in the one before.
+/// A frame with each molecule at the image nearest to its place in the previous frame.
 std::vector<glm::vec3> Motion::follow(const std::vector<glm::vec3>& before, const Kept& kept) const {
     std::vector<glm::vec3> positions = kept.positions;
     if (!kept.box) return positions;
@@ -161,7 +160,7 @@ Motion::Kept Motion::lay(std::size_t frame) {
     if (options_.whole && read.box) makeWhole(read.positions, *read.box);
     if (options_.whole && !read.box && !boxless_) boxless_ = frame;
     if (frame > 0 && !options_.fitted.empty() && first_.empty()) first_ = fittedOf(lay(0).positions);
-    // Without a box the first frame shows no ways between molecules that others could have.
+    // Without a box, the first frame defines no arrangement of molecules for the others.
     if (!fittedOfMolecules_.empty() && read.box && (frame == 0 || !ways_.empty()))
         gather(read.positions, *read.box, frame == 0);
     if (!torn_ && read.box && isTorn(read.positions, *read.box)) torn_ = frame;
@@ -176,7 +175,7 @@ const Motion::Kept& Motion::laid(std::size_t frame) {
     for (const Kept& kept : kept_)
         if (kept.frame == frame) return kept;
     if (kept_.size() >= options_.smoothed) {
-        // The one that is farthest away is wanted last.
+        // The farthest frame is needed last.
         const auto apart = [&](const Kept& k) { return k.frame > frame ? k.frame - frame : frame - k.frame; };
         kept_.erase(std::max_element(kept_.begin(), kept_.end(),
                                      [&](const Kept& a, const Kept& b) { return apart(a) < apart(b); }));
@@ -187,7 +186,7 @@ const Motion::Kept& Motion::laid(std::size_t frame) {
 
 std::vector<glm::vec3> Motion::positions(std::size_t frame) {
     const std::size_t half = options_.smoothed / 2, count = trajectory_->atoms();
-    std::vector<glm::vec3> middle;  // references to kept frames do not last
+    std::vector<glm::vec3> middle;  // references to kept frames become invalid
     std::vector<glm::dvec3> sum(count, glm::dvec3(0));
     {
         const Kept& kept = laid(frame);

@@ -1,6 +1,6 @@
 #pragma once
-// A trajectory as shown: molecules cut by the periodic box are made whole, frames are fitted to the first, and motion
-// is smoothed over neighbouring frames.
+// A trajectory for display: molecules cut by the periodic box are made whole, frames are fitted to the first, and
+// motion is smoothed over neighbouring frames.
 
 #include <deque>
 
@@ -13,8 +13,8 @@ namespace nacre {
 struct MotionOptions {
     bool whole = false;  ///< make molecules whole: bonded atoms lie together across the box's faces
     /// Atoms by which frames are fitted to the first; empty: no fit. Whole molecules with such atoms keep the
-    /// arrangement of the first frame, there at their nearest images; all others take the image nearest to the first of
-    /// these.
+    /// arrangement of the first frame, where they are at their nearest images; all others take the image nearest to the
+    /// first of these.
     std::vector<std::uint32_t> fitted;
     /// Number of frames averaged, odd; fewer at both ends. In a periodic box each whole molecule, or else each atom, is
     /// tracked by its nearest image between frames, so that no average mixes two sides of the box.
@@ -34,7 +34,7 @@ public:
 
     const Trajectory& trajectory() const { return *trajectory_; }
     std::size_t frames() const { return trajectory_->frames(); }
-    /// Å. @param frame from 0. In sequence each costs one frame read. @throws Error
+    /// Å. @param frame from 0. Frames in sequence cost one read each. @throws Error
     std::vector<glm::vec3> positions(std::size_t frame);
     /// RMSD of the fitted atoms to the first frame, Å, for the last frame requested.
     double rmsd() const { return rmsd_; }
@@ -46,7 +46,7 @@ public:
     std::optional<std::size_t> boxless() const { return boxless_; }
 
 private:
-    /// A frame as read, made whole if asked for; `onto` is its fit.
+    /// A frame as read, made whole if requested; `onto` is its fit.
     struct Kept {
         std::size_t frame;
         std::vector<glm::vec3> positions;
@@ -74,11 +74,11 @@ private:
     std::unique_ptr<Trajectory> trajectory_;
     MotionOptions options_;
     std::vector<Step> steps_;
-    std::vector<std::uint32_t> firstOf_;                         // per atom made whole: the first atom of its molecule
+    std::vector<std::uint32_t> firstOf_;                         // by atom, if made whole: first atom of its molecule
     std::vector<glm::dvec3> first_;                              // the fitted atoms in the first frame
-    std::vector<Step> fittedBonds_;                              // of fitted atoms, if nothing is made whole
+    std::vector<Step> fittedBonds_;                              // of fitted atoms, if molecules are not made whole
     std::vector<std::vector<std::uint32_t>> fittedOfMolecules_;  // fitted atoms by whole molecule
-    std::vector<glm::vec3> ways_;  // from the first of these molecules to each, in the first frame
+    std::vector<glm::vec3> ways_;  // vector from the first of these molecules to each, in the first frame
     std::optional<std::size_t> torn_, boxless_;
     std::deque<Kept> kept_;
     double rmsd_ = 0;

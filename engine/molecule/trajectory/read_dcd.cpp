@@ -1,5 +1,5 @@
-// DCD of CHARMM, NAMD and X-PLOR: Fortran records, each between two copies of its length, in either byte order. Frames
-// have one size, except that with fixed atoms only the first frame has all atoms.
+// DCD of CHARMM, NAMD and X-PLOR: Fortran records, each between two copies of its length, in either byte order. All
+// frames have one size, except that with fixed atoms only the first frame has all atoms.
 
 #include <cmath>
 
@@ -22,12 +22,12 @@ private:
         hasCell_ = charmm && control(10) != 0;
         hasFourth_ = charmm && control(11) != 0;
         const std::int32_t fixed = control(8);
-        // X-PLOR's step is a double in place of two numbers.
+        // X-PLOR's step is a double instead of two numbers.
         const double units = numbersAt(8 + 4 * 9).next(!charmm);
         constexpr double kAkmaPicoseconds = 0.0488882129;  // sqrt(g/mol Å^2 / (kcal/mol)) in ps
         firstStep_ = control(1);
         perFrame_ = control(2);
-        // Programs that know no step write 1, which would be 49 fs.
+        // Programs that do not know the step write 1, which would be 49 fs.
         if (units > 0 && units < 1e6 && units != 1 && perFrame_ > 0) stepPicoseconds_ = units * kAkmaPicoseconds;
         std::uint64_t at = kHeader;
         at += record(at);  // the title
@@ -58,7 +58,7 @@ private:
         return count * 4 + 8;
     }
 
-    /// Bytes that a record takes with both its lengths. @throws Error if those differ
+    /// Size of a record including both its lengths, bytes. @throws Error if those differ
     std::uint64_t record(std::uint64_t at) const {
         const auto length = numbersAt(at).next<std::uint32_t>();
         if (!file_->holds(at, std::uint64_t{length} + 8) || numbersAt(at + 4 + length).next<std::uint32_t>() != length)
@@ -108,10 +108,10 @@ private:
     }
 
     bool hasCell_ = false, hasFourth_ = false;
-    std::vector<std::uint32_t> free_;  // atoms that move; empty: all
+    std::vector<std::uint32_t> free_;  // mobile atoms; empty: all
     std::vector<glm::vec3> fixedPositions_;
     std::uint64_t first_ = 0, firstSize_ = 0, frameSize_ = 0;
-    double stepPicoseconds_ = 0, firstStep_ = 0, perFrame_ = 0;  // of the simulation; 0: not known
+    double stepPicoseconds_ = 0, firstStep_ = 0, perFrame_ = 0;  // of the simulation; 0: unknown
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // NetCDF as AMBER writes trajectories and restart files (conventions AMBER and AMBERRESTART 1.0): classic NetCDF,
-// versions 1, 2 and 5. Only the head is read in general; of the variables, `coordinates`, `cell_lengths` and
-// `cell_angles`. NetCDF's own library would bring HDF5 along, for nothing.
+// versions 1, 2 and 5. Reads the header, and of the variables only `coordinates`, `cell_lengths` and `cell_angles`.
+// NetCDF's own library would needlessly require HDF5.
 
 #include <map>
 
@@ -37,8 +37,8 @@ public:
     }
 
     std::uint64_t records = 0;
-    bool streaming = false;                 ///< their number is not known
-    std::vector<std::uint64_t> dimensions;  ///< 0: that of records
+    bool streaming = false;                 ///< the number of records is unknown
+    std::vector<std::uint64_t> dimensions;  ///< 0: the record dimension
     std::map<std::string, NetcdfVariable> variables;
     std::uint64_t recordBytes = 0;
 
@@ -99,7 +99,7 @@ private:
             skipAttributes();
             v.type = type();
             v.bytes *= kTypeBytes[v.type];
-            count();  // the header's size field is too small for large ones
+            count();  // skipped: the header's size field is too small for large variables
             v.begin = version_ == 1 ? numbers_.next<std::uint32_t>() : numbers_.next<std::uint64_t>();
             if (v.recorded) {
                 ++recorded;

@@ -1,4 +1,4 @@
-// TRR of GROMACS: XDR, nm, in single or double precision; frames may lack positions, and are then stepped over.
+// TRR of GROMACS: XDR, nm, in single or double precision; frames without positions are skipped.
 
 #include "engine/molecule/trajectory/trajectory_file.h"
 
@@ -23,7 +23,7 @@ TrrHead trrHeadAt(const TrajectoryFile& file, std::uint64_t at) {
     };
     if (numbers.next<std::int32_t>() != 1993)
         file.fail("a frame has no valid header (byte " + std::to_string(at) + ")");
-    numbers.skip(4);  // length of the name with its end
+    numbers.skip(4);  // length of the name, with its terminator
     numbers.skip((size() + 3) / 4 * 4);
     TrrHead head;
     const std::uint64_t records = size() + size();
@@ -90,7 +90,7 @@ private:
         readPositions(head.begin + head.beforePositions, head.twice, kAngstrom, result);
     }
 
-    static constexpr float kAngstrom = 10;  // in a nm
+    static constexpr float kAngstrom = 10;  // per nm
     std::vector<std::uint64_t> places_;
 };
 

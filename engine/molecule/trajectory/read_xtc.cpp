@@ -33,7 +33,7 @@ constexpr std::array<std::uint32_t, 73> kXtcRanges = {
     330280,  416127,  524287,  660561,  832255,   1048576,  1321122, 1664510, 2097152, 2642245, 3329021,
     4194304, 5284491, 6658042, 8388607, 10568983, 13316085, 16777216};
 
-/// BitReader from the highest of the first byte on. What lies behind the end reads as 0, and is noted.
+/// Reads bits from the highest of the first byte on. Bits beyond the end read as 0, and are noted.
 class BitReader {
 public:
     explicit BitReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -58,7 +58,7 @@ private:
     bool over_ = false;
 };
 
-/// Wide enough for the product of three numbers of 24 bits.
+/// Wide enough for the product of three 24-bit numbers.
 __extension__ using WideNumber = unsigned __int128;
 
 unsigned widthOf(const std::array<std::uint32_t, 3>& sizes) {
@@ -77,7 +77,7 @@ GridPoint takePacked(BitReader& bits, unsigned width, const std::array<std::uint
     return {static_cast<std::int64_t>(value / sizes[1]), static_cast<std::int64_t>(value % sizes[1]), z};
 }
 
-/// Three numbers below their sizes, packed together: bytes from the lowest on, the last one short.
+/// Unpacks three numbers below their sizes: bytes from the lowest on, the last one partial.
 GridPoint takeThreeNumbers(BitReader& bits, unsigned width, const std::array<std::uint32_t, 3>& sizes) {
     return width <= 64 ? takePacked<std::uint64_t>(bits, width, sizes) : takePacked<WideNumber>(bits, width, sizes);
 }
@@ -154,7 +154,7 @@ private:
         return true;
     }
 
-    /// To the next wider or narrower range.
+    /// Moves to the next wider or narrower range.
     bool move(int step) {
         index_ += step;
         return index_ >= kFirstXtcRange && index_ < static_cast<int>(kXtcRanges.size());
@@ -169,7 +169,7 @@ private:
     unsigned width_ = 0;
 };
 
-constexpr std::size_t kFewAtoms = 9;  ///< so many are not compressed
+constexpr std::size_t kFewAtoms = 9;  ///< up to this number, positions are not compressed
 constexpr std::uint64_t kTimeAt = 12, kCountAt = 52, kDataAt = 56;
 
 struct XtcHead {
@@ -197,7 +197,7 @@ XtcHead xtcHeadAt(const TrajectoryFile& file, std::uint64_t at) {
     head.packing.smallIndex = packed.next<std::int32_t>();
     head.count = magic == 2023 ? packed.next<std::uint64_t>() : packed.next<std::uint32_t>();
     head.begin = packed.offset();
-    // Three bits an atom are the least; 12 bytes and a little the most.
+    // At least three bits per atom, and at most a little over 12 bytes.
     if (head.count < head.atoms / 8 || head.count > 16 * head.atoms + 64)
         file.fail("a frame of " + std::to_string(head.atoms) + " atoms takes " + std::to_string(head.count) +
                   " bytes (byte " + std::to_string(at) + ")");

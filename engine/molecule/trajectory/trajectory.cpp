@@ -33,7 +33,7 @@ FileTrajectory::FileTrajectory(OwnedFile file, const char* format, bool swapped)
 
 void FileTrajectory::readFrame(std::size_t frame, TrajectoryFrame& result) {
     readWhole(frame, result);
-    constexpr float kFarthest = 1e7f;  // Å; nothing is drawn beyond, nor was ever simulated
+    constexpr float kFarthest = 1e7f;  // Å; larger coordinates are neither drawn nor simulated
     for (std::size_t i = 0; i < result.positions.size(); ++i)
         for (int k = 0; k < 3; ++k)
             if (!(std::abs(result.positions[i][k]) < kFarthest))
@@ -66,7 +66,7 @@ namespace {
 using Opener = std::unique_ptr<Trajectory> (*)(OwnedFile);
 using FileStart = std::array<std::byte, 8>;
 
-/// The reader of a format that holds positions alone; null: it is none of these.
+/// The reader of a format that contains only positions; null for other formats.
 Opener openerOf(const FileStart& start) {
     const auto big = numberAt<std::uint32_t>(start.data(), kBigEndianSwapped);
     constexpr std::uint32_t kXtc = 1995, kLargeXtc = 2023, kTrr = 1993, kDcdHeader = 84;

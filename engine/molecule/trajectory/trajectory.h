@@ -14,7 +14,7 @@
 
 namespace nacre {
 
-/// Vectors of a periodic box, Å; zero where it does not repeat.
+/// Vectors of a periodic box, Å; zero along directions that do not repeat.
 using PeriodicBox = std::array<glm::vec3, 3>;
 
 struct TrajectoryFrame {
@@ -48,10 +48,10 @@ protected:
 /// holds only those. Any other file is read as a structure whose models are the frames. @throws Error
 std::unique_ptr<Trajectory> openTrajectory(const std::string& path);
 
-/// A DCD, XTC, TRR or AMBER NetCDF file from its bytes; null: it is none. @param name  for messages @throws Error
+/// A DCD, XTC, TRR or AMBER NetCDF file from its bytes; null for other formats. @param name  for messages @throws Error
 std::unique_ptr<Trajectory> openTrajectory(const std::string& name, const std::string& bytes);
 
-/// Whether a file begins as DCD, XTC, TRR or NetCDF, which hold positions alone; false if it cannot be read.
+/// Whether a file begins as DCD, XTC, TRR or NetCDF, which contain only positions; false if it cannot be read.
 bool isTrajectoryFile(const std::string& path);
 
 /// The models of a molecule's file in order, if each has the molecule's own atoms (Molecule::others); else null.
@@ -60,7 +60,7 @@ bool isTrajectoryFile(const std::string& path);
 std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> molecule, int model,
                                                bool placesAlone = false);
 
-/// Reason why there is none: "model 3 has 12 atoms, the first 14". @param molecule  the first model
+/// Why there is no such trajectory: "model 3 has 12 atoms, the first 14". @param molecule  the first model
 std::string differenceOfModels(const Molecule& molecule);
 
 /// Box vectors from lengths (Å) and angles (degrees) between b and c, a and c, a and b; none if the volume is zero.

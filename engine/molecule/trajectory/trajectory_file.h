@@ -25,7 +25,7 @@ public:
     const std::string& name() const { return name_; }
     std::uint64_t size() const { return file_->size(); }
     bool holds(std::uint64_t offset, std::uint64_t count) const { return offset <= size() && count <= size() - offset; }
-    /// @throws Error if the file does not hold these bytes
+    /// @throws Error if the file does not contain these bytes
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
     [[noreturn]] void fail(const std::string& why) const { throw Error("cannot read trajectory", name_, why); }
 
@@ -79,7 +79,7 @@ class FileTrajectory : public Trajectory {
 protected:
     FileTrajectory(OwnedFile file, const char* format, bool swapped = kBigEndianSwapped);
 
-    /// Positions that are not finite are refused afterwards.
+    /// Non-finite positions are refused afterwards.
     virtual void readWhole(std::size_t frame, TrajectoryFrame& result) = 0;
     NumberReader numbersAt(std::uint64_t offset) const { return {*file_, offset, swapped_}; }
     /// x, y and z of all atoms in turn. @param twice  in double precision @param factor  Å per unit
