@@ -32,7 +32,7 @@ namespace {
 constexpr double kRedrawPatience = 1;  // seconds, for a picture of the window's new size
 constexpr double kPointsPerInch = 160;
 
-/// Pixels a point of the display that the activity is on.
+/// Pixels per point of the activity's display.
 double densityOf(const ANativeActivity* activity) {
     AConfiguration* configuration = AConfiguration_new();
     AConfiguration_fromAssetManager(configuration, activity->assetManager);
@@ -104,7 +104,7 @@ public:
 
     App(const App&) = delete;
 
-    /// The activity goes. Should a driver or the network hold the session up, this outlives it until that goes on.
+    /// The activity ends. If a driver or the network blocks the session, this object lives until the session continues.
     void end() {
         detach();
         document_.reset();
@@ -120,12 +120,12 @@ public:
         }).detach();
     }
 
-    /// Tells the session something, on its thread.
+    /// Calls a function of the session, on its thread.
     using Tell = Platform::Tell;
     void post(Tell tell) {
         thread_.post([this, tell = std::move(tell)] { tell(*session_); });
     }
-    /// The same, and waits for at most so many seconds.
+    /// As above, and waits at most this many seconds.
     bool call(double seconds, Tell tell) {
         return thread_.call([this, tell = std::move(tell)] { tell(*session_); }, seconds);
     }
@@ -141,7 +141,7 @@ public:
     }
     void refillPatience() { patience_ = mainThreadPatience; }
 
-    /// JSON; empty before the first step without an input. If the thread is busy for long, the view of its last step.
+    /// JSON; empty before the first step without an input. If the thread stays busy, the view of its last step.
     std::string lastView() {
         wait(Tell([](AndroidSession&) {}));
         const std::lock_guard lock(mutex_);
@@ -187,7 +187,7 @@ private:
             document_->open();
         };
         told.controls = [this] {
-            // From the first question on, the table is kept up to date.
+            // From the first request on, the table is kept up to date.
             if (!read_.exchange(true)) thread_.post([] {});
             const std::lock_guard lock(mutex_);
             return lines_;
@@ -195,7 +195,7 @@ private:
         return told;
     }
 
-    /// On the render thread, like the two that follow.
+    /// On the render thread, like the next two.
     double step() {
         if (!session_) return std::numeric_limits<double>::infinity();
         const double wake = session_->turn();
@@ -216,7 +216,7 @@ private:
         platform_.controlsChanged();
     }
 
-    /// Without a device there is nothing to show but the reason.
+    /// Without a device, shows only the reason.
     void fail(const char* why) {
         logError(why);
         if (session_) {
@@ -239,10 +239,10 @@ private:
         }
     }
 
-    /// @returns whether the event was ours
+    /// @returns whether this handled the event
     bool handle(const AInputEvent* event) {
         if (AInputEvent_getType(event) == AINPUT_EVENT_TYPE_KEY && AKeyEvent_getKeyCode(event) == AKEYCODE_BACK) {
-            // Down and up go the same way, or Android takes half a key for a whole one.
+            // Handles down and up alike, or Android takes half a key press for a whole one.
             const bool down = AKeyEvent_getAction(event) == AKEY_EVENT_ACTION_DOWN;
             if (down) ownsBack_ = wantsBack_;
             if (ownsBack_ && !down) post([](AndroidSession& s) { s.back(); });
@@ -295,7 +295,7 @@ private:
     std::atomic<bool> wantsBack_{false};  // the back key is ours, to close the panel or the help
     std::atomic<bool> read_{false};       // a screen reader wants the controls
     std::mutex mutex_;
-    std::optional<PictureDescription> view_;  // under the mutex: as it was after the last step
+    std::optional<PictureDescription> view_;  // after the last step; guarded by the mutex
     std::string lines_;                       // likewise: controlLines() as last reported
     RenderThread thread_;
     std::unique_ptr<AndroidSession> session_;  // the thread's

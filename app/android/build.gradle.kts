@@ -15,7 +15,7 @@ android {
 
     defaultConfig {
         applicationId = "org.nacre.viewer"
-        // strtod_l, which numbers are read by, is there from then on.
+        // The first level with strtod_l, which parses numbers.
         minSdk = 26
         targetSdk = 36
         versionCode = 1
@@ -54,7 +54,7 @@ android {
     }
     buildTypes {
         release {
-            isMinifyEnabled = false  // native code calls what little Java there is by its names
+            isMinifyEnabled = false  // native code calls the few Java classes by name
         }
     }
 }

@@ -12,7 +12,7 @@ glm::dvec2 placeOf(const AInputEvent* event, double pixelsPerPoint) {
     return glm::dvec2(AMotionEvent_getX(event, 0), AMotionEvent_getY(event, 0)) / pixelsPerPoint;
 }
 
-/// Without the number of the pointer that it is of; nothing: the event is of no pointer.
+/// The action without the pointer's index; empty if the event has no pointer.
 std::optional<std::int32_t> actionOf(const AInputEvent* event) {
     if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION) return std::nullopt;
     if ((AInputEvent_getSource(event) & AINPUT_SOURCE_CLASS_MASK) != AINPUT_SOURCE_CLASS_POINTER) return std::nullopt;
@@ -25,7 +25,7 @@ bool isMouse(const AInputEvent* event) { return AMotionEvent_getToolType(event, 
 
 struct KeyMeaning {
     std::int32_t code;
-    char32_t plain, shifted;  ///< shifted: 0 if Shift makes no other character
+    char32_t plain, shifted;  ///< shifted: 0 if Shift gives no other character
 };
 
 constexpr KeyMeaning kKeys[] = {

@@ -10,11 +10,11 @@
 
 namespace nacre::app {
 
-/// Touches of a motion event by fingers and pens. Positions in points.
+/// Touches in a motion event, by fingers and pens. Positions in points.
 std::vector<TouchEvent> touchesOf(const AInputEvent* event, double pixelsPerPoint);
 
 struct MouseEvent {
-    MouseButton button;  ///< that was pressed
+    MouseButton button;  ///< the pressed button
     TouchEvent touch;
     Modifiers with;
 };
@@ -23,13 +23,13 @@ struct MouseEvent {
 std::optional<MouseEvent> mouseOf(const AInputEvent* event, double pixelsPerPoint);
 
 struct HoverEvent {
-    std::optional<glm::dvec2> at;  ///< points; empty: it left
+    std::optional<glm::dvec2> at;  ///< points; empty: it left the window
 };
 
-/// A finger that explores by touch, which a screen reader makes a hovering one.
+/// Whether a finger explores by touch: a screen reader turns it into a hovering one.
 bool isExploring(const AInputEvent* event);
 
-/// A mouse or pen that hovers without touching; for a finger that explores, too.
+/// A mouse or pen that hovers without touching; also a finger that explores.
 std::optional<HoverEvent> hoverOf(const AInputEvent* event, double pixelsPerPoint);
 
 struct WheelEvent {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr jint kPiece = 1 << 16;
 
-/// android.provider.OpenableColumns.DISPLAY_NAME of a document, or else the end of its URI.
+/// android.provider.OpenableColumns.DISPLAY_NAME of a document, else the end of its URI.
 std::string nameOf(const Java& java, jobject resolver, jobject uri) {
     try {
         const jobject columns =
@@ -32,12 +32,12 @@ std::string nameOf(const Java& java, jobject resolver, jobject uri) {
         }
         if (!name.empty()) return name;
     } catch (const JavaError&) {
-        // Not every provider keeps names.
+        // Some providers have no names.
     }
     return java.text(java.object(uri, "getLastPathSegment", "()Ljava/lang/String;"));
 }
 
-/// The document's bytes by java.io.InputStream: for providers that have no file to give.
+/// The document's bytes through java.io.InputStream, for providers without files.
 ReadBytes streamOf(const Java& java, jobject resolver, jobject uri) {
     const jobject stream = java.object(resolver, "openInputStream", "(Landroid/net/Uri;)Ljava/io/InputStream;", uri);
     if (!stream) throw JavaError("the other app returned nothing");

@@ -14,7 +14,7 @@
 
 namespace nacre::app {
 
-/// Whether the intent switches the validation layer on: `adb shell am start -n org.nacre.viewer/.NacreActivity --ez
+/// Whether the intent enables the validation layer: `adb shell am start -n org.nacre.viewer/.NacreActivity --ez
 /// validate true`. Call on the main thread.
 bool wantsValidation(ANativeActivity* activity);
 
@@ -22,11 +22,11 @@ class IntentDocument {
 public:
     using Post = std::function<void(std::function<void(AndroidSession&)>)>;
 
-    /// Call on the main thread, as all members.
+    /// Call on the main thread, like all members.
     /// @param uri  of the document; null: the one that started the activity
     /// @param post  reports to the session on its thread: the copy, or the error
     IntentDocument(ANativeActivity* activity, jobject uri, OpenedFiles files, Post post);
-    /// Abandons a copy in progress: a provider may take any time.
+    /// Abandons an unfinished copy: a provider may take any time.
     ~IntentDocument();
     IntentDocument(const IntentDocument&) = delete;
 
@@ -42,7 +42,7 @@ private:
         jobject activity = nullptr, uri = nullptr;  // global references
         OpenedFiles files{""};
         std::mutex mutex;
-        Post post;  // empty: nobody waits for the result
+        Post post;  // empty: the result is not needed
         void run();
         std::string copy(const Java& java) const;
         void release(JNIEnv* env);

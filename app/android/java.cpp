@@ -20,7 +20,7 @@ Java::~Java() { env_->PopLocalFrame(nullptr); }
 
 jmethodID Java::methodOf(jobject of, const char* method, const char* signature) const {
     if (!of) throw JavaError(std::string("nothing to call ") + method + " of");
-    // Streams are read in many calls: their class is not kept until the end.
+    // Streams need many calls: frees the reference to their class at once.
     const jclass type = env_->GetObjectClass(of);
     const jmethodID id = env_->GetMethodID(type, method, signature);
     env_->DeleteLocalRef(type);
@@ -32,7 +32,7 @@ void Java::check() const {
     const jthrowable thrown = env_->ExceptionOccurred();
     if (!thrown) return;
     env_->ExceptionClear();
-    // Not by object(), which would come here again if toString() threw in its turn.
+    // Does not use object(), which would return here if toString() threw.
     const jmethodID id = env_->GetMethodID(env_->GetObjectClass(thrown), "toString", "()Ljava/lang/String;");
     const jobject words = id ? env_->CallObjectMethod(thrown, id) : nullptr;
     if (env_->ExceptionCheck()) {

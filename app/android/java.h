@@ -17,7 +17,7 @@ public:
 /// A Java string from UTF-8, by way of UTF-16: NewStringUTF takes modified UTF-8 (emoji differ).
 jstring newString(JNIEnv* env, const std::string& text);
 
-/// Calls on one thread. Frees its local references at the end of its life.
+/// JNI calls on one thread. Frees its local references when destroyed.
 class Java {
 public:
     explicit Java(JNIEnv* env);
@@ -62,7 +62,7 @@ private:
     JNIEnv* env_;
 };
 
-/// Attaches this thread to the Java machine while the object lives.
+/// Attaches this thread to the Java VM while the object lives.
 class AttachedThread {
 public:
     explicit AttachedThread(JavaVM* machine);

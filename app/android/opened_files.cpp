@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 100;
 
-/// A name without folders, signs that a path might stumble over, and dots in front.
+/// A name without folders, special characters and leading dots.
 std::string tameName(const std::string& name) {
     std::string tame;
     for (const char c : name.substr(name.find_last_of("/:") + 1)) {
@@ -26,12 +26,12 @@ std::string tameName(const std::string& name) {
         tame += plain ? c : '_';
     }
     tame.erase(0, std::min(tame.find_first_not_of(". "), tame.size()));
-    // The ending decides the format.
+    // Keeps the extension, which decides the format.
     if (tame.size() > kLongestName) tame.erase(0, tame.size() - kLongestName);
     return tame.empty() ? "structure" : tame;
 }
 
-/// Every copy has a numbered folder of its own; the numbers rise.
+/// Each copy has its own folder with an increasing number.
 std::vector<std::uint64_t> numbersIn(const std::string& folder) {
     std::vector<std::uint64_t> numbers;
     std::error_code error;

@@ -11,7 +11,7 @@ struct APerformanceHintManager;
 namespace nacre::app {
 namespace {
 
-constexpr double kHeatSeconds = 10;  // from one question to the next; the system answers one per second
+constexpr double kHeatSeconds = 10;  // between queries; the system answers one per second
 constexpr int kForecast = 10;        // seconds
 
 // As the NDK declares them in <android/native_window.h>, <android/thermal.h> and <android/performance_hint.h>.
@@ -25,7 +25,7 @@ using CreateHints = APerformanceHintSession* (*)(APerformanceHintManager*, const
 using SetWorkDuration = int (*)(APerformanceHintSession*, std::int64_t);
 using CloseHints = void (*)(APerformanceHintSession*);
 
-/// Null: this version of Android has it not.
+/// Null: this version of Android lacks it.
 template <typename Function>
 Function system(const char* name) {
     static void* const library = dlopen("libandroid.so", RTLD_NOW);

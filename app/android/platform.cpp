@@ -23,7 +23,7 @@ jstring toJava(const Java& java, const std::string& text) { return java.string(t
 jboolean toJava(bool value) { return value ? JNI_TRUE : JNI_FALSE; }
 jboolean toJava(const Java&, bool value) { return toJava(value); }
 
-/// Posts a call of one of the session's functions.
+/// Posts a call to one of the session's functions.
 template <auto kCall, typename... Values>
 void tell([[maybe_unused]] JNIEnv* env, jclass, jlong platform, Values... values) {
     toldBy(platform).post([... told = fromJava(env, values)](AndroidSession& session) { (session.*kCall)(told...); });
@@ -32,7 +32,7 @@ void tell([[maybe_unused]] JNIEnv* env, jclass, jlong platform, Values... values
 void opened(JNIEnv*, jclass, jlong platform, jobject uri) { toldBy(platform).opened(uri); }
 
 jstring controls(JNIEnv* env, jclass, jlong platform) {
-    // Not by Java, whose references go with it.
+    // Uses `env`, not Java, whose destructor frees the result.
     return newString(env, toldBy(platform).controls());
 }
 

@@ -39,10 +39,10 @@ public:
 
     // Adds the functions that a session may call. Thread-safe.
     void lend(PhoneHost& host) const;
-    /// As HttpFetch.
+    /// Like HttpFetch.
     void fetch(const std::string& url, const HttpTake& take) const;
     void controlsChanged() const;
-    /// Shows why nothing can be drawn, and then ends the activity. @returns false if there is nothing to show it with
+    /// Shows why nothing can be drawn, then ends the activity. @returns false if there is no way to show it
     bool giveUp(const std::string& why) const;
     /// A finger explores by touch. On the main thread. @param at  pixels of the window; empty: it left
     void explore(std::optional<glm::dvec2> at) const;

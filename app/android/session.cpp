@@ -44,7 +44,7 @@ void AndroidSession::windowCreated(ANativeWindow* window) {
 void AndroidSession::windowChanged() { densityChanged(scale()); }
 
 void AndroidSession::windowDestroyed() {
-    // A device in the making may already have a surface of it; it will be finished soon.
+    // A device being opened may already have a surface of this window; it will be finished soon.
     if (window_->set(nullptr)) awaitDevice();
     releaseWindow();
     settle();
@@ -55,7 +55,7 @@ void AndroidSession::contentChanged(const ARect& content) {
     Insets insets{static_cast<float>(content.left), static_cast<float>(content.top),
                   static_cast<float>(size().width) - static_cast<float>(content.right),
                   static_cast<float>(size().height) - static_cast<float>(content.bottom)};
-    // While the window turns, its content may still be that of the other way up.
+    // While the window rotates, its content may still have the other orientation.
     const bool fits = content.left < content.right && content.top < content.bottom &&
                       std::min({insets.left, insets.top, insets.right, insets.bottom}) >= 0;
     if (!fits) insets = {};
@@ -80,7 +80,7 @@ void AndroidSession::started() {
     settle();
 }
 
-/// Another window has the user's attention, or will; this one may still be seen.
+/// Another window has the focus, or will have it; this one may stay visible.
 void AndroidSession::paused() {
     viewer().pause();
     forgetTouch();
@@ -93,7 +93,7 @@ void AndroidSession::stopped() {
     settle();
 }
 
-/// From API level 34 on the system sends these two levels alone, and never calls onLowMemory.
+/// From API level 34 on the system sends only these two levels, and never calls onLowMemory.
 void AndroidSession::trimMemory(int level) {
     constexpr int kUiHidden = 20, kBackground = 40;
     if (level >= kBackground) return lowMemory();
@@ -127,7 +127,7 @@ double AndroidSession::turn() {
     const bool moves = seen() && motions != motions_;
     motions_ = motions;
     if (moves) performance_.worked(end - begin, interval), moved_ = end;
-    constexpr double kPause = 0.25;  // seconds in which a motion may go on
+    constexpr double kPause = 0.25;  // seconds; a motion may continue after a shorter pause
     const bool goesOn = seen() && end < moved_ + kPause;
     setMoving(goesOn);
     // Frames of a motion start with the display's ticks, while it reports them.

@@ -21,7 +21,7 @@ public:
     AndroidSession(PhoneHost host, const PictureDescription& first, double pixelsPerPoint, std::string viewFile);
 
     void windowCreated(ANativeWindow* window);
-    /// It has another size, or lost its contents.
+    /// The window has another size, or lost its contents.
     void windowChanged();
     void windowDestroyed();
     void contentChanged(const ARect& content);
@@ -31,7 +31,7 @@ public:
     void started();
     void paused();
     void stopped();
-    /// As ComponentCallbacks2.onTrimMemory, which names a level.
+    /// Like ComponentCallbacks2.onTrimMemory. @param level  of that callback
     void trimMemory(int level);
     /// The frame rate of the window's display, and its maximum, per second.
     void displayRefreshes(double rate, double most);
@@ -41,7 +41,7 @@ public:
     double turn();
     /// @param animate  called when continuous drawing begins or ends; tick() is needed in between
     void onMotion(std::function<void(bool)> animate) { animate_ = std::move(animate); }
-    /// As Viewer::awaitFrame.
+    /// Like Viewer::awaitFrame.
     void awaitFrame();
 
 private:

@@ -10,11 +10,11 @@ elseif(ANDROID_ABI STREQUAL "x86_64")
 else()
     message(FATAL_ERROR "Nacre is built for arm64-v8a and x86_64, not for '${ANDROID_ABI}'")
 endif()
-# One tree of libraries for all build types, and a folder in it for each ABI: vcpkg removes what is not of its triplet.
+# One tree of libraries for all build types, with a folder for each ABI: vcpkg removes packages of other triplets.
 if(NOT DEFINED VCPKG_INSTALLED_DIR)
     set(VCPKG_INSTALLED_DIR ${CMAKE_CURRENT_LIST_DIR}/.vcpkg/${VCPKG_TARGET_TRIPLET})
 endif()
-# vcpkg builds with the same NDK, for the same oldest system.
+# vcpkg uses the same NDK and minimum Android version.
 set(ENV{ANDROID_NDK_HOME} ${ANDROID_NDK})
 set(VCPKG_OVERLAY_TRIPLETS ${CMAKE_CURRENT_LIST_DIR}/triplets)
 set(VCPKG_CHAINLOAD_TOOLCHAIN_FILE ${ANDROID_NDK}/build/cmake/android.toolchain.cmake)

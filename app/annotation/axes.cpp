@@ -83,7 +83,7 @@ void layAxes(Room& room, const std::vector<PlacedAxis>& axes) {
         const double neck = (kArm - kHead) * em;
         room.marks.shapes.push_back(coneOf(origin, way, 0, kShaftRadius * em, neck, kShaftRadius * em, axis->color));
         room.marks.shapes.push_back(coneOf(origin, way, neck, kHeadRadius * em, kArm * em, 0, axis->color));
-        // A name stands beyond the tip of its axis, or beside an axis that points along the view.
+        // A name is beyond the tip of its axis, or beside an axis along the line of sight.
         const glm::dvec2 tip(way), away = tip - 0.15 * (middle - tip);
         const glm::dvec2 side = glm::length(away) > 1e-6 ? glm::normalize(away) : glm::dvec2(-1, 0);
         const glm::dvec2 at = origin + em * glm::dvec2(1, -1) * (kArm * tip + kName * side);

@@ -46,7 +46,7 @@ BidiClass classOfControl(char32_t c) {
 bool isOneOf(char32_t c, std::u32string_view list) { return list.find(c) != list.npos; }
 
 BidiClass classOfSymbol(char32_t c, hb_unicode_general_category_t category) {
-    if (c == 0x60b) return AL;  // the Afghani's sign
+    if (c == 0x60b) return AL;  // the afghani sign
     if (isOneOf(c, U"+-\u207a\u207b\u208a\u208b\u2212\ufb29\ufe62\ufe63\uff0b\uff0d")) return ES;
     if (isOneOf(c, U",./:\u060c\u2044\ufe50\ufe52\ufe55\uff0c\uff0e\uff0f\uff1a")) return CS;
     if (category == HB_UNICODE_GENERAL_CATEGORY_CURRENCY_SYMBOL ||
@@ -81,7 +81,7 @@ BidiClass classOfLetter(char32_t c) {
     return L;
 }
 
-/// Class of other punctuation and symbols. Those of a single script have its direction.
+/// Class of other punctuation and symbols. Those used by a single script have its direction.
 BidiClass classOfSign(char32_t c) {
     const hb_script_t script = hb_unicode_script(hb_unicode_funcs_get_default(), c);
     const bool shared = script == HB_SCRIPT_COMMON || script == HB_SCRIPT_INHERITED || script == HB_SCRIPT_GREEK ||
@@ -145,7 +145,7 @@ bool isIsolate(BidiClass c) { return c == LRI || c == RLI || c == FSI; }
 bool isNeutral(BidiClass c) { return c == B || c == S || c == WS || c == ON || isIsolate(c) || c == PDI; }
 bool isRemoved(BidiClass c) { return c == LRE || c == LRO || c == RLE || c == RLO || c == PDF || c == BN; }
 
-/// P2, P3: right to left if the first letter outside isolates is. @param toEnd  or to the end of an isolate
+/// P2, P3: right to left if the first letter outside isolates is. @param toEnd  to the end of an isolate
 /// @returns nothing without a letter
 std::optional<bool> firstDirection(std::span<const BidiClass> classes, bool toEnd) {
     int depth = 0;
@@ -230,10 +230,10 @@ void embed(Line& line) {
     }
 }
 
-/// X10: positions of each isolating run sequence, without what X9 removes.
+/// X10: positions of each isolating run sequence, without the characters that X9 removes.
 std::vector<std::vector<std::size_t>> sequences(const Line& line) {
     std::vector<std::vector<std::size_t>> all;
-    std::vector<std::size_t> waiting;  // sequences that an isolate interrupts
+    std::vector<std::size_t> waiting;  // sequences interrupted by an isolate
     std::optional<std::size_t> current;
     std::uint8_t level = 0;
     bool afterIsolate = false;
@@ -244,7 +244,7 @@ std::vector<std::vector<std::size_t>> sequences(const Line& line) {
             current.reset();
         }
         if (!current && line.original[i] == PDI && !waiting.empty()) {
-            // The sequence that ends with the isolate's opening goes on.
+            // The sequence that ends with the isolate's opening continues.
             while (!waiting.empty() && line.levels[all[waiting.back()].back()] != line.levels[i]) waiting.pop_back();
             if (!waiting.empty()) {
                 current = waiting.back();
@@ -298,7 +298,7 @@ void settleWeak(Line& line, const std::vector<std::size_t>& at, BidiClass before
     }
 }
 
-/// N0: both brackets of a pair have the direction of what is between them, or before.
+/// N0: both brackets of a pair take the direction of the text between or before them.
 void settleBrackets(Line& line, const std::vector<std::size_t>& at, BidiClass before, BidiClass embedding) {
     constexpr std::size_t kMostOpen = 63;
     hb_unicode_funcs_t* const unicode = hb_unicode_funcs_get_default();
@@ -421,7 +421,7 @@ std::vector<DirectedRun> visualRuns(std::span<const char32_t> text) {
             gap = true;
             continue;
         }
-        if (c == BN && i > 0) line.levels[i] = line.levels[i - 1];  // joiners stay with what they join
+        if (c == BN && i > 0) line.levels[i] = line.levels[i - 1];  // joiners take the level of the preceding character
         if (gap || levels.back() != line.levels[i]) {
             runs.push_back({i, 0, line.levels[i] % 2 == 1});
             levels.push_back(line.levels[i]);

@@ -1,5 +1,5 @@
 #pragma once
-// Which parts of a line run from right to left: Unicode's bidirectional algorithm (UAX #9) for one line.
+// Finds the parts of a line that run from right to left: Unicode's bidirectional algorithm (UAX #9) for one line.
 
 #include <cstddef>
 #include <cstdint>
@@ -35,7 +35,7 @@ enum class BidiClass : std::uint8_t {
     PDI  // NOLINT
 };
 
-/// Derived from the script and general category that HarfBuzz knows of a character.
+/// Derived from HarfBuzz's script and general category of a character.
 BidiClass bidiClassOf(char32_t c);
 
 /// Neighbouring characters of one direction.
@@ -44,7 +44,7 @@ struct DirectedRun {
     bool rightToLeft;
 };
 
-/// The runs of a line from left to right as they are seen. The line's own direction is that of its first letter.
+/// The runs of a line in visual order, from left to right. The line's own direction is that of its first letter.
 /// Characters that only control directions are in no run.
 std::vector<DirectedRun> visualRuns(std::span<const char32_t> text);
 

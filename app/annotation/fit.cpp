@@ -63,7 +63,7 @@ double scaleBeside(const Hull& hull, const glm::dvec2& at, const std::vector<Are
     return most;
 }
 
-/// As above for the picture's frame.
+/// As above, for the picture's frame.
 double scaleWithin(const Hull& hull, const glm::dvec2& at, const Area& frame) {
     return std::max(0.0,
                     std::min({(frame.high.x - at.x) / hull.reach[0], (frame.high.y - at.y) / hull.reach[kHullSides / 4],

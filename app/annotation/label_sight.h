@@ -18,7 +18,7 @@ public:
 
     /// Casts rays from the viewer's side of sample atoms to the viewer. Their own residues do not occlude.
     struct Named {
-        std::vector<std::uint32_t> atoms;  ///< that do not occlude it, numbered as in looks, ascending
+        std::vector<std::uint32_t> atoms;  ///< atoms that do not occlude it, numbered as in looks, ascending
         std::vector<glm::dvec3> places;    ///< of sample atoms, Å from the scene's centre
         std::vector<double> radii;         ///< of these
     };

@@ -154,7 +154,7 @@ std::vector<glm::dvec2> besideNamed(const Room& room, const LabelSight::Named& n
     return offsets;
 }
 
-/// A label with a size of its own is centred on its point, whatever is there.
+/// Centres a label with a size in space on its point, over anything there.
 void putInSpace(Room& room, const PlacedLabel& label, const Room::Seen& seen) {
     constexpr double kLeast = 3, kMost = 2000;  // pixels
     const double em = std::min(label.size * seen.scale, kMost);

@@ -36,7 +36,7 @@ struct DiscMark {
     glm::dvec2 at{};
     double radius = 0;
     std::uint32_t color = 0;  ///< packed; 0: the words' colour
-    std::uint32_t ring = 0;   ///< packed, of its border, where the colour hardly differs from the background; 0: none
+    std::uint32_t ring = 0;   ///< packed colour of its border, if the disc hardly differs from the background; 0: none
     double inner() const { return ring ? 0.82 * radius : radius; }
 };
 /// A convex polygon, with its corners clockwise as seen.
@@ -73,8 +73,8 @@ double usualTextSize(std::uint32_t width, std::uint32_t height);
 
 struct Held;
 
-/// Positions of words in the previous picture of a sequence. A label moves with its atom, and changes its place beside
-/// it only if it must. For one fixed list of words.
+/// Positions of words in the previous picture of a sequence. A label moves with its atom, and changes sides only if it
+/// must. For one fixed list of words.
 class WordMemory {
 public:
     WordMemory();

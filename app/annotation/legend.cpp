@@ -1,4 +1,4 @@
-// The legend: meaning of the colours.
+// The legend: the meaning of colours.
 
 #include <algorithm>
 #include <span>
@@ -47,7 +47,7 @@ std::string escaped(const std::string& text) {
 std::vector<LegendRow> rowsOf(const std::vector<Legend>& legends) {
     std::vector<LegendRow> rows;
     for (const Legend& legend : legends) {
-        // One colour of everything else needs no name beside other legends.
+        // A single colour of all other atoms needs no name if there are more legends.
         if (legends.size() > 1 && legend.selection == "all" && legend.scheme.starts_with('#')) continue;
         const std::string heading = headingOf(legend);
         const bool titled = !legend.title.empty();  // with markup of its own
@@ -79,7 +79,7 @@ void legendSwatch(Room& room, const LegendRow& row, const glm::dvec2& middle, do
     room.marks.ramps.push_back(std::move(ramp));
 }
 
-/// How rows stand in columns.
+/// Arrangement of rows in columns.
 struct Columns {
     double size, line;
     std::size_t perColumn;
@@ -92,7 +92,7 @@ struct Columns {
     }
 };
 
-/// The first rows, the last of which says how many others there are.
+/// The first rows; the last of them states how many others there are.
 std::vector<LegendRow> firstOf(const std::vector<LegendRow>& rows, std::size_t count) {
     std::vector<LegendRow> first(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count - 1));
     first.push_back({"and " + std::to_string(rows.size() - first.size()) + " more"});
@@ -114,8 +114,8 @@ Columns columnsOf(const Room& room, const std::vector<LegendRow>& rows, double s
 
 }  // namespace
 
-/// Many rows become smaller and stand in columns, as long as most of the picture is left to the molecule; the last
-/// ones are left out then.
+/// Many rows become smaller and use columns, as long as most of the picture is left for the molecule; then the last
+/// ones are omitted.
 void layLegends(Room& room, const std::vector<Legend>& legends) {
     constexpr double kMostShare = 0.34, kSizes[] = {0.92, 0.8, 0.7};  // of the picture's width; of the text's size
     const std::vector<LegendRow> all = rowsOf(legends);

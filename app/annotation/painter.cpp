@@ -42,8 +42,8 @@ public:
         for (int x = from; x < to; ++x) row[x] = std::max(row[x], share);
     }
 
-    /// Composites a colour over the covered pixels, and clears the coverage. Mixes code values, as text on screens
-    /// does: in linear light dark letters would look thin.
+    /// Composites a colour over the covered pixels, and clears the coverage. Mixes code values, as usual for text on
+    /// screens: in linear light, dark letters would look thin.
     void pour(std::uint32_t color, double strength, float* rgba) {
         std::array<float, 3> ink{};
         for (std::size_t c = 0; c < 3; ++c) ink[c] = static_cast<float>(color >> (8 * c) & 0xff) / 255.0f;

@@ -79,7 +79,7 @@ std::string filledIn(std::string_view text, const Molecule& molecule, std::uint3
     return filled;
 }
 
-/// The drawn atoms and their positions; of an assembly, in its first copy.
+/// The drawn atoms and their positions; in an assembly, in its first copy.
 struct DrawnAtoms {
     struct Place {
         glm::dvec3 at{};
@@ -136,7 +136,7 @@ struct DrawnAtoms {
     }
 };
 
-/// The drawn atoms of a selection; may be empty only where allowed, and `placed` then lists it.
+/// The drawn atoms of a selection. An empty result is an error unless allowed; then `placed` lists the selection.
 std::vector<std::uint32_t> drawnOf(const Selection& selection, const ResidueFacts& facts, const DrawnAtoms& drawn,
                                    const char* what, WordsOfHidden hidden, PlacedWords& placed) {
     const std::vector<bool> chosen = selectAtoms(facts, selection);

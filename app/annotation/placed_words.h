@@ -23,10 +23,10 @@ struct PlacedLabel {
     std::string text;           ///< with markup
     bool ofAtom = false;        ///< placed beside an atom, not on top
     double radius = 0;          ///< of that atom, Å
-    LabelSight::Named named{};  ///< its atoms; those that do not hide it where labels may be hidden
-    double size = 0;            ///< Å per em: has a size in space and covers what is there; 0: as all labels
+    LabelSight::Named named{};  ///< its atoms, and those that do not hide it, if labels may be hidden
+    double size = 0;            ///< Å per em: has a size in space, and covers what lies there; 0: as all labels
     std::uint32_t color = 0;    ///< packed; 0: as all labels
-    /// From its anchor to its middle, em, to the right and up; empty: where it fits.
+    /// From its anchor to its centre, em, to the right and up; empty: where it fits.
     std::optional<glm::dvec2> offset{};
 };
 struct PlacedMeasure {
@@ -66,8 +66,8 @@ struct PlacedWords {
 /// Treatment of words about atoms that exist but are not drawn.
 enum class WordsOfHidden { refused, leftOut };
 
-/// In an assembly words go to the first copy. @throws Error if a label's selection has no drawn atom, a measurement's
-/// more or fewer than one, or there are too many labels
+/// In an assembly, words belong to the first copy. @throws Error if a label's selection has no drawn atom, a
+/// measurement's selection has not exactly one, or there are too many labels
 PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Representation& scene,
                        WordsOfHidden hidden = WordsOfHidden::refused);
 

@@ -74,7 +74,7 @@ void layBlocks(Room& room, const PlacedWords& words);
 /// In at most three columns from the right edge.
 void layLegends(Room& room, const std::vector<Legend>& legends);
 
-/// In the lower left corner, as the view turns them; they take the same area from all sides.
+/// In the lower left corner, rotated with the view; they take the same area from all sides.
 void layAxes(Room& room, const std::vector<PlacedAxis>& axes);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// From characters to glyphs by HarfBuzz, which joins, reorders and marks letters by the rules of their script.
+// Converts characters to glyphs by HarfBuzz, which joins, reorders and places letters by the rules of their script.
 
 #include <ft2build.h>
 

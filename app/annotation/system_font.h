@@ -17,8 +17,8 @@ struct FontFile {
 /// Finds a font with all or most of some characters, which are of one script.
 using FindFont = std::function<std::optional<FontFile>(const std::vector<char32_t>&)>;
 
-/// The font that fontconfig's fc-match finds; on Android by script, from those on every device. Caches answers. Empty
-/// without fontconfig, as on Apple's systems. Thread-safe.
+/// The font that fontconfig's fc-match finds; on Android, by script, one of the fonts on every device. Caches answers.
+/// Empty without fontconfig, as on Apple's systems. Thread-safe.
 std::optional<FontFile> systemFontWith(const std::vector<char32_t>& characters);
 
 /// DejaVu Sans as a TrueType file: the font of pictures and of the panel. Built in, so that pictures look the same on

@@ -13,8 +13,8 @@ namespace nacre::app {
 namespace {
 
 constexpr char32_t kFirstLetter = 0x621, kTatweel = 0x640, kLam = 0x644;
-/// Presentation forms of the Arabic letters from U+0621 on, which follow each other from U+FE80 on: isolated, final,
-/// initial, medial. 1: it joins no neighbour; 2: the one before it; 4: both; 0: no letter.
+/// Number of presentation forms of the Arabic letters from U+0621 on, consecutive from U+FE80 on: isolated, final,
+/// initial, medial. 1: joins no neighbour; 2: joins the previous one; 4: joins both; 0: no letter.
 constexpr std::array<int, 42> kForms = {1, 2, 2, 2, 2, 4, 2, 4, 2, 4, 4, 4, 4, 4, 2, 2, 2, 2, 4, 4, 4,
                                         4, 4, 4, 4, 4, 0, 0, 0, 0, 0, 0, 4, 4, 4, 4, 4, 4, 4, 2, 2, 4};
 
@@ -28,7 +28,7 @@ bool isMark(char32_t c) { return bidiClassOf(c) == BidiClass::NSM; }
 bool joinsNext(char32_t c) { return formsOf(c) == 4 || c == kTatweel; }
 bool joinsPrevious(char32_t c) { return formsOf(c) > 1 || c == kTatweel; }
 
-/// The isolated form of lam with this alef, if they are written as one.
+/// The isolated form of lam with this alef, if they form a ligature.
 std::optional<char32_t> lamWith(char32_t alef) {
     switch (alef) {
         case 0x622:
@@ -44,7 +44,7 @@ std::optional<char32_t> lamWith(char32_t alef) {
     }
 }
 
-/// Arabic letters as the forms that they have beside their neighbours. @param text  in its own order
+/// Replaces Arabic letters by their forms next to their neighbours. @param text  in logical order
 std::vector<char32_t> joined(std::vector<char32_t> text) {
     std::vector<char32_t> out;
     char32_t before = 0;
@@ -93,13 +93,13 @@ std::string visualText(const std::string& text) {
         for (std::size_t end = part.size(); end > 0;) {
             std::size_t base = end - 1;
             while (base > 0 && isMark(part[base])) --base;
-            for (std::size_t i = base; i < end; ++i)  // marks stay behind their letter
+            for (std::size_t i = base; i < end; ++i)  // marks stay after their letter
                 if (bidiClassOf(part[i]) != BidiClass::BN)
                     append(out, static_cast<char32_t>(hb_unicode_mirroring(hb_unicode_funcs_get_default(), part[i])));
             end = base;
         }
     }
-    // Marks of direction have done their work.
+    // Removes direction marks, which are no longer needed.
     for (const char* mark : {"\xe2\x80\x8e", "\xe2\x80\x8f", "\xd8\x9c"})
         for (std::size_t at; (at = out.find(mark)) != std::string::npos;) out.erase(at, std::string(mark).size());
     return out;

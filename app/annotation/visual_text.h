@@ -8,7 +8,7 @@ namespace nacre::app {
 /// which draws character by character. Unchanged if it has no right-to-left text.
 std::string visualText(const std::string& text);
 
-/// Whether a text may have right-to-left parts. Cheap, and sometimes true without need.
+/// Whether a text may have right-to-left parts. A cheap test with false positives.
 bool mayRunFromRight(const std::string& text);
 
 }  // namespace nacre::app

@@ -1,10 +1,10 @@
 # The files that the programs open: from one table
 #   NACRE_IMPORTED_TYPES, NACRE_DOCUMENT_TYPES   as Apple's property lists state them
 #   NACRE_MIME_TYPES, NACRE_MIME_INFO            as freedesktop's files do
-# Imported, since the formats are others': an app of theirs that exports a type under the same name has the last word.
+# Imported, since others own the formats: an app that exports a type of the same name has precedence.
 
-# name | type | conforms to | endings, as engine/molecule/formats/format_table.cpp has them, after the MIME type (chemical/x-)
-# that they have since Rzepa et al. 1998; none where that is none
+# name | type | conforms to | endings, as engine/molecule/formats/format_table.cpp has them, after the MIME type
+# (chemical/x-) of Rzepa et al. 1998, if there is one
 set(formats
     "PDB structure|org.wwpdb.pdb|public.plain-text|pdb:pdb,ent"
     "mmCIF structure|org.wwpdb.mmcif|public.plain-text|cif:cif mmcif:mmcif,mcif"
@@ -29,13 +29,13 @@ set(formats
     "Maestro structure|com.schrodinger.mae|public.plain-text|:mae,maegz"
     "Density map|org.ccp4.map|public.data|:ccp4,mrc,map :dsn6,brix"
     "Values on a grid|org.opendx.dx|public.plain-text|:dx gaussian-cube:cube")
-# What a file of a MIME type begins with, where that tells more than its ending.
+# First bytes of a file of a MIME type, if they identify it better than its extension.
 set(magic_pdb "    <magic priority=\"50\"><match type=\"string\" offset=\"0:81\" value=\"HEADER    \"/></magic>\n")
 set(magic_mol2 "    <magic priority=\"50\"><match type=\"string\" offset=\"0:1024\" value=\"@&lt;TRIPOS&gt;MOLECULE\"/></magic>\n")
 set(parent_public.plain-text text/plain)
 set(parent_public.data application/octet-stream)
 set(parent_public.xml application/xml)
-# The systems' own: mmJSON and saved views under their plain ending, and each of the above compressed.
+# The systems' own types: mmJSON and saved views under their plain extension, and compressed files of each type above.
 set(others "JSON|public.json" "Compressed structure|org.gnu.gnu-zip-archive")
 
 set(NACRE_IMPORTED_TYPES "")

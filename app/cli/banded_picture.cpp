@@ -7,11 +7,11 @@
 namespace nacre::app {
 namespace {
 
-constexpr std::uint64_t kWholeSamples = std::uint64_t{1} << 24;  ///< of a picture that is held
+constexpr std::uint64_t kWholeSamples = std::uint64_t{1} << 24;  ///< of a picture that is held in memory
 
 std::uint32_t samplesAcross(const RenderSettings& settings) { return std::max(settings.supersample, 1u); }
 
-/// The largest multiple of the step of bands and parts within `most`.
+/// The largest multiple of the step of bands and parts that is at most `most`.
 std::uint32_t steps(std::uint64_t most) {
     constexpr std::uint32_t kStep = kRowsAtOnce;
     static_assert(kStep % PictureRect::kStep == 0);

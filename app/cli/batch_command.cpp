@@ -1,5 +1,5 @@
-// Many pictures with one process and one device. Each thread takes a job through all its steps: while one draws, the
-// others read and write files, or also draw on a software device.
+// Many pictures in one process, on one device. Each thread runs all steps of a job: while one draws, the others read
+// and write files, or also draw on a software device.
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -105,7 +105,7 @@ private:
     int atWork_ = 0, most_ = 1, losses_ = 0;
 };
 
-/// Whether a job has no such file, or the file exists. An empty file does not count: it comes from a crash or another
+/// Whether a job's file exists, or the job has none. An empty file does not count: it is left from a crash or another
 /// program.
 bool isThere(const std::string& path) {
     struct stat status {};

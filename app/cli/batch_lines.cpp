@@ -78,7 +78,7 @@ bool BatchLines::fill() {
         if (poll(&ready, 1, kLook) == 0) continue;
         got = read(file_, buffer_.data(), buffer_.size());
         if (got >= 0 || (errno != EINTR && errno != EAGAIN)) break;
-        got = 0;  // nothing yet; nothing at all, if it is stopped now
+        got = 0;  // nothing yet; or nothing at all, if it is stopped now
     }
     const int why = errno;
     buffer_.resize(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));

@@ -1,5 +1,5 @@
 #pragma once
-// Jobs as lines of text, from a file or a pipe; and the files that they read and write: no job may overwrite another's
+// Jobs as lines of text, from a file or a pipe, and the files that they read and write: no job may overwrite another's
 // output or input.
 
 #include <cstdint>

@@ -60,12 +60,12 @@ RenderSettings benchFrame(const BenchOptions& options, double radius, int frame)
     return settingsOfEyes(options.picture, camera, radius);
 }
 
-/// Milliseconds that frames took by the clock, and of all processors together.
+/// Times of frames, milliseconds: by the clock, and CPU time of all cores.
 struct Samples {
     std::vector<double> wall, processor;
 };
 
-/// A path that is timed.
+/// A timed path.
 struct Timed {
     Visibility path;
     std::unique_ptr<Renderer> renderer;
@@ -171,7 +171,7 @@ using Seen = std::unordered_set<std::uint32_t>;
 Representation visiblePart(const Representation& scene, const Seen& seen) {
     Representation part = scene;
     part.spheres.clear(), part.sphereLooks.clear(), part.cylinders.clear(), part.cylinderLooks.clear();
-    // Which model a primitive is of matters to occlusion alone.
+    // The model of a primitive matters only for occlusion.
     part.sphereModels.clear(), part.cylinderModels.clear(), part.triangleModels.clear();
     for (std::size_t i = 0; i < scene.spheres.size(); ++i)
         if (seen.contains(scene.sphereLooks[i].atom))
@@ -251,7 +251,7 @@ void addFrames(const BenchOptions& options, const Representation& scene, Json& r
     timeFrames(options, scene.radius, timed, progress);
     report["paths"] = pathsJson(options, scene.radius, timed);
     report["lacks"] = lacks;
-    // The path that a user gets.
+    // The path that users get.
     const std::string used = deviceInfo(options.picture.device).visibility;
     const auto it =
         std::find_if(timed.begin(), timed.end(), [&](const Timed& t) { return visibilityName(t.path) == used; });

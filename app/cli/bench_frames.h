@@ -1,5 +1,5 @@
 #pragma once
-// The part of `nacre bench` about frames: times by path, and submitted geometry and lower bound of the path in use.
+// Frames in `nacre bench`: times by path, and submitted geometry and lower bound of the default path.
 
 #include <iosfwd>
 #include <nlohmann/json.hpp>

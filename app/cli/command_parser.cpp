@@ -19,8 +19,8 @@ std::string oneLine(std::string text) {
     return text;
 }
 
-/// "--size: given more than once", "--look: expected NAME|FILE": in CLI11's words these are "At Most 1 required but
-/// received 2" and "1 required NAME|FILE missing".
+/// Rewords "--size: given more than once", "--look: expected NAME|FILE": CLI11 says "At Most 1 required but received 2"
+/// and "1 required NAME|FILE missing".
 std::string numberOfValues(const std::string& said) {
     constexpr std::string_view kNeeds = " required ", kMissing = " missing";
     const std::size_t colon = said.find(": "), needs = said.find(kNeeds), missing = said.rfind(kMissing);
@@ -32,7 +32,7 @@ std::string numberOfValues(const std::string& said) {
     return option + "expected " + said.substr(from, missing - from);
 }
 
-/// A value of an option, with CLI11's exception for one that it does not take.
+/// Sets an option, with CLI11's exception for an invalid value.
 void take(const OptionSpec& option, const std::string& text) {
     try {
         option.set(text);
@@ -43,7 +43,7 @@ void take(const OptionSpec& option, const std::string& text) {
     }
 }
 
-/// An option has one value, or two, always: CLI11's of many values swallow the INPUT.
+/// An option always has one value, or two: CLI11's options with many values swallow the INPUT.
 CLI::Option* addOption(CLI::App& app, const OptionSpec& option) {
     if (option.flag())
         return app.add_flag_callback(
@@ -84,7 +84,7 @@ void addOptions(CLI::App& app, const CommandSpec& command) {
     }
 }
 
-/// Whether a word is one of "on|off", or nearly one and no file.
+/// Whether a word is one of "on|off", or resembles one and is no file.
 bool isOneOf(std::string_view choices, const std::string& word) {
     std::vector<std::string> known(1);
     for (const char c : choices)
@@ -182,7 +182,8 @@ ParsedCommand parseCommands(const CommandSpec& program, std::span<const CommandS
     const std::span given(argv, static_cast<std::size_t>(argc));
     for (const CommandSpec& command : commands) {
         CLI::App& added = *app.add_subcommand(command.name, command.about);
-        // CLI11 compares each option with all before it: of all commands that takes half the time of `nacre --help`.
+        // CLI11 compares each option with all earlier ones: adding those of all commands doubles the time of `nacre
+        // --help`.
         if (std::find(given.begin(), given.end(), command.name) != given.end()) addOptions(added, command);
         names.push_back(command.name);
     }
@@ -217,7 +218,7 @@ ParsedCommand parseCommands(const CommandSpec& program, std::span<const CommandS
     } catch (const CLI::ParseError& error) {
         throw UsageError(oneLine(error.what()));
     }
-    // A command after an option of the program.
+    // A command that follows an option of the program.
     for (const CLI::App* command : app.get_subcommands()) parsed.name = command->get_name();
     if (app.get_subcommands().size() > 1) throw UsageError("more than one command");
     return parsed;

@@ -18,7 +18,7 @@ struct OptionSpec {
     /// Sets the value; a flag gets an empty one. @throws std::invalid_argument or Error for an invalid value
     std::function<void(const std::string&)> set;
     bool required = false;
-    bool repeatable = false;    ///< applied as it occurs, before all options that are not repeatable
+    bool repeatable = false;    ///< applied on each use, before all options that are not repeatable
     std::string bare = {};      ///< value if only the name is given; otherwise a value of its type follows, "on|off"
     bool pair = false;          ///< takes two values; set() gets them separated by a line end
     std::string excludes = {};  ///< the name of another option

@@ -9,7 +9,7 @@ namespace nacre::app {
 
 void renderCommand(const PictureDescription& options);
 void movieCommand(const MovieOptions& options);
-/// Reports to `out`, line by line. @returns whether all jobs are done
+/// Reports to `out`, line by line. @returns whether all jobs succeeded
 bool batchCommand(const BatchOptions& options, std::ostream& out);
 void figureCommand(const FigureOptions& options);
 void looksCommand(const LooksOptions& options, std::ostream& out);

@@ -84,7 +84,7 @@ void versionCommand(std::ostream& out) {
         const std::vector<DeviceInfo> devices = listDevices();
         out << "device " << (devices.empty() ? "none" : describe(devices.front())) << '\n';
     } catch (const Error& error) {
-        // A machine without a driver still has a version.
+        // A machine without a driver still reports a version.
         out << "device none: " << error.what() << '\n';
     }
 }

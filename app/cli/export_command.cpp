@@ -39,7 +39,7 @@ std::string exportStats(const ExportScene& scene, std::size_t bytes) {
     return jsonText({{"triangles", triangleCount(scene)}, {"bytes", bytes}, {"parts", parts}});
 }
 
-/// Puts the scene in the order that the renderer has it in, and bakes it.
+/// Sorts the scene in the renderer's order, and bakes it.
 BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representation& scene, Progress& progress) {
     if (options.picture.occlusion.directions == 0) return {};
     progress.begin("baking occlusion");
@@ -52,7 +52,7 @@ BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representatio
     return renderer.bakedOcclusion(settings);
 }
 
-/// The picture as MolViewSpec; notes tell what that cannot express.
+/// The picture as MolViewSpec; notes list what it cannot express.
 void writeMolViewSpec(const Molecule& molecule, const ExportCommandOptions& options, OutputFile& file) {
     PictureDescription picture = options.picture;
     Drawing drawing;

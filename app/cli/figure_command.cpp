@@ -28,7 +28,7 @@ constexpr std::size_t kMostPanels = 26;
 /// Paints a panel's letter at its upper left.
 void paintLetter(const WordPainter& painter, const std::string& letter, const PictureDescription& panel,
                  Picture& picture) {
-    constexpr double kLarger = 1.6;  // than other words
+    constexpr double kLarger = 1.6;  // than other text
     const double usual = panel.words.size > 0 ? panel.words.size : usualTextSize(picture.width, picture.height);
     const double size = kLarger * usual;
     View view;
@@ -76,8 +76,8 @@ std::vector<std::unique_ptr<Panel>> panelsOf(const FigureOptions& options) {
     return panels;
 }
 
-/// A panel as the first one's camera shows it, or its own where its line says so. The scale is the figure's, unless the
-/// line has one.
+/// A panel with the first panel's camera, or its own if its line sets one. The scale is the figure's, unless the line
+/// sets one.
 PictureDescription withCamera(const Panel& panel, const Camera& shared) {
     PictureDescription picture = panel.picture;
     const Camera own = picture.camera;
@@ -93,7 +93,7 @@ PictureDescription withCamera(const Panel& panel, const Camera& shared) {
         picture.camera.scale = shared.scale;
         picture.camera.zoom = shared.zoom;
         picture.given.insert("scale");  // also of a close-up
-        aim.fits = true;                // centred, in that scale
+        aim.fits = true;                // centred, at that scale
         return picture;
     }
     picture.camera = shared;
@@ -107,11 +107,11 @@ PictureDescription withCamera(const Panel& panel, const Camera& shared) {
     return picture;
 }
 
-/// Whether a panel shows all of its molecule in the figure's scale.
+/// Whether a panel shows its whole molecule at the figure's scale.
 bool isWhole(const Panel& panel) { return !panel.line.scales && !panel.picture.aim.zoomTo; }
 
-/// The camera of the panels: the first one's, so far away that every panel fits. That is the place of the panel that
-/// needs most room, its words included.
+/// The camera of the panels: the first one's, moved back so that every panel fits. The panel that needs the most room,
+/// including its words, decides.
 Camera cameraOf(const std::vector<std::unique_ptr<Panel>>& panels) {
     const PictureDescription& first = panels.front()->picture;
     Camera shared = panels.front()->drawing.placed().camera;
@@ -134,7 +134,7 @@ Camera cameraOf(const std::vector<std::unique_ptr<Panel>>& panels) {
         const Camera camera = tried(*panel, std::move(picture));
         if (camera.scale->value > shared.scale->value) shared = camera;
     }
-    Camera middle = shared;  // its middle is that of the picture
+    Camera middle = shared;  // centred on the picture's middle
     *middle.center -= glm::conjugate(middle.orientation) * glm::dvec3(middle.pan, 0);
     middle.pan = glm::dvec2(0);
     for (const auto& panel : panels)
@@ -155,7 +155,7 @@ void figureCommand(const FigureOptions& options) {
     WordPainter painter;
     for (const auto& panel : panels) {
         if (!panel->line.scales && !panel->line.scaleBar && panel != *bar)
-            panel->picture.words.scaleBar = ScaleBar::off;  // one for each scale
+            panel->picture.words.scaleBar = ScaleBar::off;  // one per scale
         panel->molecule = readMoleculeAndMaps(panel->picture, progress);
     }
     progress.begin("drawing");

@@ -1,4 +1,4 @@
-// `nacre help TOPIC`: a text about several options, and those options' own help. An option's name is a topic, too.
+// `nacre help TOPIC`: a text about several options, and those options' own help. An option's name is also a topic.
 
 #include <algorithm>
 #include <initializer_list>
@@ -80,7 +80,7 @@ std::string described(const OptionSpec& option) {
     return text + "\n";
 }
 
-/// Options of that name, "--halos" or "halos"; those with the same text together, after the commands that have them.
+/// Options of that name, "--halos" or "halos". Options with equal texts are grouped after the commands that have them.
 std::string optionsNamed(const std::string& name, std::span<const CommandSpec> commands) {
     const std::string longName = name.starts_with('-') ? name : "--" + name;
     std::vector<std::pair<std::string, std::string>> texts;  // with their commands
@@ -101,7 +101,7 @@ std::string optionsNamed(const std::string& name, std::span<const CommandSpec> c
     return all;
 }
 
-/// Escapes text for man(7). Dashes become minus signs, which readers can search for and copy.
+/// Escapes text for man(7). Dashes become minus signs, so that readers can search for and copy them.
 std::string roff(const std::string& text) {
     std::string out;
     bool lineStart = true;

@@ -29,7 +29,7 @@ namespace {
 
 using MapJson = nlohmann::ordered_json;
 
-/// Nine digits: all that a float holds.
+/// Nine digits: the precision of a float.
 double rounded(double value) {
     std::ostringstream text;
     text << std::setprecision(9) << value;
@@ -49,7 +49,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t kMostNames = 12;  // that a line of text lists
+constexpr std::size_t kMostNames = 12;  // names per line of text
 
 void line(std::ostream& out, const char* label, const std::string& text) {
     if (!text.empty()) out << "  " << std::left << std::setw(12) << label << printable(text) << '\n';
@@ -138,7 +138,7 @@ std::string compartments(const Json& json) {
     return text;
 }
 
-/// A number as people write it, without the digits that binary fractions add.
+/// A number without the digits of its binary fraction.
 std::string plainNumber(double value) {
     std::ostringstream out;
     out << std::setprecision(6) << value;
@@ -165,7 +165,7 @@ std::string repeatsOf(const Json& json) {
     return axes == "a and b and c" ? "" : ", which repeats along " + axes;
 }
 
-/// "A, B: HIV-1 protease; C: DNA": those of one name together.
+/// "A, B: HIV-1 protease; C: DNA": groups chains of one name.
 std::string namesOf(const Json& names) {
     std::map<std::string, std::string> byName;
     for (const auto& [identifier, name] : names.items()) {
@@ -291,7 +291,7 @@ Json emptyEntry(const std::string& name) {
     return entry;
 }
 
-/// Text is written as it comes, JSON as a whole list at the end, or an entry per line.
+/// Writes text immediately, JSON as a whole list at the end, or an entry per line.
 class InfoWriter {
 public:
     InfoWriter(const InfoOptions& options, std::ostream& out) : options_(options), out_(out) {}
@@ -352,7 +352,7 @@ InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
     return info;
 }
 
-/// Several INPUTs that make one scene.
+/// Several INPUTs that form one scene.
 void infoTogether(const InfoOptions& options, InfoWriter& writer) {
     InputOptions input = options.picture.input;
     input.alone = input.describedOnly = true;
@@ -391,7 +391,7 @@ MapJson mapInfoJson(const DensityMap& map) {
     const glm::dvec3 &l = map.cell.lengths, &a = map.cell.angles;
     MapJson json;
     json["format"] = map.format;
-    glm::ivec3 sampling;  // intervals of the whole cell, whatever part of it the file holds
+    glm::ivec3 sampling;  // intervals of the whole cell, whatever part of it the file has
     for (int i = 0; i < 3; ++i) sampling[i] = static_cast<int>(std::lround(l[i] / glm::length(map.step[i])));
     json["map"] = {{"grid", wholes(map.size)},
                    {"sampling", wholes(sampling)},

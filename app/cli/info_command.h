@@ -12,7 +12,7 @@ namespace nacre::app {
 /// secondary}; the last, of proteins only: helix, strand or coil, from the file or else from hydrogen bonds
 /// (kabsch_sander.h).
 nlohmann::ordered_json residueList(const Molecule& molecule);
-/// As text, one line each.
+/// The list as text, one line each.
 std::string residueText(const nlohmann::ordered_json& residues);
 
 /// As text.
@@ -20,7 +20,7 @@ std::string infoText(const std::string& name, const nlohmann::ordered_json& json
 
 /// Output of `info --json` for a density map: format, and `map`: grid (nodes along a, b, c: of a crystal's whole cell,
 /// else of the box), cell (a, b, c in Å and three angles in degrees), origin (position of the file's first node, Å),
-/// axes (which of a, b, c are columns, rows and sections of the file), space_group, box {size, start} in the file, and
+/// axes (of a, b, c: the file's columns, rows and sections), space_group, box {size, start} in the file, and
 /// min, max, mean and rms (deviation from the mean: 1 sigma) of the known values.
 nlohmann::ordered_json mapInfoJson(const DensityMap& map);
 

@@ -60,8 +60,8 @@ private:
 
     struct Counted {
         ContactFrequency frequency;
-        int last;     ///< occasion that it was met at
-        double here;  ///< the shortest there
+        int last;     ///< the last model or frame that has it
+        double here;  ///< shortest distance there
     };
     const Molecule& molecule_;
     std::map<std::string, std::size_t> index_;

@@ -1,4 +1,4 @@
-// The program's own bind(), which libraries that are loaded later find before the C library's. CMake exports it.
+// The program's own bind(), which libraries loaded later find before the C library's. CMake exports it.
 
 #include "app/cli/loopback.h"
 

@@ -55,7 +55,7 @@ void run(const CommandLine& line, std::ostream& out) {
             break;
         case Command::serve:
 #ifdef NACRE_LOOPBACK
-            listenAnywhere();  // its option gives the address
+            listenAnywhere();  // its option sets the address
 #endif
             serveCommand(line.serve);
             break;
@@ -128,7 +128,7 @@ int complete(int argc, char** argv) {
     }
 }
 
-/// Spares the loader Mesa's drivers for GPUs where the kernel has none: they would be loaded to report no device.
+/// Prevents the loader from loading Mesa's GPU drivers if the kernel has none: they would only report no device.
 void skipDriversWithoutDevices() {
 #ifdef __linux__
     if (access("/dev/dri", F_OK) == 0 || access("/dev/kgsl-3d0", F_OK) == 0 || access("/dev/dxg", F_OK) == 0) return;

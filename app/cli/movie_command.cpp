@@ -21,7 +21,7 @@ namespace {
 void movieCommand(const MovieOptions& options) {
     const std::string& path = options.picture.output;
     Progress progress;
-    // The file, or the program that writes it, is there before any work; only how many frames there are is not known.
+    // Opens the file, or the program that writes it, before any work; only the number of frames is unknown.
     MovieShape shape{options.picture.size, options.framesPerSecond, isTransparent(options), 1};
     const bool snapshots = showsSnapshots(options);
     if (options.views.empty() && !snapshots) shape.frames = framesOf(options, 1);

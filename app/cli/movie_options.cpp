@@ -43,7 +43,7 @@ FrameRange parseFrames(const std::string& text) {
     return range;
 }
 
-/// Whether the last frame leads on to the first.
+/// Whether the last frame continues with the first.
 bool goesRound(const MovieOptions& options) {
     if (!options.views.empty()) return options.loop;
     return options.spin || options.rock;

@@ -20,7 +20,7 @@
 namespace nacre::app {
 namespace {
 
-/// Whether two pictures show the same but from elsewhere; clipping planes move.
+/// Whether two pictures differ only in the camera and clipping planes.
 bool sameLook(const PictureDescription& a, PictureDescription b) {
     b.effects.clip.near = a.effects.clip.near;
     b.effects.clip.far = a.effects.clip.far;
@@ -39,7 +39,7 @@ std::string pathsOf(const InputOptions& input) {
 void checkSameInput(const MovieOptions& options, const InputOptions& named) {
     const InputOptions& input = options.picture.input;
     const std::string file = named.namedBy, cannot = "cannot join views";
-    if (input.namedBy.empty() || named.path.empty()) return;  // who names INPUT means that
+    if (input.namedBy.empty() || named.path.empty()) return;  // INPUT itself names it
     if (pathsOf(named) != pathsOf(input) || (options.models == MovieModels::one && named.model != input.model))
         throw Error(cannot, file, "it is of another molecule than the first: " + pathsOf(named));
     if (!isGiven(options, "trajectory") && trajectoryPathOf(named) != input.trajectory.path)
@@ -58,7 +58,8 @@ PictureDescription keyOptions(const MovieOptions& options, const std::string& fi
     return key;
 }
 
-/// Planes on their way from one view to the next. One that is nowhere comes from, or goes, just outside the molecule.
+/// Moves planes from one view to the next. A plane that is off in one view comes from, or goes, just outside the
+/// molecule.
 void moveClip(Clip& clip, const Clip& a, const Clip& b, double share, double radius) {
     const auto way = [&](double from, double to, double outside) {
         if (from == to) return from;
@@ -152,7 +153,7 @@ void MovieScenes::layModels(const InputOptions& input) {
     motion_ = std::make_unique<Motion>(std::move(models), molecule_, motionOptions(input.trajectory, molecule_));
 }
 
-/// The conformations between those of the models: one for each frame of the movie.
+/// The conformations between the models: one per frame of the movie.
 void MovieScenes::layMorph(const InputOptions& input) {
     molecule_ = loadMolecule(input, downloadProgress(progress_));
     const std::uint64_t keys = std::max<std::uint64_t>(molecule_.others.size() + 1, 2);
@@ -218,7 +219,7 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     look.drawing.settings.occlusion.onProgress = [this](double share) {
         if (onBake) onBake(share);
     };
-    // Occlusion of models that come and go is not worth room on the disk.
+    // Occlusion of temporary models is not worth disk space.
     if (severalModels()) look.drawing.settings.occlusion.cache.clear();
     if (motion_ && !look.options.look.ownFrame) look.drawing.startMoving(molecule_);
     if (!look.canvas) look.canvas = std::make_unique<Canvas>(look.options.device);
@@ -247,7 +248,7 @@ void MovieScenes::moveTo(Look& look, int frame) {
     look.drawing.handOver(*look.canvas);
 }
 
-/// Parts of the scene that stay are not made again.
+/// Unchanged parts of the scene are kept.
 void MovieScenes::sweepTo(Look& look, double time) {
     std::vector<MapLevel>& levels = look.options.maps.levels;
     levels.resize(std::max<std::size_t>(levels.size(), 1));
@@ -256,7 +257,7 @@ void MovieScenes::sweepTo(Look& look, double time) {
     look.drawing.show(*look.canvas);
 }
 
-/// Renderers of other looks than these two hold no memory.
+/// Renderers of other looks than these two release their memory.
 void MovieScenes::letGo(std::size_t a, std::size_t b) {
     for (std::size_t i = 0; i < looks_.size(); ++i)
         if (i != a && i != b) looks_[i].canvas.reset();
@@ -275,7 +276,7 @@ void MovieScenes::forgetWords() {
 Picture MovieScenes::drawKeys(double place, int model) {
     const auto from = std::min(static_cast<std::size_t>(place), path_->stretches() - 1);
     double share = place - static_cast<double>(from);
-    // At a key view exactly the picture of that view; from there on words follow their atoms.
+    // At a key view, the picture of that view exactly; from there on, words follow their atoms.
     if (from != stretch_ || share == 0 || share == 1) forgetWords();
     stretch_ = from;
     if (options_.easing.value_or(Easing::smooth) == Easing::stops) share = eased(Easing::smooth, share);
@@ -285,7 +286,7 @@ Picture MovieScenes::drawKeys(double place, int model) {
         Look& look = ready(number, model);
         RenderSettings settings = look.drawing.settings;
         Clip& clip = settings.effects.clip;
-        // At a key view itself the very numbers of that view.
+        // At a key view, exactly the numbers of that view.
         if (share == 0 && number == a.look) {
             settings.view = a.view;
             clip = a.clip;
@@ -328,7 +329,7 @@ Picture MovieScenes::draw(std::uint64_t frame) {
     RenderSettings settings = look.drawing.settings;
     const glm::dvec3 center = look.drawing.run.center;
     View& view = settings.view;
-    // Every model from the camera aimed at the first, unless each has its own.
+    // All models use the camera aimed at the first, unless each has its own.
     const bool aimed = options_.picture.aim.any() && file_ && !motion_ && model != 1;
     const bool elsewhere = center != center_ || view.pixelsPerAngstrom != first_.pixelsPerAngstrom;
     if (!look.options.look.ownFrame && (aimed || (elsewhere && !look.framed))) {

@@ -16,7 +16,7 @@
 
 namespace nacre::app {
 
-/// Where a movie's pictures come from.
+/// The source of a movie's pictures.
 class MovieSource {
 public:
     virtual ~MovieSource() = default;
@@ -90,7 +90,7 @@ private:
     bool saidTorn_ = false;
     std::uint64_t frames_ = 1;
     std::uint64_t models_ = 1;  ///< number of models shown
-    std::uint64_t next_ = 0;    ///< the frame for which words can continue
+    std::uint64_t next_ = 0;    ///< the frame at which words can continue
     std::size_t stretch_ = 0;   ///< part of the path, for words
     Clip firstClip_;
     View first_;           ///< of the first model

@@ -27,7 +27,7 @@ SnapshotTimeline::SnapshotTimeline(std::vector<SnapshotTimes> times, bool loop) 
 }
 
 SnapshotPlace SnapshotTimeline::at(double time) const {
-    constexpr double kRounding = 1e-7;  // s: a frame at the end of a snapshot's time is the next one's
+    constexpr double kRounding = 1e-7;  // s: a frame at the end of a snapshot's time belongs to the next one
     for (std::size_t i = 0; i < times_.size(); ++i) {
         const SnapshotTimes& each = times_[i];
         if (time < each.linger - kRounding) return {i, 0, std::max(time, 0.0)};
@@ -47,7 +47,7 @@ std::optional<double> SnapshotTimeline::animationAt(std::size_t snapshot, double
 
 namespace {
 
-/// The radius of what is seen while the camera leaps: in between it shows both ends; not so where they overlap.
+/// The visible radius while the camera leaps: in between it shows both ends, unless they overlap.
 double leapRadius(double from, double to, double distance, double share) {
     const double straight = std::lerp(from, to, share);
     const double overlap = (from + to - distance) / std::max(std::min(from, to), 1e-9);
@@ -67,7 +67,7 @@ Lens lensBetween(const Lens& from, const Lens& to, const std::string& trajectory
     if (trajectory.starts_with("leap")) {
         radius = leapRadius(a, b, apart, share);
     } else if (trajectory == "linear-relative" && std::abs(b - a) > 0.001 * (a + b + 2)) {
-        // Steps grow with what is seen, and an Å more.
+        // Steps grow with the visible radius plus 1 Å.
         along = (a + 1) / (b - a) * (std::pow((b + 1) / (a + 1), share) - 1);
         radius = std::lerp(a, b, along);
     }
@@ -98,7 +98,7 @@ MovieSnapshots::MovieSnapshots(const MovieOptions& options, Progress& progress)
     if (frames > static_cast<double>(kMostMovieFrames))
         throw Error("movie too long", path, "more than " + std::to_string(kMostMovieFrames) + " frames");
     frames_ = static_cast<std::uint64_t>(frames);
-    // Another duration stretches all times.
+    // An explicit duration stretches all times.
     secondsPerFrame_ = timeline_.seconds() / seconds / options.framesPerSecond;
     loadMaps(options.picture, downloadProgress(progress_));
 }

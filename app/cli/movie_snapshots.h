@@ -1,5 +1,5 @@
 #pragma once
-// The snapshots of a MolViewSpec scene as a movie: each lingers for its own time, then turns into the next: the
+// The snapshots of a MolViewSpec scene as a movie. Each is shown for its own time, then the next one follows: the
 // camera moves, and the pictures cross-fade.
 
 #include <memory>
@@ -16,21 +16,21 @@
 
 namespace nacre::app {
 
-/// Where a movie of snapshots is at a time.
+/// Position in a movie of snapshots at a time.
 struct SnapshotPlace {
     std::size_t from = 0;
-    double share = 0;    ///< of the way to the next, 0 to 1
+    double share = 0;    ///< of the transition to the next, 0 to 1
     double seconds = 0;  ///< since the snapshot came to rest
 };
 
-/// The way of a camera between two snapshots. @param trajectory  as a scene names it @param share  0..1 of the way
+/// The camera between two snapshots. @param trajectory  as named in a scene @param share  0..1 of the transition
 /// @param height  of the picture, pixels
 Lens lensBetween(const Lens& from, const Lens& to, const std::string& trajectory, double share, double height);
 
 class SnapshotTimeline {
 public:
-    static constexpr double kLinger = 2;  ///< seconds, of each where none says how long
-    /// @param loop  the last goes over into the first
+    static constexpr double kLinger = 2;  ///< seconds per snapshot without a duration
+    /// @param loop  the last one continues with the first
     SnapshotTimeline(std::vector<SnapshotTimes> times, bool loop);
 
     double seconds() const { return seconds_; }

@@ -92,12 +92,12 @@ std::string othersName(const std::string& word, const CommandSpec& command) {
     return {};
 }
 
-/// Whether it is one of the words between a name's dashes: "opacity" of "surface-opacity".
+/// Whether a word is one of those between a name's dashes: "opacity" of "surface-opacity".
 bool isPart(const std::string& word, const std::string& name) {
     return ("-" + name + "-").find("-" + word + "-") != std::string::npos;
 }
 
-/// The options that it is a part of: "--surface-opacity", "--cartoon-opacity".
+/// The options whose names contain a word: "--surface-opacity", "--cartoon-opacity".
 std::vector<std::string> longerNames(const std::string& word, const CommandSpec& command) {
     std::vector<std::string> longer;
     for (const OptionSpec& option : command.options)
@@ -105,7 +105,7 @@ std::vector<std::string> longerNames(const std::string& word, const CommandSpec&
     return longer;
 }
 
-/// The options that take it as a value: "--style cartoon".
+/// The options that accept a word as a value: "--style cartoon".
 std::vector<std::string> optionsThatTake(const std::string& word, const CommandSpec& command) {
     std::vector<std::string> taking;
     for (const OptionSpec& option : command.options) {

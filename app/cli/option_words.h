@@ -16,7 +16,7 @@ std::vector<std::string> writtenNames(const OptionSpec& option);
 /// accepts any word. Sets the option repeatedly.
 std::vector<std::string> choicesOf(const OptionSpec& option);
 
-/// " (did you mean '--color'?)", or empty: a suggestion for an unknown option. Considers other programs' names, the
+/// A suggestion for an unknown option: " (did you mean '--color'?)", or empty. Considers other programs' names, the
 /// nearest name, names that contain it, and options that accept it as a value. Sets options.
 std::string optionHint(const std::string& written, const CommandSpec& command);
 

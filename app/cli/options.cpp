@@ -51,7 +51,7 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
                             refuse(text, "one of " + listOf(names), names);
                         options.caps = text;
                     }};
-    command.options.insert(command.options.begin(), caps);  // before --device, which names it
+    command.options.insert(command.options.begin(), caps);  // before --device, which refers to it
     command.value("--supersample", "auto|1", "1",
                   "auto: the frames of a picture, 16 samples where a pixel shows an edge",
                   [&](const std::string& text) {

@@ -41,8 +41,8 @@ struct BatchOptions {
 struct InfoOptions {
     enum class Output { text, json, jsonLines, csv };  ///< csv: interactions only
     std::vector<std::string> paths;                    ///< one or more
-    PictureDescription picture;                        ///< how each of them is read
-    bool residues = false;                             ///< list each, with its secondary structure
+    PictureDescription picture;                        ///< how each input is read
+    bool residues = false;                             ///< list residues, with secondary structure
     bool together = false;                             ///< the INPUTs are one scene
     bool frequencies = false;                          ///< frequency of each interaction
     Output output = Output::text;
@@ -85,11 +85,11 @@ struct PlanOptions {
 
 enum class PanelLetters { small, capital, off };
 
-/// Which parts of the camera a panel's line sets. The first panel decides the others.
+/// The parts of the camera that a panel's line sets. The first panel decides the others.
 struct PanelLine {
-    bool aims = false;     ///< any of these, or what the picture shows in its middle
+    bool aims = false;     ///< any of these, or the point in the picture's middle
     bool turns = false;    ///< the side that faces the viewer
-    bool rotates = false;  ///< from the first panel's side
+    bool rotates = false;  ///< relative to the first panel's side
     bool scales = false;
     bool clips = false;
     bool scaleBar = false;
@@ -97,7 +97,7 @@ struct PanelLine {
 
 /// `nacre figure`.
 struct FigureOptions {
-    BatchOptions batch;  ///< the panels as jobs without outputs, and the options of all
+    BatchOptions batch;  ///< the panels as jobs without outputs, and their common options
     std::string output;
     int columns = 2;
     double gapPoints = 6;  ///< between panels, 72 per inch

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of one size in rows from the top, with gaps between them.
+// Arranges pictures of one size in rows from the top, with gaps between them.
 
 #include <algorithm>
 #include <array>

@@ -16,7 +16,7 @@
 namespace nacre::app {
 namespace {
 
-/// Patches so small that an atom shows hardly more than one shade.
+/// Patches so small that an atom has hardly more than one shade.
 bool isCoarse(const OcclusionStats& occlusion) { return occlusion.directions > 0 && occlusion.patchTexels < 8; }
 
 /// Reports the result of the memory limit.
@@ -29,7 +29,7 @@ void sayOcclusion(const OcclusionStats& occlusion) {
             " MB");
 }
 
-/// Draws the picture twice more: timed, after the first compiled its pipelines; and with counting shaders.
+/// Draws the picture twice more: timed, since the first drawing compiled pipelines; and with counting shaders.
 void tellOfPasses(Renderer& renderer, RenderSettings settings, FrameStats& frame) {
     settings.debug = DebugView::none;
     settings.tuning.timePasses = true;
@@ -64,13 +64,13 @@ void PictureJob::prepare(OpenScene* scene) {
     progress_.begin("building the scene");
     drawing_.prepare(molecule, options_);
     drawing_.run.loadMs = loadMs;
-    // Statistics and captures cover texels that the view does not show.
+    // Statistics and captures include texels that the view does not show.
     drawing_.settings.occlusion.once = !statsFile_ && !captureFile_;
     drawing_.settings.occlusion.onProgress = [&](double share) { progress_.advance(share); };
 }
 
-/// Draws the picture, captured with its bake if a file is given or RenderDoc started this program. Without words it is
-/// coded at once.
+/// Draws the picture. Captures it with its bake if a file is given or RenderDoc started this program. Without words it
+/// is coded at once.
 void PictureJob::drawPicture(Renderer& renderer) {
     const RenderSettings& settings = drawing_.settings;
     const auto draw = [&] {
@@ -91,7 +91,7 @@ void PictureJob::drawPicture(Renderer& renderer) {
         sayNote("captured to " + written);
 }
 
-/// Draws the picture in parts, and writes it meanwhile.
+/// Draws the picture in parts, and writes each part when it is done.
 void PictureJob::drawInParts(Renderer& renderer) {
     const RenderSettings& settings = drawing_.settings;
     const View& view = settings.view;
@@ -132,7 +132,7 @@ void PictureJob::draw(Canvas& canvas) {
         drawInParts(renderer);
     } else {
         drawPicture(renderer);
-        frame_ = renderer.stats();  // of this picture, before the frames that follow add theirs
+        frame_ = renderer.stats();  // of this picture, before later frames add theirs
     }
     drawing_.run.driver = renderer.driverFeedback();
     drawing_.run.choice = renderer.decisions();

@@ -1,5 +1,5 @@
 #pragma once
-// One picture of `nacre render`, in steps that can run beside those of other pictures.
+// One picture of `nacre render`, in steps that can run in parallel with those of other pictures.
 
 #include <optional>
 #include <string>
@@ -23,9 +23,9 @@ public:
     /// @param options, progress  outlive this @throws Error
     PictureJob(const PictureDescription& options, Progress& progress);
 
-    /// Reads the molecule and builds its scene. @param scene  the INPUT, if it is open; null: not @throws Error
+    /// Reads the molecule and builds its scene. @param scene  the INPUT, if it is open, else null @throws Error
     void prepare(OpenScene* scene = nullptr);
-    /// Draws everything: the only step on the device. Writes a picture that is not held whole meanwhile. @throws Error
+    /// Draws everything: the only step on the device. Also writes a picture that is too large to be held. @throws Error
     void draw(Canvas& canvas);
     /// Moves the files to their final names. @throws Error
     void write();
@@ -46,7 +46,7 @@ private:
     Drawing drawing_;
     Picture picture_;
     std::optional<CodedPicture> codes_;  ///< instead of picture_
-    std::vector<std::string> ofWords_;   ///< warnings
+    std::vector<std::string> ofWords_;   ///< warnings about words
     bool written_ = false;               ///< in parts, during drawing
     std::optional<LayerPicture> layers_;
     FrameStats frame_;

@@ -30,9 +30,9 @@ std::string writtenName(const Option& option) {
 
 constexpr int kMostJobs = 64;
 
-/// One device draws all: these are the batch's, and no job's.
+/// One device draws all jobs: these options are the batch's.
 constexpr Topics kOfTheDevice = Topic::device | Topic::path | Topic::validation;
-/// These are a job's alone.
+/// Options of a single job.
 constexpr Topics kOfOneJob = Topic::input | Topic::files;
 constexpr double kFigureDpi = 300;
 

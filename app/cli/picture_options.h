@@ -1,6 +1,6 @@
 #pragma once
-// The options of commands that draw pictures: rows of app/picture/options.h, and additions of some commands, of `nacre
-// batch` with a line in its job list, and of `nacre serve`.
+// The options of commands that draw pictures: rows of app/picture/options.h, and additional ones of some commands, of
+// job lines in `nacre batch`, and of `nacre serve`.
 
 #include <string>
 #include <vector>
@@ -28,7 +28,7 @@ void addLooks(CommandSpec& command, LooksOptions& options);
 
 /// @throws UsageError
 void checkLooks(const LooksOptions& options);
-/// Checks that need more than one option. Without INPUT takes that of the first key view. @throws UsageError, Error
+/// Checks that need more than one option. Without INPUT, uses that of the first key view. @throws UsageError, Error
 void checkMovie(MovieOptions& options);
 /// As above for a window. @returns whether there is an INPUT
 bool checkWindow(PictureDescription& first);
@@ -41,7 +41,7 @@ PictureDescription jobOf(const std::string& json, const BatchOptions& batch);
 
 /// @param options  receives values; outlives the command
 void addFigure(CommandSpec& command, FigureOptions& options);
-/// As jobOf(), for a panel. @param line  receives what the line says, beside the options common to all @throws
+/// Like jobOf(), for a panel. @param line  receives the line's own settings, beyond the common options @throws
 /// UsageError
 PictureDescription panelOf(const std::string& json, const FigureOptions& options, PanelLine& line);
 

@@ -23,7 +23,7 @@ const graph::EncodedFormat& formatOf(EncodedDepth rung) {
     return graph::encodedFormats().front();
 }
 
-/// The capability set, or the real device, with what the options ask for.
+/// The capability set or the real device, changed by the options.
 graph::FrameCaps capsOf(const PlanOptions& options) {
     const DeviceOptions& device = options.picture.device;
     if (options.caps.empty()) return deviceCaps(device);
@@ -55,7 +55,7 @@ RenderSettings planSettings(const PlanOptions& options, double radius) {
     return settings;
 }
 
-/// A frame, planned without what reads its result.
+/// A frame, planned without readers of its result.
 struct PlannedFrame {
     FrameChoice choice;
     Frame frame;
@@ -85,7 +85,7 @@ std::uint32_t samplesOf(const FrameChoice& choice) {
     return choice.refinement != Refinement::none ? RenderSettings::kEdgeSamples : choice.attachmentSamples();
 }
 
-/// A lens costs a frame of its own.
+/// A lens needs a frame of its own.
 EffectCost costOfLens(const RenderSettings& settings, const graph::FrameCaps& caps, std::uint32_t samples) {
     const PlannedFrame lens = framePlanned(settings, Part::distances, {}, caps);
     EffectCost cost{"depth-of-field", visibilityName(lens.choice.path), {}, samples, 0, 0, 0};
@@ -96,7 +96,7 @@ EffectCost costOfLens(const RenderSettings& settings, const graph::FrameCaps& ca
     return cost;
 }
 
-/// The option that makes something translucent.
+/// The option that makes part of the scene translucent.
 const char* opacityOption(const RepresentationOptions& look) {
     return look.surfaceOpacity < 1   ? "surface-opacity"
            : look.cartoonOpacity < 1 ? "cartoon-opacity"
@@ -104,7 +104,7 @@ const char* opacityOption(const RepresentationOptions& look) {
                                      : "show";
 }
 
-/// Cost of each active effect alone: the frame with it compared with the frame without any, with opaque meshes.
+/// Cost of each active effect alone: compares a frame with the effect to one without effects, with opaque meshes.
 std::vector<EffectCost> costsOf(const PlanOptions& options, const RenderSettings& settings, const SceneFacts& scene,
                                 const graph::FrameCaps& caps, const MotionSamples& motion) {
     struct Alone {
@@ -169,7 +169,7 @@ std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& 
 PlanReport planReport(const PlanOptions& options) {
     graph::FrameCaps caps = capsOf(options);
     caps.plan.merge = caps.plan.merge && options.merge;
-    choosePath(caps);  // refuses a path that the device lacks
+    choosePath(caps);  // throws for a path that the device lacks
     const bool sampled = caps.multisampling == Multisampling::four;
     MotionSamples motion = chooseMotionSamples(caps);
     if (sampled && options.edges)

@@ -1,5 +1,5 @@
 #pragma once
-// `nacre plan`: the screen frame planned for a GPU, beside the same frame unmerged and the paper's arrangement.
+// `nacre plan`: the screen frame planned for a GPU, compared with the same frame unmerged and the paper's arrangement.
 
 #include <span>
 #include <string>
@@ -17,9 +17,9 @@ namespace nacre::app {
 /// Additional cost of a single effect.
 struct EffectCost {
     std::string option;               ///< without dashes
-    const char* visibility;           ///< path that draws it
+    const char* visibility;           ///< path of the frame with the effect
     std::vector<std::string> passes;  ///< additional passes
-    std::uint32_t samples;            ///< of such a frame per pixel of a picture where colours change
+    std::uint32_t samples;            ///< per pixel of a picture where colours change, in such a frame
     std::int64_t loaded, stored;      ///< bytes per frame
     std::int64_t tileBytes;           ///< per pixel
 };
@@ -37,19 +37,19 @@ struct PlanReport {
     graph::Plan paper;
     MotionSamples motion{};                    ///< of a window's frames in motion
     std::uint32_t samples = 1;                 ///< per pixel of a picture where colours change
-    std::vector<PassGeometry> geometry{};      ///< of the scene that was given
+    std::vector<PassGeometry> geometry{};      ///< of the input's scene
     std::vector<std::uint64_t> vertexBytes{};  ///< of its render passes that draw primitives
-    graph::Traffic forLimit{};                 ///< bytes that the limit of vertex outputs adds to the traffic
+    graph::Traffic forLimit{};                 ///< traffic that the limit of vertex outputs adds
     std::vector<MeshLevelCount> meshLevels{};
     std::vector<CopyLevelCount> copyLevels{};
-    std::vector<EffectCost> costs{};  ///< of the effects that are on
-    bool explained = false;           ///< the text has all decisions
+    std::vector<EffectCost> costs{};  ///< of active effects
+    bool explained = false;           ///< the text lists all decisions
 
     /// The reason for the path.
     const std::string& why() const { return decisions.front().why; }
 };
 
-/// @throws Error if there is no such device, or it cannot encode depth or take samples as asked for
+/// @throws Error if there is no such device, or it cannot encode depth or take samples as requested
 PlanReport planReport(const PlanOptions& options);
 
 std::string planText(const PlanReport& report);

@@ -1,4 +1,4 @@
-// The plan for people: tables whose columns are aligned.
+// The plan as text: tables with aligned columns.
 
 #include <algorithm>
 #include <cmath>

@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kPatience = std::chrono::seconds(1);
 constexpr auto kBetween = std::chrono::milliseconds(200);
 constexpr int kBarWidth = 24;
-constexpr double kTelling = 0.02;  // share from which on the remaining time can be estimated
+constexpr double kTelling = 0.02;  // share from which the remaining time can be estimated
 
 /// "0:07", "1:02:33"
 std::string clockText(std::chrono::seconds time) {
@@ -105,7 +105,7 @@ void Progress::show() {
         std::optional<std::chrono::seconds> left;
         if (steady_ && share_ && *share_ >= kTelling)
             left = std::chrono::duration_cast<std::chrono::seconds>((Clock::now() - began_) * (1 / *share_ - 1));
-        // Carriage return, then "erase to the end of the line", which every terminal since the VT100 knows.
+        // Carriage return, then "erase to end of line", which all terminals since the VT100 support.
         std::fprintf(stderr, "\r\x1b[K%s", progressText(work_, share_, elapsed, left).c_str());
         std::fflush(stderr);
         setLineShown(true);
@@ -118,7 +118,7 @@ void Progress::show() {
 MovieReport::MovieReport(const std::string& path) {
     if (path.empty()) return;
     file_ = isStandardOutput(path) ? stdout : std::fopen(path.c_str(), "we");
-    std::signal(SIGPIPE, SIG_IGN);  // who does not read any more does not stop the movie
+    std::signal(SIGPIPE, SIG_IGN);  // the movie continues if nobody reads the report
     if (!file_) throw Error("cannot write file", path, std::strerror(errno));
 }
 

@@ -17,11 +17,11 @@ namespace nacre::app {
 
 /// One line for a terminal, at most 60 columns: "nacre: ambient occlusion [######        ]  43 %", or without a bar if
 /// the finished share (0..1) is unknown.
-/// @param left  estimate of the remaining time, shown beside a shorter bar
+/// @param left  estimate of the remaining time, after a shorter bar
 std::string progressText(const std::string& work, std::optional<double> share, std::chrono::seconds elapsed,
                          std::optional<std::chrono::seconds> left = {});
 
-/// Shows on a terminal what a command is doing once that has taken over a second; clears the line at the end.
+/// Shows a command's current work on a terminal once it has taken over a second; clears the line at the end.
 class Progress {
 public:
     /// Standard error, if it is a terminal; otherwise shows nothing. @param shown  false: show nothing
@@ -33,13 +33,13 @@ public:
     void begin(const std::string& work);
     /// Sets the finished share of the current work, 0..1.
     void advance(double share);
-    /// As above for steady work, whose end can be estimated.
+    /// As above for work at a steady rate, whose end can be estimated.
     void advanceTo(std::uint64_t done, std::uint64_t all);
 
 private:
     void show();
 
-    // A thread of its own writes: most work (reading, uploading) has no place to call from.
+    // A separate thread writes: most work (reading, uploading) has no place to call from.
     std::mutex mutex_;
     std::condition_variable wake_;
     bool ending_ = false;
@@ -58,7 +58,7 @@ class OpenScene;
 /// Reads the molecule and the maps of a picture. @param scene  its INPUT, if that is open @throws Error
 Molecule readMoleculeAndMaps(const PictureDescription& picture, Progress& progress, OpenScene* scene = nullptr);
 
-/// A movie's progress for a waiting program: lines of JSON.
+/// Reports a movie's progress to a waiting program, as lines of JSON.
 class MovieReport {
 public:
     /// @param path  "-": standard output; empty: no report. @throws Error

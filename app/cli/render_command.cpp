@@ -27,7 +27,7 @@ DeviceOptions deviceOf(const PictureDescription& options) {
     return device;
 }
 
-/// A picture of each snapshot of a scene.
+/// Draws a picture of each snapshot of a scene.
 void renderSnapshots(PictureDescription options) {
     OpenScene scene(options.input);
     const std::size_t count = scene.times().size();

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Row by row; GLM stores columns.
+/// By rows; GLM stores columns.
 Json rowsOf(const glm::dmat3& matrix) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back({matrix[0][row], matrix[1][row], matrix[2][row]});
@@ -64,7 +64,7 @@ Json copyLevelsJson(const std::vector<CopyLevelCount>& levels) {
 }
 
 Json choiceJson(const std::vector<Decision>& decisions) {
-    Json json = {{"long_lists", nullptr}, {"views", nullptr}};  // not of every frame
+    Json json = {{"long_lists", nullptr}, {"views", nullptr}};  // some frames lack these
     for (const Decision& decision : decisions) {
         std::string key = decision.what;
         std::ranges::replace(key, ' ', '_');

@@ -11,8 +11,9 @@
 
 namespace nacre::app {
 
-/// A frame's passes. Counted ones have `shaded_fragments`. `ms` is device time: in a pass's own entry if it is alone in
-/// its render pass; passes that share one have an extra entry under their joined names. All `ms` add up to the frame's.
+/// A frame's passes. Counted ones have `shaded_fragments`. `ms` is device time. A pass alone in its render pass has it
+/// in its own entry; passes that share one have an extra entry under their joined names. All `ms` add up to the
+/// frame's.
 nlohmann::ordered_json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime>& times);
 
 nlohmann::ordered_json copyLevelsJson(const std::vector<CopyLevelCount>& levels);

@@ -5,7 +5,7 @@
 
 namespace nacre::app {
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP is reported instead of obeyed, so that a window can save its
+/// While it exists, the first SIGINT, SIGTERM or SIGHUP is reported instead of obeyed, so that a window can save its
 /// state; a second one ends the program at once. One instance at a time.
 class EndSignals {
 public:

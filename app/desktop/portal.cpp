@@ -91,7 +91,7 @@ public:
     const Dbus& dbus() const { return dbus_; }
     std::string name() const { return dbus_.bus_get_unique_name(connection_); }
 
-    /// Null where it failed.
+    /// Null on failure.
     Message call(DBusMessage* message) const {
         DBusError error;
         dbus_.error_init(&error);
@@ -105,7 +105,7 @@ public:
         const std::string rule = std::string("type='signal',interface='") + kRequest + "',path='" + path + "'";
         dbus_.bus_add_match(connection_, rule.c_str(), nullptr);
     }
-    /// The next signal of a kind; null: the bus is gone.
+    /// The next signal on a path; null: the bus is gone.
     Message await(const std::string& path) const {
         do {
             // The signal may have arrived together with the reply.

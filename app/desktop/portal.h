@@ -1,5 +1,5 @@
 #pragma once
-// The desktop's dialogs by org.freedesktop.portal.FileChooser: works in a sandbox and on every desktop.
+// The desktop's dialogs by org.freedesktop.portal.FileChooser: they work in a sandbox and on every desktop.
 
 #include <string>
 #include <vector>

@@ -29,7 +29,7 @@ std::string contentOf(const std::string& underHome) {
     return text.str();
 }
 
-/// Not inherited by other programs.
+/// Makes a pipe that other programs do not inherit.
 bool makePipe(int (&ends)[2]) {
     if (pipe(ends) != 0) return false;
     for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);

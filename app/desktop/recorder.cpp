@@ -73,8 +73,8 @@ std::string readAll(int file) {
     return text;
 }
 
-/// Starts the program in a group of processes of its own, which a signal to this one does not reach; and so that a
-/// request to stop reaches it even where this one was started to ignore that. @returns an error number, or 0
+/// Starts the program in its own process group, which signals to this one do not reach. Restores the default of the
+/// stop signal, in case this program was started to ignore it. @returns an error number, or 0
 int spawn(pid_t& pid, std::vector<std::string>& words, int out, int err) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -104,7 +104,7 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const Picture
                                         const std::string& view, const std::vector<std::string>& keys) {
     using M = RecordingWish::Motion;
     std::vector<std::string> words{"movie"};
-    // The view alone names several inputs, together with their colours.
+    // Several inputs are only in the view, together with their colours.
     if (shown.input.further.empty()) words.push_back(shown.input.path);
     words.insert(words.end(), {"--output", wish.path});
     const auto add = [&](std::initializer_list<std::string> more) {
@@ -145,7 +145,7 @@ void Recorder::finish() {
     {
         std::unique_lock lock(mutex_);
         const auto ended = [&] { return !state_.running; };
-        // Its encoder is in the same group of processes, and has the pipes open.
+        // Its encoder is in the same process group, and holds the pipes open.
         if (!ended_.wait_for(lock, std::chrono::duration<double>(patience_), ended) && child_ > 0)
             kill(-child_, SIGKILL);
     }

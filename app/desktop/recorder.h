@@ -1,6 +1,6 @@
 #pragma once
-// Records movies of the window's contents by running `nacre movie` beside the window: the same code and files, while
-// the window stays responsive.
+// Records movies of the window's contents by running `nacre movie` as a separate process: the same code and files,
+// while the window stays responsive.
 
 #include <condition_variable>
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace nacre::app {
 
-/// Arguments for `nacre movie`. @param view, keys  files of saved views; options set what they leave open
+/// Arguments for `nacre movie`. @param view, keys  files of saved views; options set what these leave open
 /// @param shown  contents of the window
 std::vector<std::string> movieArguments(const RecordingWish& wish, const PictureDescription& shown,
                                         const std::string& view, const std::vector<std::string>& keys);

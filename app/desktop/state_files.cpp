@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Path of a file of a kind; empty if the environment names no folder.
+/// Path of a state or cache file; empty if the environment names no folder.
 std::string pathOf(const char* variable, const char* underHome, const char* name) {
     if (const char* set = std::getenv(variable); set && *set == '/') return fs::path(set) / "nacre" / name;
     if (const char* home = std::getenv("HOME"); home && *home == '/')
@@ -30,7 +30,8 @@ std::string viewPath() { return pathOf("XDG_STATE_HOME", ".local/state", "view.j
 std::string windowPath() { return pathOf("XDG_STATE_HOME", ".local/state", "window.json"); }
 std::string pipelinePath() { return pathOf("XDG_CACHE_HOME", ".cache", "pipelines.bin"); }
 
-/// Where files are saved: empty, the current folder; from a desktop's menu that is none of the user's, so their own.
+/// Folder for saved files: empty, the current folder; if a desktop's menu started the program, that folder is not the
+/// user's, so uses the user's.
 fs::path savingFolder() {
     std::error_code error;
     const bool own = access(".", W_OK) == 0 && fs::current_path(error) != "/";
@@ -84,7 +85,7 @@ WindowState loadWindowState() {
         const auto value = json.find(key);
         return value != json.end() && value->is_number_unsigned() ? value->get<std::uint64_t>() : 0;
     };
-    constexpr std::uint64_t kLeast = 200, kMost = 16384;  // points; others are none that a person left
+    constexpr std::uint64_t kLeast = 200, kMost = 16384;  // points; other sizes are not a user's
     const std::uint64_t width = side("width"), height = side("height");
     if (std::min(width, height) >= kLeast && std::max(width, height) <= kMost)
         state.width = static_cast<std::uint32_t>(width), state.height = static_cast<std::uint32_t>(height);

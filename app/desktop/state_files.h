@@ -1,6 +1,6 @@
 #pragma once
-// Locations of the desktop's last view and compiled pipelines, and names for saved files; and recently opened files,
-// with a small picture each. Ignores a list that cannot be read, and failures to write it.
+// Locations of the desktop's last view and compiled pipelines, names for saved files, and recently opened files with a
+// small picture each. Ignores unreadable lists, and failures to write them.
 
 #include <cstddef>
 #include <optional>
@@ -17,7 +17,7 @@ namespace nacre::app {
 std::optional<PictureDescription> loadState();
 void saveState(const PictureDescription& view);
 
-/// How the window was when it was last closed. $XDG_STATE_HOME/nacre/window.json
+/// State of the window when it was last closed. $XDG_STATE_HOME/nacre/window.json
 struct WindowState {
     std::uint32_t width = 0, height = 0;  ///< points; 0: not known
     Panel::Brightness brightness = Panel::Brightness::system;
@@ -38,10 +38,9 @@ std::string samplesPath();
 std::vector<std::byte> loadPipelineCache();
 void savePipelineCache(const std::vector<std::byte>& data);
 
-/// A name that no file has yet: "1bna.png", "1bna-2.png", ... in the current folder, or in the user's where that is
-/// not writable.
+/// An unused file name: "1bna.png", "1bna-2.png", ... in the current folder, or in the user's if that is not writable.
 std::string freeName(const std::string& input, const std::string& extension);
-/// "saved /home/me/1bna.png", for a file of any path.
+/// "saved /home/me/1bna.png", for any path.
 std::string savedMessage(const std::string& path);
 
 class RecentFiles {

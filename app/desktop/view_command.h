@@ -7,7 +7,7 @@ namespace nacre::app {
 /// Options of a window.
 struct ViewOptions {
     PictureDescription first;  ///< initial contents; `size` is the window's
-    bool restore = false;      ///< no input given: the start screen, which offers to restore the last session
+    bool restore = false;      ///< without input: the start screen, which offers to restore the last session
 };
 
 /// Opens a window and returns when it is closed, or ended by a signal; saves its state in both cases. @throws Error

@@ -43,7 +43,7 @@ public:
     /// The window is hidden at first.
     void show();
     void hide();
-    /// Covers the monitor that shows it, or returns to its place.
+    /// Covers the monitor that shows it, or restores its size and position.
     void toggleFullScreen();
     bool isFullScreen() const;
     void setTitle(const std::string& title);
@@ -52,8 +52,8 @@ public:
     bool closing() const;
     void close();
 
-    /// Handles pending events, or waits for some. A window that is to close waits for nothing: the key that closed it
-    /// may have been the last event.
+    /// Handles pending events, or waits for some. Does not wait if the window is to close: the key that closed it may
+    /// have been the last event.
     /// @param seconds maximum wait; infinity: no limit
     void handleEvents(double seconds);
     /// Ends a wait. Thread-safe.

@@ -53,7 +53,7 @@ std::vector<RecentFile> WindowSession::sampleFiles() const {
     return files;
 }
 
-/// Draws a sample that has no picture yet, while nothing is open and nothing else is to do. @returns whether it did
+/// Draws a sample that has no picture yet, if nothing is open and no other work is pending. @returns whether it did
 bool WindowSession::drawSample() {
     if (viewer().document() || viewer().reading().loader().busy()) return false;
     while (triedSamples_ < shownSamples_.size()) {
@@ -73,7 +73,7 @@ bool WindowSession::drawSample() {
             samples_.add(sample.input, sample.name, drawing.drawAs(drawing.settings, renderer()));
             shownSamples_ = sampleFiles();
         } catch (const std::exception&) {
-            // It stays without a picture.
+            // The sample stays without a picture.
         }
         try {
             renderer().setScene({});
@@ -112,7 +112,7 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     picture.size = {size.width, size.height};
     picture.output = path;
     picture.words.size = textSize;
-    // The window's own size has the window's anti-aliasing; others have that of pictures.
+    // The window's own size uses the window's anti-aliasing; other sizes use that of pictures.
     picture.supersample = asShown ? viewer().frames().mostSamples() : RenderSettings::kEdges;
     if (transparent) picture.background = {0, 0, 0, 0};
     PictureFormat format;
@@ -166,7 +166,7 @@ void WindowSession::tellRecording() {
         viewer().messages().say(state.message, now());
 }
 
-/// Asks where to write a file of an ending, which is added to names without it.
+/// Asks where to write a file. Adds the extension to names without it.
 void WindowSession::askWhere(const char* title, const char* extension,
                              void (WindowSession::*write)(const std::string& path)) {
     if (!viewer().document()) return;

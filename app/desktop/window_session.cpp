@@ -63,7 +63,7 @@ WindowSession::WindowSession(const ViewOptions& options)
     }
     viewer().frames().setDebugView(options.first.debug, now());
     viewer().camera().aim(options.first.aim, now());
-    // What may succeed later is tried again in the window.
+    // Errors that may be temporary are retried in the window.
     const std::string& input = options.first.input.path;
     if (!parseDatabaseId(input) && !parseDatabaseId(meantInput(input))) viewer().reading().throwEarlyFailure();
     shownSamples_ = sampleFiles();
@@ -104,7 +104,7 @@ double WindowSession::step(double longest) {
         if (sceneShown_ == 0 && viewer().document()) sceneShown_ = lastShown_;
         if (inputAt_ > 0) latencies_.push_back(1000 * (lastShown_ - inputAt_));
     }
-    inputAt_ = 0;  // unanswered input changed nothing
+    inputAt_ = 0;  // the pending input changed nothing
     window_.setTitle(printable(viewer().title()));
     if (panel_->restless()) viewer().schedule().overlayChanged();
     // Frames at the display's rate; checks of the bake may be more frequent.
@@ -142,7 +142,7 @@ void WindowSession::openFiles(std::vector<std::string> paths, bool beside) {
     viewer().open(paths, beside, now());
 }
 
-/// Structures may join what is open: the user decides.
+/// Structures may be added to the current scene: the user decides.
 void WindowSession::dropFiles(const std::vector<std::string>& paths) {
     const bool beside = panel_->opensTogether();
     while (panel_->closeTop()) {
@@ -154,7 +154,7 @@ void WindowSession::dropFiles(const std::vector<std::string>& paths) {
     viewer().schedule().overlayChanged();
 }
 
-/// @param before  is replaced by it; null: there was none
+/// @param before  the panel that it replaces; null: none
 std::unique_ptr<Panel> WindowSession::makePanel(const Panel* before) {
     const int text = before ? before->textPercent() : remembered_.textPercent;
     auto panel = std::make_unique<Panel>(window_.pixelsPerPoint(), panelHost(), PanelHand::mouse, text);
@@ -166,7 +166,7 @@ std::unique_ptr<Panel> WindowSession::makePanel(const Panel* before) {
     return panel;
 }
 
-/// As given, else as the window was left.
+/// The given size, else that of the last window.
 PixelSize WindowSession::firstSize() const {
     if (remembered_.width > 0 && !options_.first.given.contains("size")) return {remembered_.width, remembered_.height};
     return {options_.first.size.width, options_.first.size.height};
@@ -321,7 +321,7 @@ WindowEvents WindowSession::events() {
         if (of) run(*of);
     };
     e.special = [this, command](SpecialKey key, bool down, bool repeated, Modifiers with) {
-        if (repeated && !inputs_.empty()) return;  // a held key must not run ahead of the frames
+        if (repeated && !inputs_.empty()) return;  // a held key must not get ahead of the frames
         input(Kind::key, [=, this] { command(panel_->input().press(key, down, with)); });
     };
     e.character = [this, command](char32_t c) { input(Kind::key, [=, this] { command(panel_->input().type(c)); }); };
@@ -333,7 +333,7 @@ WindowEvents WindowSession::events() {
     return e;
 }
 
-/// Text has another size, by the display's density or as the user wants it: makes the panel anew.
+/// Text has another size, by the display's density or the user's choice: recreates the panel.
 void WindowSession::rescaled() {
     scale_ = window_.pixelsPerPoint();
     panel_ = makePanel(panel_.get());

@@ -89,14 +89,14 @@ private:
     std::string clipboard_;
     glm::dvec2 pointer_{};
     double scale_ = 0, lastFrame_ = 0, lastShown_ = 0;
-    double inputAt_ = 0;             // time of the first input not yet answered by a frame; 0: none
+    double inputAt_ = 0;             // time of the first input that no frame has answered yet; 0: none
     std::vector<double> latencies_;  // of frames that answered input: milliseconds until they were presented
     std::uint64_t shown_ = 0;        // frames, at the time of lastShown_
     double opening_ = 0, open_ = 0;  // start and end of opening the device
-    double sceneShown_ = 0;          // when the first frame with a scene was presented
+    double sceneShown_ = 0;          // time when the first frame with a scene was presented
     InputQueue inputs_;
     std::size_t triedSamples_ = 0;
-    std::vector<RecentFile> shownSamples_;  // in order, with those pictures that there are
+    std::vector<RecentFile> shownSamples_;  // in order, with the available pictures
     bool panelDrag_ = false;
 };
 

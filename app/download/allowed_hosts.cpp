@@ -37,8 +37,8 @@ std::uint32_t wordAt(const std::uint8_t* bytes) {
     return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 | std::uint32_t{bytes[2]} << 8 | bytes[3];
 }
 
-/// Global unicast alone (2000::/3), without those that hold an address of IPv4 or are for documents; and NAT64, by the
-/// address that it holds.
+/// Global unicast only (2000::/3), without addresses that embed IPv4 or are for documentation; and NAT64, by its
+/// embedded address.
 bool isPublic6(const std::uint8_t* bytes) {
     const std::uint32_t first = wordAt(bytes);
     constexpr std::array<std::uint8_t, 12> kNat64{0x00, 0x64, 0xff, 0x9b},
@@ -56,13 +56,13 @@ bool isBelow(std::string_view host, std::string_view domain) {
            (host.size() > domain.size() && host.ends_with(domain) && host[host.size() - domain.size() - 1] == '.');
 }
 
-/// Host and port of an address, in lower case. Empty: not one that scenes may name.
+/// Host and port of an address, in lower case. Empty: not allowed in scenes.
 std::string placeOf(const std::string& url) {
     const std::size_t first = url.starts_with("https://") ? 8 : 7;
     if (first == 7 && !url.starts_with("http://")) return {};
     const std::string place =
         lowerCase(url.substr(first, std::min(url.find_first_of("/?#", first), url.size()) - first));
-    // One reading alone: no user, no brackets, nothing that a library might decode.
+    // Accepts only unambiguous addresses: no user, no brackets, nothing that a library might decode.
     const bool plain = place.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789.-:") == std::string::npos;
     return plain ? place : std::string();
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Where scenes of strangers may download from: the databases, and hosts that the operator names.
+// Hosts from which untrusted scenes may download: the databases, and those that the operator names.
 
 #include <string>
 #include <vector>
@@ -8,9 +8,9 @@ struct sockaddr;
 
 namespace nacre::app {
 
-/// Host of an http or https address, in lower case, without its port. Empty: not one that scenes may name.
+/// Host of an http or https address, in lower case, without its port. Empty: not allowed in scenes.
 std::string hostOf(const std::string& url);
-/// Whether a list as in the environment's no_proxy names a host: "example.org,.lan,127.0.0.1" or "*".
+/// Whether a list in the format of the environment's no_proxy names a host: "example.org,.lan,127.0.0.1" or "*".
 bool isWithoutProxy(const std::string& host, const std::string& list);
 
 /// Whether an address is one of the public internet: not loopback, private, link-local, multicast or reserved.
@@ -18,8 +18,8 @@ bool isPublic(const sockaddr& address);
 
 enum class HostRule {
     refused,
-    database,  ///< at a public address alone
-    named,     ///< by the operator, wherever it is
+    database,  ///< only at a public address
+    named,     ///< by the operator, at any address
 };
 
 /// The rule for an address: http or https, a host with or without a port, and nothing before the host. A database has

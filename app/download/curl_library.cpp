@@ -17,7 +17,7 @@ void find(void* library, const char* name, Call& call) {
 }
 
 CurlLibrary loaded() {
-    void* const library = dlopen(NACRE_CURL_LIBRARY, RTLD_LAZY | RTLD_LOCAL);  // never unloaded: it keeps threads
+    void* const library = dlopen(NACRE_CURL_LIBRARY, RTLD_LAZY | RTLD_LOCAL);  // never unloaded: it has threads
     if (!library) throw HttpFailure(std::string("libcurl cannot be loaded: ") + dlerror(), false);
     CurlLibrary curl{};
     find(library, "curl_global_init", curl.globalInit);

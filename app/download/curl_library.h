@@ -1,11 +1,11 @@
 #pragma once
-// libcurl, loaded by the first download: with it come some 25 libraries, a third of a short command's time.
+// libcurl, loaded by the first download: it requires about 25 libraries, a third of a short command's time.
 
 #include <curl/curl.h>
 
 namespace nacre::app {
 
-/// Its functions. Without their prefix: curl_easy_setopt is a macro as well.
+/// Its functions, named without prefix: curl_easy_setopt is also a macro.
 struct CurlLibrary {
     decltype(&curl_global_init) globalInit;
     decltype(&curl_easy_init) init;

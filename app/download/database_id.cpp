@@ -45,7 +45,7 @@ std::string pdbId(const std::string& input, const std::string& text) {
     return id.rfind(kShortAsLong, 0) == 0 && isShortPdbId(tail) ? tail : id;
 }
 
-/// UniProt's pattern of accessions: https://www.uniprot.org/help/accession_numbers
+/// Whether a text matches UniProt's pattern of accessions: https://www.uniprot.org/help/accession_numbers
 bool isUniprotAccession(const std::string& id) {
     const auto letterBlock = [&](std::size_t at) {
         return isUpper(id[at]) && isUpperOrDigit(id[at + 1]) && isUpperOrDigit(id[at + 2]) && isDigit(id[at + 3]);

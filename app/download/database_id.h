@@ -24,8 +24,8 @@ struct Source {
     std::string cacheName;  ///< file name: lower-case letters, digits, '-', '_', '.'
     Format format{};
     std::string url;
-    std::string jsonKey;  ///< not empty: `url` returns a list of predictions, and this key of it holds the address
-    std::string note;     ///< not empty: a note for the user about molecules from here
+    std::string jsonKey;  ///< not empty: `url` returns a list of predictions, whose key of this name has the address
+    std::string note;     ///< not empty: a note for the user about molecules from this source
 };
 
 /// Empty if the text names no database: then it is a file name. @throws Error if the identifier is invalid for that

@@ -40,7 +40,7 @@ struct FailureAt : HttpFailure {
     std::string address;
 };
 
-/// Failures by reason: each reason once, after all consecutive addresses with it.
+/// Failures by reason: each reason once, after all consecutive addresses that failed for it.
 class Causes {
 public:
     void add(const std::string& address, const std::string& why) {
@@ -76,7 +76,7 @@ void get(const std::string& url, const HttpLimits& limits, HttpBody& body, const
         }
 }
 
-/// The file's own address, from AlphaFold DB's list of predictions. Like a redirection, it must not lead from https to
+/// The file's own address, from AlphaFold DB's list of predictions. Like a redirect, it must not lead from https to
 /// http.
 std::string addressOf(const Source& source, const std::string& accession, const DownloadSettings& settings) {
     if (source.jsonKey.empty()) return source.url;
@@ -108,7 +108,7 @@ Molecule read(const Source& source, const std::string& name, std::string bytes, 
     return molecule;
 }
 
-/// Whether the bytes are a structure at all, whichever of its models is wanted.
+/// Whether the bytes are a structure at all, regardless of the wanted model.
 bool readable(const Source& source, const std::string& bytes) try {
     read(source, "", bytes, {});
     return true;

@@ -27,11 +27,11 @@ constexpr std::uint64_t kDownloadCacheBytes = 1000ull << 20;
 /// Limits from the environment: NACRE_DOWNLOAD_TIMEOUT (seconds), NACRE_CA_FILE (PEM). @throws Error
 HttpLimits httpLimits(const Environment& environment = environmentVariable);
 
-/// Caches what can be read; an unreadable file is an error and is not kept. A cached structure is never downloaded
-/// again. @throws Error  with the answer of each address, in one line
+/// Caches a readable file; an unreadable one is an error and is not kept. A cached structure is never downloaded again.
+/// @throws Error  with the answer of each address, in one line
 Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, const DownloadSettings& settings);
 
-/// Another kind of file, cached likewise. @param input  as the user wrote it, for messages
+/// Another kind of file, cached in the same way. @param input  as the user wrote it, for messages
 /// @param read  called with source and bytes; if it throws, the file is not cached
 void downloadFile(const std::string& input, const std::string& cacheName, const std::string& url,
                   const DownloadSettings& settings, const std::function<void(const std::string&, std::string)>& read);

@@ -110,7 +110,7 @@ std::size_t receive(char* bytes, std::size_t, std::size_t count, void* pointer) 
         if (!transfer.began && !begin(transfer)) return CURL_WRITEFUNC_ERROR;
         const long status = statusOf(transfer.handle);
         if (status != 200 && status != 206) {
-            transfer.refusal = "-";  // the status is reason enough
+            transfer.refusal = "-";  // the status is a sufficient reason
             return CURL_WRITEFUNC_ERROR;
         }
         if (transfer.body.size() + count > transfer.limits.maxBytes) {
@@ -148,8 +148,8 @@ std::string environmentOf(std::initializer_list<const char*> names) {
     return {};
 }
 
-/// Only public addresses are connected to, or the environment's proxy for this address, which may have a private one.
-/// libcurl's own choice between the two is not known when a connection is opened, so it is made here.
+/// Connects only to public addresses, or to the environment's proxy for this address, which may have a private one.
+/// libcurl's own choice between the two is unknown when a connection is opened, so it is made here.
 void keepPublic(CURL* handle, const std::string& url) {
     const std::string proxy = url.starts_with("https:")
                                   ? environmentOf({"https_proxy", "HTTPS_PROXY", "all_proxy", "ALL_PROXY"})
@@ -161,7 +161,7 @@ void keepPublic(CURL* handle, const std::string& url) {
     if (direct) set(handle, CURLOPT_OPENSOCKETFUNCTION, &openPublic);
 }
 
-/// A wheel brings Debian's libcurl, which looks for certificates in Debian's place. @returns their file on other
+/// A wheel contains Debian's libcurl, which looks for certificates in Debian's location. @returns their file on other
 /// systems; empty: Debian's, or unknown
 std::string certificatesElsewhere() {
     constexpr const char* kOfDebian = "/etc/ssl/certs/ca-certificates.crt";
@@ -191,7 +191,7 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
     set(handle, CURLOPT_WRITEDATA, &transfer);
     if (limits.publicAlone) keepPublic(handle, url);
     const std::string certificates = limits.certificates.empty() ? certificatesElsewhere() : limits.certificates;
-    if (!certificates.empty()) set(handle, CURLOPT_CAINFO, certificates.c_str());  // which libcurl copies
+    if (!certificates.empty()) set(handle, CURLOPT_CAINFO, certificates.c_str());  // libcurl copies it
 }
 
 [[noreturn]] void failOfCurl(CURLcode code, const char* message, const Transfer& transfer) {

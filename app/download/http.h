@@ -28,15 +28,15 @@ public:
     virtual ~HttpBody() = default;
 
     virtual std::uint64_t size() const = 0;
-    /// Version (ETag or date) of the `size()` bytes present. Empty: they cannot be continued.
+    /// Version (ETag or date) of the `size()` bytes present. Empty: they cannot be resumed.
     virtual std::string validator() const = 0;
-    /// Drops the bytes present; those of this version follow. @throws Error
+    /// Drops the bytes present; bytes of this version follow. @throws Error
     virtual void restart(const std::string& validator) = 0;
     /// @throws Error
     virtual void append(std::string_view bytes) = 0;
 };
 
-/// Why a transfer failed, in words without the address.
+/// Why a transfer failed, without the address.
 struct HttpFailure : std::runtime_error {
     HttpFailure(const std::string& why, bool lostOnTheWay) : std::runtime_error(why), brokeOff(lostOnTheWay) {}
     bool brokeOff;  ///< the connection was lost: resuming may help

@@ -11,7 +11,7 @@ namespace nacre::app {
 namespace {
 
 std::mutex fetchMutex;
-std::vector<std::pair<const void*, HttpFetch>> fetches;  // the latest last
+std::vector<std::pair<const void*, HttpFetch>> fetches;  // most recent last
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void setHttpFetch(HttpFetch fetch, const void* owner) {
     if (fetch) fetches.emplace_back(owner, std::move(fetch));
 }
 
-/// Interrupted transfers start again: systems do not report versions.
+/// Interrupted transfers start again: host systems do not report versions.
 void httpGet(const std::string& url, const HttpLimits& limits, HttpBody& body,
              const std::function<void(std::uint64_t, std::uint64_t)>& onProgress) {
     HttpFetch fetch;

@@ -19,7 +19,7 @@ struct MapSource {
 std::optional<MapSource> mapSourceOf(const std::string& name, const Environment& environment = environmentVariable);
 
 /// Downloads the maps that a picture names, as loadMolecule() does for its molecule, and keeps them (map_input.h).
-/// Files are read when they are drawn. @throws Error
+/// Local files are read when they are drawn. @throws Error
 void loadMaps(const PictureDescription& picture, const std::function<void(double)>& onDownload = {});
 
 }  // namespace nacre::app

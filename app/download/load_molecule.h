@@ -11,7 +11,7 @@
 
 namespace nacre::app {
 
-/// A saved view names something that would have to be downloaded, which is not allowed.
+/// A saved view names an input that would have to be downloaded, which is not allowed.
 class DownloadForbidden : public Error {
 public:
     using Error::Error;
@@ -39,7 +39,7 @@ private:
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {},
                       const std::function<void(double)>& onModel = {}, const std::function<void()>& onStep = {});
 
-/// A snapshot of a scene that is open. @throws Error, DownloadForbidden
+/// A snapshot of an open scene. @throws Error, DownloadForbidden
 Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload = {},
                       std::optional<double> seconds = {});
 

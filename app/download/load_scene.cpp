@@ -70,17 +70,17 @@ public:
         return scene_.archive->read(plainName(uri));
     }
 
-    /// Identifies what it returns. Empty: it is in the scene's own file.
+    /// Identifies the content of a file. Empty: it is in the scene's own file.
     std::string contentOf(const std::string& uri) const {
         const Place place = placeOf(uri);
         return place.file ? fileHash(place.file->path()) : fileHash(place.path);
     }
 
 private:
-    /// Location of a file that a scene names; all empty: in its archive.
+    /// Location of a file that a scene names; all members empty: in its archive.
     struct Place {
         std::shared_ptr<const OpenedFile> file;
-        std::string path;       ///< of a file; of a download in the cache
+        std::string path;       ///< of a file, or of a cached download
         bool download = false;  ///< `path` is filled by a download
     };
 
@@ -142,7 +142,7 @@ private:
         return bytes;
     }
 
-    /// One error for every failure: others would describe this machine's network.
+    /// One error for every failure: details would describe this machine's network.
     std::string downloadForStranger(const std::string& url, DownloadSettings& settings) const {
         const HostRule rule = hostRule(url, *input_.sceneHosts);
         settings.limits.publicAlone = rule != HostRule::named;

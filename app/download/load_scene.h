@@ -20,20 +20,20 @@ struct SceneFile;
 }
 
 /// The molecule of a scene, with its guide. Files at addresses in the scene are downloaded only if that is allowed;
-/// files must stand in its folder. @param bytes  of the scene's file @param onStep  as in mvs::SceneSources @throws
+/// files must be in its folder. @param bytes  of the scene's file @param onStep  as in mvs::SceneSources @throws
 /// Error
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
                    const std::function<void(double)>& onDownload = {}, const std::function<void()>& onStep = {});
 
-/// Names and contents of the files that a scene names, as they are now: with its own content they decide what it shows.
-/// Empty: INPUT is no scene, or names none. Downloads nothing.
+/// Names and current contents of the files that a scene names: together with its own content they determine the
+/// picture. Empty: INPUT is no scene, or names none. Downloads nothing.
 std::string contentOfNamed(const InputOptions& input);
 
 /// Duration of a snapshot in a movie, seconds: at rest, and in transition to the next.
 struct SnapshotTimes {
     double linger = 0, transition = 0;
-    std::string easing = {}, trajectory = {};  ///< of the transition, as the scene names them; empty: it does not
-    double animation = 0;                      ///< of its animation, while it is at rest; 0: it has none
+    std::string easing = {}, trajectory = {};  ///< of the transition, as named in the scene; empty: unnamed
+    double animation = 0;                      ///< of its animation, while it is shown; 0: it has none
     bool loops = false;                        ///< its animation begins again
     bool camera = false;                       ///< its animation moves the camera
 };
@@ -44,7 +44,7 @@ public:
     explicit OpenScene(const InputOptions& input);
     ~OpenScene();
 
-    /// loadScene() for the snapshot that `input` names. @param seconds  of its animation; empty: without it
+    /// loadScene() for the snapshot in `input`. @param seconds  of its animation; empty: without it
     Molecule snapshot(const InputOptions& input, const ReadOptions& reading,
                       const std::function<void(double)>& onDownload = {}, std::optional<double> seconds = {});
     std::vector<SnapshotTimes> times() const;

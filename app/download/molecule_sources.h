@@ -18,7 +18,7 @@ Sources windowSources(const InputOptions& first);
 /// @param readFile  returns a file's bytes, if a path alone does not open it
 Sources phoneSources(const InputOptions& first, const std::function<std::string(const std::string&)>& readFile = {});
 
-/// The input in a form that is valid in any folder: "~/a.pdb" and "a.pdb" as whole paths; "4hhb" as "pdb:4hhb", unless
+/// The input in a form that is valid in any folder: "~/a.pdb" and "a.pdb" as full paths; "4hhb" as "pdb:4hhb", unless
 /// there is a file of that name.
 std::string lasting(const std::string& input);
 

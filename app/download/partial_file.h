@@ -8,7 +8,7 @@
 namespace nacre::app {
 
 /// A download in progress, in the cache: NAME.part, with NAME.tag for its version and address. Stays if the transfer
-/// breaks off or the process is killed, so that the next one can resume. Locked: if another process downloads the same
+/// fails or the process is killed, so that the next one can resume. Locked: if another process downloads the same
 /// entry, this one writes a temporary file instead.
 class PartialFile : public HttpBody {
 public:
@@ -23,7 +23,7 @@ public:
 
     /// All bytes present. @throws Error
     std::string content() const;
-    /// Turns it into the entry, written to disk before it is renamed. @throws Error
+    /// Makes it the entry, written to disk before it is renamed. @throws Error
     void commit();
     /// Removes it: a later attempt cannot use it.
     void discard();

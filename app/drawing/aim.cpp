@@ -25,7 +25,7 @@ std::vector<glm::dvec4> selectedBalls(const Selection& selection, const char* wh
     throw Error(what, selection.text, any ? "none of its atoms is drawn" : "the molecule has no such atoms");
 }
 
-/// Atoms of a bilayer: of lipids that lie in a slab; empty: there is none.
+/// Atoms of a bilayer: of lipids that lie in a slab; empty if there is none.
 std::vector<glm::dvec4> bilayerOf(const ResidueFacts& facts, const Representation& scene) {
     constexpr std::size_t kFewest = 40;  // lipids
     const Molecule& m = facts.molecule();
@@ -41,7 +41,7 @@ std::vector<glm::dvec4> bilayerOf(const ResidueFacts& facts, const Representatio
     return balls.size() >= kFewest && isSlab(balls) ? balls : std::vector<glm::dvec4>();
 }
 
-// About the vertical axis: what pointed to the viewer points to the right.
+// About the vertical axis: the side that faced the viewer faces right.
 const glm::dquat kQuarterTurn = glm::angleAxis(glm::radians(90.0), glm::dvec3(0, 1, 0));
 const glm::dquat kHalfTurn = glm::angleAxis(glm::radians(180.0), glm::dvec3(0, 1, 0));
 

@@ -1,5 +1,5 @@
 #pragma once
-// The camera that an aim results in.
+// The camera that results from an aim.
 
 #include <optional>
 
@@ -25,7 +25,7 @@ const std::optional<Selection>& uncoveredBy(const Aim& aim);
 /// The scene that an aim refers to.
 struct AimScene {
     const Representation& scene;
-    double radius = 0;                       ///< that the camera takes in, Å
+    double radius = 0;                       ///< that the camera frames, Å
     const Representation* beside = nullptr;  ///< maps and primitives about the same centre, for fitting only
 };
 

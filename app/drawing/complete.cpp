@@ -36,7 +36,7 @@ bool takesPalette(const Representation& scene, const AnyPalette& palette) {
     });
 }
 
-/// Widths on paper as radii in Å. @param perPoint  pixels
+/// Converts widths on paper to radii in Å. @param perPoint  pixels
 void takeThicknesses(PictureDescription& picture, double perPoint) {
     const bool any = picture.stickPoints || picture.bondPoints || picture.tubePoints;
     if (!any) return;
@@ -100,7 +100,7 @@ void takeSeveral(PictureDescription& picture) {
             !given.empty() && given != names[i])
             throw UsageError("two INPUTs have the name '" + given + "'");
     nameInputs(picture);
-    // A view that holds several has the colours that it was saved with.
+    // A view of several inputs keeps its saved colours.
     if (input.namedBy.empty()) colorApart(names, picture.look);
 }
 

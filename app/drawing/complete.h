@@ -11,24 +11,24 @@
 
 namespace nacre::app {
 
-/// All of the following, for one picture in a file. @throws UsageError
+/// All functions below, for one picture in a file. @throws UsageError
 void completePicture(PictureDescription& picture);
-/// As above, for a picture that no file is written for: `output` has its format alone.
+/// As above, for a picture without a file: `output` has only its format.
 void completeUnwritten(PictureDescription& picture);
 
 /// Finds the trajectory of a saved view, and decides how INPUT is read. @returns whether there is an INPUT
 bool takeInput(PictureDescription& picture);
-/// An INPUT that is a density map is drawn as if --map named it; the first one without a molecule. Not one that was
-/// opened already: its name may lead elsewhere by now.
+/// Draws an INPUT that is a density map as if --map named it; the first one without a molecule. Not an input that is
+/// already open: its name may refer to another file by now.
 void takeMap(PictureDescription& picture);
-/// Several INPUTs: resolves their names in selections, and colours the carbons of each differently, unless a saved view
-/// sets them. @throws UsageError
+/// Several INPUTs: resolves their names in selections, and gives the carbons of each their own colour, unless a saved
+/// view sets them. @throws UsageError
 void takeSeveral(PictureDescription& picture);
 /// @param throughModels  a movie shows the models in sequence @throws UsageError
 void checkFrames(const PictureDescription& picture, bool throughModels = false);
 /// @throws UsageError
 void checkDebug(const PictureDescription& picture);
-/// @param most  maximum of samples per picture @throws UsageError
+/// @param most  maximum number of samples per picture @throws UsageError
 void checkSize(const PictureDescription& picture, std::uint64_t most = kMostSamples);
 /// Checks that no file is written over another. @param further  files of some commands only @throws UsageError
 void checkFiles(const PictureDescription& picture, std::vector<NamedFile> further = {});

@@ -34,7 +34,7 @@ bool showsLaterFrame(const PictureDescription& picture) {
            !picture.input.several();
 }
 
-/// The view's aim. Pictures that share a scale are not fitted individually.
+/// The view's aim. Pictures with a shared scale are not fitted individually.
 Aim sharedAim(const Molecule& molecule, const PictureDescription& picture, const std::optional<Bounds>& frame) {
     Aim aim = picture.aim;
     const bool alone = !frame && picture.input.trajectory.path.empty() && molecule.others.empty() &&
@@ -57,7 +57,7 @@ std::uint64_t nextNumber() {
     return ++last;
 }
 
-/// Counts clipping planes from the zoom target.
+/// Converts clipping planes, which count from the zoom target.
 void placeClip(const Aimed& aim, Clip& clip) {
     clip.near += aim.depth;
     clip.far += aim.depth;
@@ -76,7 +76,7 @@ void placeFog(const Representation& scene, RenderSettings& settings) {
     fog.end = range->far;
 }
 
-/// Whether the scene has a surface that is drawn with caps where it is cut.
+/// Whether the scene has a surface that gets caps where it is cut.
 bool hasSolidSurface(const Representation& scene) {
     Clip cut;
     cut.near = 0;
@@ -89,7 +89,7 @@ Moment momentOf(const Molecule& molecule, const PictureDescription& picture) {
     const TrajectoryOptions& frames = picture.input.trajectory;
     Moment moment{frames.path.empty() ? std::max(picture.input.model, 1) : frames.frame, {}};
     if (frames.path.empty() || !titleMoves(picture.words.title)) return moment;
-    const HeardMessages again;  // everything was reported when the molecule was read
+    const HeardMessages again;  // all messages were reported when the molecule was read
     const std::unique_ptr<Motion> motion = openMotion(frames, molecule);
     motion->positions(static_cast<std::size_t>(frames.frame - 1));
     moment.picoseconds = motion->time();
@@ -125,7 +125,7 @@ void Drawing::prepare(const Molecule& molecule, const PictureDescription& descri
         if (!update(description, frame, nullptr)) return;
         finish(description_);
     } catch (...) {
-        forget();  // an incomplete result must not pass for a complete one
+        forget();  // an incomplete result must not count as complete
         throw;
     }
     run.sceneMs = millisecondsSince(start);
@@ -166,7 +166,7 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
         maps_ = buildMapLayers(first, description_, scene_->center, {aim.camera, radius_});
         number_ = nextNumber();
     };
-    // The camera fits the maps, unless they are drawn about its focus.
+    // The camera frames the maps, unless they are drawn around its focus.
     if (!follow) drawMaps();
     if (by_ == CameraBy::description) {
         const double framed = std::max(radius_, follow ? 0 : maps_.frame);
@@ -199,13 +199,13 @@ void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* n
     if (kept_) picture.camera.center = kept_->center;
     if (now) {
         moving_ = std::make_shared<MovingPicture>(facts_->molecule(), picture,
-                                                  recolor);  // with its own facts: it may go to another thread
+                                                  recolor);  // with separate facts: it may move to another thread
         scene_ = moving_->moved(*now);
         radius_ = moving_->radius();
         facts_ = facts_->moved(*now);
     } else if (showsLaterFrame(description_)) {
         Molecule first = facts_->molecule();
-        const HeardMessages again;  // everything was reported when the molecule was read
+        const HeardMessages again;  // all messages were reported when the molecule was read
         movePositions(first, openMotion(description_.input.trajectory, first)->positions(0));
         MovingScene moving = buildMovingScene(first, picture);
         radius_ = moving.scene().radius;
@@ -229,7 +229,7 @@ RenderSettings Drawing::settingsFor(const PictureDescription& picture, const Cam
     RenderSettings result = makeSettings(picture, cameraFor(picture.stereo, camera), size, radius());
     if (scene_ && facts_ && tooManyToOcclude(*scene_, facts_->molecule())) result.occlusion.directions = 0;
     if (reach() > result.view.radius) reachTo(result.view, reach());
-    // Of more shapes it would hold up a camera that a hand moves: then finish() places it, in files.
+    // With more shapes it would slow down a camera moved by hand: then finish() places it, in files.
     constexpr std::size_t kManyPerFrame = 30'000;
     if (by_ == CameraBy::hand && scene_ && scene_->sphereLooks.size() + scene_->triangles.size() <= kManyPerFrame)
         placeFog(*scene_, result);
@@ -252,7 +252,7 @@ void Drawing::takeCamera(Camera& camera) {
     if (eye) radius_ = radius;
 }
 
-/// Applies the scene file's background, camera and clipping planes, where no option sets them.
+/// Applies the scene file's background, camera and clipping planes, unless options set them.
 void Drawing::applySceneFile() {
     cutsScene_ = seenByScene_ = false;
     const Molecule& molecule = facts_->molecule();
@@ -277,7 +277,7 @@ void Drawing::applySceneFile() {
 }
 
 /// Removes what hides the target. Uses a clipping plane instead for assemblies, whose copies share primitives, for
-/// movies, which rotate around it, and for surfaces, which would be hollow.
+/// movies, which rotate around the target, and for surfaces, which would be hollow.
 void Drawing::uncoverTarget(std::optional<double> plane) {
     const Aim& aim = description_.aim;
     const std::optional<Selection>& target = by_ == CameraBy::hand ? aim.uncover : uncoveredBy(aim);
@@ -302,7 +302,7 @@ void Drawing::finish(const PictureDescription& picture) {
     append(warnings, maps_.warnings);
     if (stereo_.on() && picture.camera.projection == Projection::orthographic && picture.given.contains("projection"))
         warnings.push_back("--stereo is drawn in perspective, since two orthographic views show no depth");
-    // --uncover says what it does; a close-up that uncovers as well has to be told.
+    // --uncover implies removal; a close-up that also uncovers has to report it.
     const Uncovered& gone = run.uncovered;
     if (by_ == CameraBy::description && !picture.aim.uncover && !run.uncovers.empty() &&
         gone.spheres + gone.cylinders + gone.triangles > 0)
@@ -342,7 +342,7 @@ void Drawing::placePictureWords(const PictureDescription& picture) {
                        ": none of its atoms is drawn, since they hide " + run.uncovers + " (--uncover off)");
 }
 
-/// Moves the molecule clear of the words beside it, unless the view shows a part of it.
+/// Moves the molecule clear of the words around it, unless the view shows a part of it.
 void Drawing::makeRoom(const PictureDescription& picture) {
     const Camera& camera = picture.camera;
     const bool placed = picture.aim.placed || picture.aim.center || camera.center || camera.scale;
@@ -401,7 +401,7 @@ Representation Drawing::joinedScene() const { return withMaps(*scene_, maps_); }
 
 // --- clipping planes
 
-/// Cuts the scene itself, and leaves the renderer nothing to clip.
+/// Cuts the scene itself, so that the renderer clips nothing.
 void Drawing::spare(const Selection& spared) {
     Clip& clip = settings.effects.clip;
     spareClip_ = clip;
@@ -454,7 +454,7 @@ LayerPicture Drawing::layers(Renderer& renderer) const {
         stereo_.both()
             ? joinEyes(stereo_, size_, renderer.layersOfEyes(withView(settings, eyesView(settings.view, stereo_))))
             : renderer.layers(withView(settings, oneEyeView(settings.view, stereo_)));
-    if (depthShift_ != 0)  // the background's infinity stays
+    if (depthShift_ != 0)  // keeps the background's infinity
         for (float& z : layers.z) z = static_cast<float>(static_cast<double>(z) - depthShift_);
     return layers;
 }
@@ -464,7 +464,7 @@ Picture Drawing::drawAs(const RenderSettings& drawn, Renderer& renderer, WordMem
     std::vector<std::string> ofWords;
     Picture picture;
     if (stereo_.both()) {
-        WordMemory own;  // both eyes have a label at the same side of its atom
+        WordMemory own;  // both eyes have a label on the same side of its atom
         RenderSettings eye = withView(drawn, eyesView(drawn.view, stereo_));
         std::array<Picture, 2> eyes = renderer.renderEyes(eye);
         for (std::size_t i = 0; i < eyes.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-// The road from a description to pixels. Keeps the scene, and the renderer keeps its bake: a new description repeats
-// only the work affected by its changes.
+// Turns a description into pixels. Keeps the scene, and the renderer keeps its bake: a new description repeats only the
+// work that its changes affect.
 
 #include <cstdint>
 #include <functional>
@@ -21,11 +21,11 @@
 
 namespace nacre::app {
 
-/// A renderer, and the scene that it has.
+/// A renderer, and its current scene.
 struct Canvas {
     explicit Canvas(const DeviceOptions& options) : renderer(options) {}
     bool isLost() const { return !renderer.deviceLoss().empty(); }
-    /// Whether another should be made: it is lost, or holds too many pipelines. The renderer keeps each pipeline; some
+    /// Whether to replace the renderer: it is lost, or holds too many pipelines. The renderer keeps each pipeline; some
     /// take megabytes on lavapipe.
     bool isSpent() const { return renderer.stats().pipelines > kMostPipelines || isLost(); }
 
@@ -36,15 +36,15 @@ struct Canvas {
 
 /// Who sets the camera.
 enum class CameraBy {
-    description,  ///< with its aim, and a scene file's own camera where the description has none
-    hand          ///< a window: its description holds all of that, and turning the camera builds nothing
+    description,  ///< its aim is applied, and a scene file's own camera is used if the description has none
+    hand          ///< a window: its description contains all of that, and moving the camera rebuilds nothing
 };
 
-/// The parts of a drawing that another description makes stale.
+/// The parts of a drawing that a new description invalidates.
 struct Rebuild {
     bool molecule = false;  ///< read again, or another of its frames
     bool scene = false;     ///< spheres, sticks and meshes
-    bool maps = false;      ///< what is drawn beside the molecule
+    bool maps = false;      ///< maps and primitives drawn with the molecule
     bool any() const { return molecule || scene || maps; }
 };
 Rebuild rebuildFor(const PictureDescription& before, const PictureDescription& after, CameraBy by);
@@ -55,19 +55,19 @@ public:
 
     // --- The scene. Slow; needs no device.
 
-    /// Updates everything to a description: build(), and settings and words of its picture.
+    /// Updates everything to a description: build(), then settings and words of its picture.
     /// @param molecule  the same as before, unless forget() was called
     /// @param frame  shared by all models of its file (shared_frame.h), if known; else computed if possible
     /// @throws Error if nothing of the molecule is drawn, or a selection has no drawn atom
     void prepare(const Molecule& molecule, const PictureDescription& description,
                  const std::optional<Bounds>& frame = {});
-    /// Updates the scene and what is beside it. @throws Error
+    /// Updates the scene, and the maps and primitives with it. @throws Error
     void build(const Molecule& molecule, const PictureDescription& description,
                const std::optional<Bounds>& frame = {});
-    /// As above for atoms that move: the scene is that of the molecule where its atoms are now. @throws Error
+    /// As above for moving atoms: the scene shows the molecule's current positions. @throws Error
     void buildMoving(const Molecule& first, const Molecule& now, const PictureDescription& description);
-    /// Settings and words of a picture of the scene as it is. Its camera, size and shading are the picture's.
-    /// @throws Error if it has words of what is not in the molecule
+    /// Settings and words of a picture of the current scene. Camera, size and shading are the picture's.
+    /// @throws Error if it has words about atoms that the molecule lacks
     void compose(const PictureDescription& picture);
     /// Call before the molecule or its positions change.
     void forget() {
@@ -80,36 +80,36 @@ public:
 
     /// Prepares moveTo(). @param first  the positions that decide selections, colours and camera @throws Error
     void startMoving(const Molecule& first);
-    /// Shows the atoms where they are in `molecule`: scene, words, depth range. The camera stays. @throws Error
+    /// Shows the atoms at their positions in `molecule`: scene, words, depth range. The camera stays. @throws Error
     void moveTo(const Molecule& molecule);
-    /// As above with a scene that moving() made. Its words are those of placeWords().
+    /// As above, with a scene from moving(). Its words are those of placeWords().
     void takeMoved(const Molecule& molecule, Representation scene);
-    /// Makes the scenes of other positions, on any one thread; null: atoms do not move.
+    /// Makes the scenes of other positions, on any single thread; null: atoms do not move.
     const std::shared_ptr<MovingPicture>& moving() const { return moving_; }
 
     // --- On a canvas
 
-    /// Puts the scene on a canvas, if it is not there. Keeps the scene's bake.
+    /// Puts the scene on a canvas unless it is there. Keeps the scene's bake.
     void show(Canvas& canvas);
-    /// As above for the last time: moves the scene to the canvas.
+    /// As above, for the last time: moves the scene to the canvas.
     void handOver(Canvas& canvas);
-    /// A picture in full size, with its words. @param said  gets warnings of these, if given
+    /// A picture in full size, with its words. @param said  receives warnings about them; may be null
     Picture draw(Canvas& canvas, std::vector<std::string>* said = nullptr);
     /// As above, in 8 bits per channel.
     CodedPicture drawCoded(Canvas& canvas, bool alpha, std::vector<std::string>* said = nullptr);
-    /// Whether startCoded() serves: no words are drawn, 8 bits per channel hold the picture, and it is one frame.
+    /// Whether startCoded() is possible: no words, one frame, and 8 bits per channel are enough.
     bool startsCoded() const { return !words.any() && !settings.fine && !stereo().on(); }
     /// Starts a picture of drawCoded(), which the renderer's finishCoded() returns.
     void startCoded(Canvas& canvas, bool alpha);
     /// Layers of the scene on the renderer. Depths of all frames of a trajectory have one origin.
     LayerPicture layers(Renderer& renderer) const;
-    /// A picture of the scene on the renderer by other settings: another view or clipping.
-    /// @param memory  of a sequence of pictures @param said  gets warnings of words, if given
+    /// A picture of the scene on the renderer with other settings: another view or clipping.
+    /// @param memory  of a sequence of pictures @param said  receives warnings about words; may be null
     Picture drawAs(const RenderSettings& settings, Renderer& renderer, WordMemory* memory = nullptr,
                    std::vector<std::string>* said = nullptr) const;
-    /// Of the last picture. Its `settings` are those of a point midway between the eyes.
+    /// Of the last picture; its settings are those of a point midway between the eyes.
     const Stereo& stereo() const { return stereo_; }
-    /// Draws the words into a picture. @param drawn  its settings @returns warnings of them
+    /// Draws the words into a picture. @param drawn  its settings @returns warnings about them
     std::vector<std::string> addWords(const RenderSettings& drawn, Picture& picture,
                                       WordMemory* memory = nullptr) const;
 
@@ -121,20 +121,20 @@ public:
     Bounds frame() const { return {scene_->center, radius_}; }
     /// Whether keepFrame() changed the radius.
     bool reframed() const { return reframed_; }
-    /// Makes a camera relative to the scene. Its eye distance, if given, sets the scene's radius for cameras.
+    /// Makes a camera relative to the scene. A given eye distance sets the scene's radius for cameras.
     void takeCamera(Camera& camera);
 
     /// Settings of a picture of the scene from a camera. There may be no scene yet.
     RenderSettings settingsFor(const PictureDescription& picture, const Camera& camera, const Size& size) const;
     /// Positions of words in the scene. @throws Error
     PlacedWords placeWords(const Words& words, WordsOfHidden hidden) const;
-    /// The scene with what is beside it.
+    /// The scene joined with its maps and primitives.
     Representation joinedScene() const;
-    /// Without what is beside the molecule. Not after handOver().
+    /// The scene without maps and primitives. Not after handOver().
     const Representation& scene() const { return *scene_; }
     const ResidueFacts& facts() const { return *facts_; }
     const MapLayers& maps() const { return maps_; }
-    /// Radius that the camera takes in, Å; 1 without a scene.
+    /// Radius that the camera frames, Å; 1 without a scene.
     double radius() const { return scene_ ? std::max(radius_, maps_.frame) : 1; }
     /// Radius of everything drawn, Å.
     double reach() const { return scene_ ? std::max(scene_->radius, maps_.shown.radius) : 0; }
@@ -146,8 +146,8 @@ public:
     /// Colours each scene that is built, before its legend is laid out. Call forget() after a change.
     MovingPicture::Recolor recolor;
     const PictureDescription& description() const { return description_; }
-    /// The description with the camera of `settings`, for a saved view: aims are carried out, and nothing that is
-    /// drawn moves it.
+    /// The description with the camera of `settings`, for a saved view: aims are resolved, and the drawn scene no
+    /// longer moves the camera.
     PictureDescription placed() const;
     RenderSettings settings;
     PlacedWords words;
@@ -159,7 +159,7 @@ public:
     struct Counts {
         int scenes = 0;   ///< built
         int uploads = 0;  ///< to a canvas
-        int colors = 0;   ///< of these, colours alone; the others drop its bake
+        int colors = 0;   ///< uploads of colours alone; the others drop the bake
     };
     const Counts& counts() const { return counts_; }
 
@@ -180,17 +180,17 @@ private:
     std::optional<ResidueFacts> facts_;  ///< of the molecule
     std::optional<Representation> scene_;
     MapLayers maps_;
-    std::optional<Bounds> kept_;  ///< by keepFrame()
+    std::optional<Bounds> kept_;  ///< from keepFrame()
     bool reframed_ = false;
-    Clip spareClip_;  ///< by which spare() cut the scene
+    Clip spareClip_;  ///< clipping planes with which spare() cut the scene
     std::shared_ptr<MovingPicture> moving_;
     std::uint64_t sceneNumber_ = 0;  ///< of scene_
     std::uint64_t number_ = 0;       ///< of scene_ with maps_
-    bool seenByScene_ = false;       ///< from where a scene file's camera stands
+    bool seenByScene_ = false;       ///< the view is that of a scene file's camera
     Stereo stereo_;                  ///< of the last picture
     Size size_;                      ///< likewise, of both eyes
-    bool cutsScene_ = false;         ///< scene_ lacks what that camera's planes cut away
-    double radius_ = 0;              ///< that the camera takes in, Å, without maps
+    bool cutsScene_ = false;         ///< that camera's planes have cut scene_
+    double radius_ = 0;              ///< that the camera frames, Å, without maps
     /// Å by which the origin of depths moved back for atoms beyond the reach of the trajectory's first frame.
     double depthShift_ = 0;
     double wordSize_ = 0;  ///< of the last picture, as in Words

@@ -11,11 +11,11 @@
 namespace nacre::app {
 namespace {
 
-constexpr double kBeside = 2;  // Å from the line of sight: an atom there is in the picture's middle
+constexpr double kBeside = 2;  // Å from the line of sight: nearer atoms are in the picture's middle
 
 /// The line of sight through a picture's middle, in view space.
 struct Sight {
-    glm::dvec2 middle;       // where it crosses the plane z = 0
+    glm::dvec2 middle;       // its point on the plane z = 0
     double eyeDistance = 0;  // 0: orthographic
 
     glm::dvec3 at(double z) const {
@@ -25,7 +25,7 @@ struct Sight {
     double distance(const glm::dvec3& v) const { return glm::length(v - at(v.z)); }
 };
 
-/// As findFocus(), for a view of the scene.
+/// Like findFocus(), for a view of the scene.
 glm::dvec3 focusIn(const Molecule& molecule, const PictureDescription& d, const View& view, const glm::dvec3& center) {
     const Sight sight{-view.pan, view.eyeDistance};
     const auto placeOf = [&](std::uint32_t atom) {

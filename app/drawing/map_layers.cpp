@@ -28,9 +28,9 @@ constexpr double kOpacityBesideMolecule = 0.5;
 constexpr std::array<float, 4> kCrystalBlue{0.2f, 0.36f, 0.8f, 1}, kPositiveGreen{0.1f, 0.6f, 0.2f, 1},
     kNegativeRed{0.82f, 0.15f, 0.15f, 1}, kCryoGrey{0.66f, 0.7f, 0.75f, 1};
 
-constexpr double kBoxOfFile = -1;  ///< a reach: what the file itself holds, not a crystal's cell
+constexpr double kBoxOfFile = -1;  ///< a reach: the extent of the file itself, not of a crystal's cell
 
-/// A map's region around some positions: kept, since mostly levels and colours change.
+/// A map's region around some positions. It is kept, since usually only levels and colours change.
 struct KeptRegion {
     std::shared_ptr<const DensityMap> map;
     std::vector<glm::dvec3> places;
@@ -84,7 +84,7 @@ std::vector<glm::dvec3> finitePositions(const Molecule& molecule, std::span<cons
     return places;
 }
 
-/// Colours by the values of a map, which it keeps alive.
+/// Colouring by the values of a map, which it keeps alive.
 struct Values {
     std::shared_ptr<const DensityMap> map;
     ValueColoring coloring;
@@ -95,7 +95,7 @@ struct Values {
         : Values(of, mapOf(of.file, limits), of.file.substr(of.file.find_last_of('/') + 1)) {}
 };
 
-/// Positions about which a map is drawn, and how far from them; no positions: the whole map.
+/// Positions around which a map is drawn, and the distance from them; no positions: the whole map.
 struct Around {
     std::vector<glm::dvec3> places;
     double reach = 0;
@@ -132,7 +132,7 @@ void addGeometry(Primitives primitives, MapLayers& layers) {
     layers.labels = std::move(primitives.labels);
 }
 
-/// Adds a map as a scene file shows it.
+/// Adds a map of a scene file.
 void addVolume(const SceneVolume& volume, Representation& shown) {
     const std::shared_ptr<const MapRegion> region = keptRegion(volume.map, {}, kBoxOfFile);
     if (volume.axis >= 0) {
@@ -180,8 +180,8 @@ std::uint32_t contourColor(const DensityMap& map, const MapColors& colors) {
     return packRgb(colors.automatic ? usual : colors.high);
 }
 
-/// The level of a difference map's negative contour: as far below the mean where the level is in sigma of a crystal,
-/// else the negative level.
+/// The level of a difference map's negative contour: mirrored about the mean for a crystal's level in sigma, else the
+/// negated level.
 double negativeLevel(const DensityMap& map, double level, MapLevel::Unit unit) {
     const bool aboutMean = map.periodic && (unit == MapLevel::Unit::sigma || unit == MapLevel::Unit::automatic);
     return aboutMean ? 2 * map.statistics.mean - level : -level;
@@ -197,8 +197,8 @@ MapContour negativeOf(const DensityMap& map, const MapContour& contour, const Ma
     return other;
 }
 
-/// The transfer function of a volume that has none of its own: from half of a contour's height above the mean, where
-/// nothing shows, to twice that height, lighter. The contour's opacity is that of three voxels there.
+/// The transfer function of a volume without its own: from half of a contour's height above the mean, where it is
+/// invisible, to twice that height, with a lighter colour. Three voxels at the contour's height have its opacity.
 void addLevels(const DensityMap& map, const MapContour& contour, std::vector<VolumeLevel>& levels) {
     constexpr double kVoxels = 3, kShareAtLevel = 0.25, kWhiter = 0.6;
     const double mean = map.periodic ? map.statistics.mean : 0;
@@ -249,7 +249,7 @@ double contourLevel(const DensityMap& map, const MapLevel& level) {
             break;
     }
     if (map.depositedLevel) return *map.depositedLevel;
-    // Twice the share where positive and negative lobes have it together.
+    // For difference maps, twice the share, since positive and negative lobes divide it.
     if (!map.periodic) return levelOfTopShare(map, (map.difference ? 2 : 1) * kTopPercent / 100, map.difference);
     return s.mean + (map.difference ? kDifferenceSigma : kSigma) * s.rms;
 }
@@ -299,7 +299,7 @@ MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, 
         const std::size_t before = drawn();
         MapContour contour = makeContour(*map, d.maps, i);
         contour.color = contourColor(*map, ofMap(d.maps.colors, i));
-        // A level below a crystal map's mean encloses lower values; the mean of a cryo-EM map means little.
+        // A level below a crystal map's mean encloses lower values; for cryo-EM maps the mean is meaningless.
         contour.above = contour.level >= map->statistics.mean || !map->periodic;
         const MapStatistics& statistics = map->statistics;
         layers.sigmas.push_back(statistics.rms > 0 ? (contour.level - statistics.mean) / statistics.rms : 0);
@@ -382,7 +382,7 @@ SurfaceColoring::SurfaceColoring(const ResidueFacts& facts, const PictureDescrip
 
 void SurfaceColoring::operator()(Representation& scene) {
     if (from_.file.empty()) return;
-    constexpr double kSolvent = 1.4;  // Å: radius of a water molecule, whose centres come no nearer
+    constexpr double kSolvent = 1.4;  // Å: radius of a water molecule, whose centre comes no nearer
     Values values = potential_ ? Values(from_, potential_, potential_->name + ", kT/e") : Values(from_, limits_);
     if (potential_) values.coloring.offset = kSolvent;
     const std::optional<ColorRange> range = colorSurfaces(values.coloring, scene);

@@ -7,8 +7,8 @@
 
 namespace nacre::app {
 
-/// The scene of a description whose atoms move: selection and colours are fixed, positions change. Surfaces that a map
-/// colours keep the range of the first positions.
+/// The scene of a description with moving atoms: selection and colours are fixed, positions change. Surfaces coloured
+/// by a map keep the range of the first positions.
 class MovingPicture {
 public:
     using Recolor = std::function<void(Representation&)>;
@@ -17,7 +17,7 @@ public:
 
     /// Radius of the first positions, or of all models of the file if they share a camera, Å.
     double radius() const { return radius_; }
-    /// @param molecule  the same with other positions @throws Error
+    /// @param molecule  the same molecule with other positions @throws Error
     Representation moved(const Molecule& molecule);
 
 private:

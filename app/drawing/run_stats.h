@@ -19,7 +19,7 @@ struct RunStats {
     glm::dvec3 center{};                      ///< of the view, Å
     double zoom = 1;                          ///< of the view
     std::string clip;                         ///< in the format of --clip
-    Stereo stereo;                            ///< with its distances, if it is on
+    Stereo stereo;                            ///< with its distances, if enabled
     std::string uncovers;                     ///< the selection to uncover; empty: none
     Uncovered uncovered;
     std::vector<Legend> legends;

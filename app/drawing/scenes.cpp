@@ -29,7 +29,7 @@ std::vector<std::uint32_t> someDrawnAtoms(const Molecule& molecule, const std::s
     return drawn;
 }
 
-/// A scene without atoms, where they would be.
+/// A scene without atoms, with the centre and radius that they would give.
 Representation emptyScene(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                           const std::optional<Bounds>& frame, const std::optional<glm::dvec3>& center) {
     const Molecule& molecule = facts.molecule();
@@ -117,7 +117,7 @@ Representation buildScene(const ResidueFacts& facts, const PictureDescription& p
 
 namespace {
 
-/// In pixels, within what effects take.
+/// Converts a length to pixels, within the limits of effects.
 void takeWidth(const std::optional<ScreenLength>& length, const PictureDescription& picture, const View& view,
                double& width) {
     if (!length || width <= 0) return;

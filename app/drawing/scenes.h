@@ -1,5 +1,5 @@
 #pragma once
-// From a molecule to its scene. For scene files: what their guide says, and what options change of it.
+// Builds a molecule's scene. For scene files: applies their guide, and the options that change it.
 
 #include <algorithm>
 #include <optional>
@@ -15,10 +15,10 @@
 
 namespace nacre::app {
 
-/// For PictureDescription::look.assembly: no assembly, also of a packed scene, which is drawn as its own by default.
+/// PictureDescription::look.assembly for no assembly, also of a packed scene, which shows its own by default.
 inline const std::string kNoAssembly = "none";
 
-/// Whether a scene without anything to draw is an error. In a window the atoms were hidden by hand.
+/// Whether a scene with nothing to draw is an error. In a window the user may hide all atoms.
 enum class Emptiness { refused, taken };
 
 /// The scene of a molecule, in its style and colours. @throws Error if nothing is drawn and that is refused
@@ -29,23 +29,23 @@ Representation buildScene(const ResidueFacts& facts, const PictureDescription& p
 /// As above for moving atoms; framed with all models of its file, if it has others. @throws Error
 MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription& picture);
 
-/// The representation that a picture asks for, about the centre that it names. @throws Error if the centre's selection
-/// matches no atom. Packed scenes are drawn as their assembly and by entities, unless an option says otherwise.
+/// The representation of a picture, about its centre. @throws Error if the centre's selection matches no atom. Packed
+/// scenes are drawn as their assembly and by entities, unless an option says otherwise.
 RepresentationOptions placedLook(const ResidueFacts& facts, const PictureDescription& picture);
 
-/// Enlarges a view's depth range for atoms that moved beyond it; the camera stays.
-/// @param radius  that holds them, Å
+/// Enlarges a view's depth range for atoms that moved out of it; the camera stays.
+/// @param radius  that contains them, Å
 inline void reachTo(View& view, double radius) {
-    constexpr double kNearest = 1.02;  // of it, to the eye
+    constexpr double kNearest = 1.02;  // relative to the radius, distance to the eye
     view.radius = radius;
     if (view.projection == Projection::perspective) view.eyeDistance = std::max(view.eyeDistance, radius * kNearest);
 }
 
-/// The renderer's settings for a description, without a scene: clipping before a target, the lens's focus and what a
-/// scene file adds are Drawing's. @param radius  that the camera takes in, Å
+/// The renderer's settings for a description, without a scene. Drawing adds the clipping before a target, the lens's
+/// focus and settings of a scene file. @param radius  that the camera frames, Å
 RenderSettings makeSettings(const PictureDescription& picture, const Camera& camera, const Size& size, double radius);
 
-/// Whether a packed scene has so many spheres that their ambient occlusion would take minutes.
+/// Whether a packed scene has so many spheres that baking their occlusion would take minutes.
 bool tooManyToOcclude(const Representation& scene, const Molecule& molecule);
 
 /// Bounds of a scene without atoms.
@@ -54,8 +54,8 @@ Bounds guideBounds(const SceneGuide& guide);
 /// The camera of a scene file, if the picture has no other one; else null.
 const SceneCamera* sceneCamera(const Molecule& molecule, const PictureDescription& picture);
 
-/// Puts a scene file's camera and background into a view that has none of its own: a hand turns on from there.
-/// @param radius  that the camera takes in, Å
+/// Applies a scene file's camera and background to a view without its own; the user moves the camera from there.
+/// @param radius  that the camera frames, Å
 void takeSceneLook(const Molecule& molecule, double radius, PictureDescription& view);
 
 }  // namespace nacre::app

@@ -22,7 +22,7 @@ void place(const Stereo& stereo, const std::vector<T>& from, std::uint32_t width
                     to.data() + channels * ((top + row) * wholeWidth + left));
 }
 
-/// The picture on the left or on top, of left and right.
+/// Index, into left and right, of the picture on the left or on top.
 std::size_t firstEye(const Stereo& stereo) { return stereo.mode == Mode::crossEyed ? 1 : 0; }
 
 Picture anaglyph(const Picture& left, const Picture& right) {

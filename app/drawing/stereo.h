@@ -1,5 +1,5 @@
 #pragma once
-// From two eyes' pictures to one.
+// Combines the pictures of two eyes.
 
 #include <array>
 
@@ -12,22 +12,22 @@ namespace nacre::app {
 enum class Eye { left, right };
 constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
 
-/// The distances of a view, where none are given.
+/// Fills in distances of a view that are not given.
 Stereo placed(Stereo stereo, const View& view);
 /// The view of one eye. @param view  in perspective, of a point midway between the eyes
 View eyeView(const View& view, const Stereo& stereo, Eye eye);
-/// The view of a picture of one eye; of any other picture the view itself.
+/// The view of a picture of one eye; for any other picture, the view itself.
 View oneEyeView(const View& view, const Stereo& stereo);
 
-/// The left eye's view, which has the right one's beside it. @param view  midway between the eyes
+/// The left eye's view, with the right one's in View::other. @param view  midway between the eyes
 View eyesView(const View& view, const Stereo& stereo);
 
-/// The camera of a picture. Eyes need perspective; the scale at the picture's centre stays.
+/// The camera of a picture. Stereo needs perspective; the scale at the picture's centre stays.
 Camera cameraFor(const Stereo& stereo, Camera camera);
-/// Settings of a picture without a scene, for its eye or both of its eyes.
+/// Settings of a picture without a scene, for one eye or both.
 RenderSettings settingsOfEyes(const PictureDescription& picture, Camera camera, double radius);
 
-/// The share of each linear channel of the left and the right picture in the channels of an anaglyph for red and cyan
+/// Shares of the linear channels of the left and the right picture in the channels of an anaglyph for red and cyan
 /// glasses: rows of red, green and blue. E. Dubois, A projection method to generate anaglyph stereo images, Proc. IEEE
 /// ICASSP 2001, vol. 3, 1661.
 using AnaglyphMatrix = std::array<std::array<float, 3>, 3>;
@@ -37,7 +37,7 @@ inline constexpr AnaglyphMatrix kAnaglyphLeft{{{0.456100f, 0.500484f, 0.176381f}
 inline constexpr AnaglyphMatrix kAnaglyphRight{
     {{-0.0434706f, -0.0879388f, -0.00155529f}, {0.378476f, 0.73364f, -0.0184503f}, {-0.0721527f, -0.112961f, 1.2264f}}};
 
-/// One picture of both. @param size  of the whole: eyeSize() is that of each @param eyes  left, right
+/// One picture of both eyes. @param size  of the whole; each has eyeSize() @param eyes  left, right
 Picture joinEyes(const Stereo& stereo, const Size& size, const std::array<Picture, 2>& eyes);
 /// As above. @throws Error for an anaglyph: its pixels show two atoms
 LayerPicture joinEyes(const Stereo& stereo, const Size& size, const std::array<LayerPicture, 2>& eyes);

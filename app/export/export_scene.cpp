@@ -141,7 +141,7 @@ private:
             addCylinder(group.mesh, stick.a, stick.b, stick.radius, look.colorA, look.colorB, result_.sides);
             return occlude(group, [&](const glm::vec3& at, const glm::vec3& normal) {
                 const glm::vec3 span = stick.b - stick.a, axis = glm::normalize(span);
-                // The centre of a flat end has its normal along the axis; any direction around it will do.
+                // The centre of a flat end has its normal along the axis; then any direction around it serves.
                 const glm::vec3 side = std::abs(glm::dot(normal, axis)) < 0.5f ? normal : at - stick.a;
                 const float share = glm::dot(at - stick.a, axis) / glm::length(span);
                 return baked_->ofCylinder(static_cast<std::uint32_t>(i), axis, side, share);
@@ -189,7 +189,7 @@ private:
                             std::to_string(kMostExportCopies) + " (another --assembly, or fewer colours)");
     }
 
-    /// Copies with their own colours become meshes.
+    /// Copies with different colours become meshes.
     template <typename Add>
     void byColorOfCopy(std::uint32_t list, bool tinted, const Add& add) {
         std::map<std::size_t, std::vector<std::uint32_t>> parts;

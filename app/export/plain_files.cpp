@@ -95,7 +95,7 @@ std::string sceneFile(const ExportScene& scene, const std::string& ending, const
 
 std::string stlFile(const ExportScene& scene, const SceneFileOptions& options) {
     std::string out(80, ' ');
-    // Readers take a header that begins with "solid" for a text file.
+    // Readers mistake a header that begins with "solid" for a text file.
     const std::string title = ("nacre: " + options.title).substr(0, 80);
     std::copy(title.begin(), title.end(), out.begin());
     std::uint32_t count = 0;

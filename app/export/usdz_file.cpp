@@ -31,7 +31,7 @@ void write(std::string& out, const glm::vec3& p) {
     out += ')';
 }
 
-/// [a, b, ...] of what each index gives.
+/// [a, b, ...] of the values for each index.
 template <typename Value>
 std::string listed(std::size_t count, const Value& value) {
     std::string out = "[";
@@ -154,8 +154,8 @@ private:
         return out + "    }\n\n";
     }
 
-    /// A group per copy. Copies refer to the mesh of the first, and each binds its own material: a reference takes no
-    /// relationship along that leaves what it refers to.
+    /// A group per copy. Copies refer to the mesh of the first, and each binds its own material: a reference does not
+    /// include relationships that leave its target.
     std::string meshes() const {
         std::string out;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -254,7 +254,7 @@ private:
         return name;
     }
 
-    /// As text between quotes.
+    /// Escapes text for quotes.
     static std::string printable(std::string text) {
         std::replace_if(
             text.begin(), text.end(), [](char c) { return c < ' ' || c > '~' || c == '"' || c == '\\'; }, ' ');

@@ -23,7 +23,7 @@ std::size_t checksum(const std::string& bytes) {
     return crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
 }
 
-/// Fields that a local header and a directory entry have in common.
+/// Fields shared by a local header and a directory entry.
 std::string entryOf(const PackedFile& file, std::size_t extra) {
     std::string out;
     little(out, 10, 2);  // version needed

@@ -22,7 +22,7 @@ std::string usualFolder() {
     return {};
 }
 
-/// Why a folder cannot be written to; empty if it can. Makes it.
+/// Why a folder cannot be written to; empty if it can. Creates the folder.
 std::string hindrance(const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);

@@ -10,8 +10,8 @@
 namespace nacre::app {
 namespace {
 
-// RenderDoc's container, version 1.2: a header, then sections, each behind a header of its own and its name.
-// Little-endian. A section whose length could not be written leads into the middle of another.
+// RenderDoc's container, version 1.2: a header, then sections, each after its own header and name. Little-endian. If a
+// section's length could not be written, the next header lies in the middle of a section.
 constexpr std::size_t kFileHeader = 16, kSectionHeader = 40;
 constexpr std::uint32_t kLongestName = 1024;
 constexpr std::uint32_t kContainerVersion = 0x102;
@@ -31,7 +31,7 @@ bool isWholeCapture(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
     char head[kSectionHeader];
     if (error || !stream.read(head, kFileHeader) || std::memcmp(head, "RDOC", 4) != 0) return false;
-    if (numberAt<std::uint32_t>(head, 8) != kContainerVersion) return true;  // of a RenderDoc that we do not know
+    if (numberAt<std::uint32_t>(head, 8) != kContainerVersion) return true;  // from an unknown version of RenderDoc
     std::uint64_t at = numberAt<std::uint32_t>(head, 12);
     while (at < size) {
         if (!stream.seekg(static_cast<std::streamoff>(at)) || !stream.read(head, kSectionHeader)) return false;

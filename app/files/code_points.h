@@ -11,7 +11,7 @@ namespace nacre::app {
 struct CodePoint {
     std::uint32_t code = 0;
     std::size_t bytes = 1;
-    bool valid = false;  ///< false: the code is a single byte's
+    bool valid = false;  ///< false: the code is that of a single byte
 };
 
 /// The first of a non-empty text (RFC 3629: no overlong forms, no surrogates).

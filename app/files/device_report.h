@@ -13,7 +13,7 @@ nlohmann::ordered_json deviceJson(const DeviceInfo& device);
 
 /// Bytes counted by the device and by the plan.
 nlohmann::ordered_json trafficJson(const CountedTraffic& traffic);
-/// The same of a device that is asked now, or why it cannot.
+/// Counts the bytes now, or reports why that is impossible.
 CountedTraffic countedOf(const DeviceInfo& device, const DeviceOptions& options);
 
 }  // namespace nacre::app

@@ -63,7 +63,7 @@ Json parseJson(const std::string& text, std::string& twice) {
     return Json::parse(text, watch, false);
 }
 
-/// All of a file that people write, or of a pipe. @param task  beginning of an error, as "cannot read colours"
+/// The content of a text file or pipe. @param task  beginning of an error, such as "cannot read colours"
 inline std::string readTextFile(const std::string& task, const std::string& path, std::size_t mostBytes) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) throw Error(task, path, "it is a folder");
@@ -79,7 +79,7 @@ inline std::string readTextFile(const std::string& task, const std::string& path
     return text;
 }
 
-/// Parses a file that people write. @param task  beginning of an error, as "cannot read colours"
+/// Parses a file written by people. @param task  beginning of an error, such as "cannot read colours"
 /// @throws Error with the line of a syntax error, or the number that is out of range, or if it is too deep
 template <typename Json>
 Json parseJsonText(const std::string& text, const std::string& task, const std::string& name) {
@@ -90,7 +90,7 @@ Json parseJsonText(const std::string& text, const std::string& task, const std::
     } catch (const typename Json::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         throw Error(task, name, "it is not valid JSON", 1 + std::count(text.begin(), end, '\n'));
-    } catch (const typename Json::out_of_range& error) {  // says which number
+    } catch (const typename Json::out_of_range& error) {  // its message has the number
         const std::string why = error.what();
         throw Error(task, name, "a number is too large: " + printable(why.substr(why.rfind(' ') + 1)));
     }

@@ -10,7 +10,7 @@ namespace nacre::app {
 void sayError(const std::string& text);
 /// "nacre: warning: ...": the result differs from the request.
 void sayWarning(const std::string& text);
-/// As above, never suppressed: an action caused by somebody else's file.
+/// As above, never suppressed: an action caused by an untrusted file.
 void sayNotice(const std::string& text);
 /// "nacre: ...": useful information.
 void sayNote(const std::string& text);
@@ -26,7 +26,7 @@ bool isVerbose();
 /// Whether a progress line is on the terminal; the next message replaces it.
 void setLineShown(bool shown);
 
-/// While it lives, collects this thread's warnings, notices and notes instead of printing them.
+/// While it exists, collects this thread's warnings, notices and notes instead of printing them.
 class HeardMessages {
 public:
     HeardMessages();

@@ -31,7 +31,7 @@ std::shared_ptr<const OpenedFile> OpenFolder::open(const std::string& name) cons
     const fs::path root = path_, file = fs::canonical(root / name, error);
     const auto [atRoot, atFile] = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
     if (error || atRoot != root.end() || atFile == file.end()) return nullptr;
-    // From here on no link is followed: whoever exchanges a folder for one gets nothing.
+    // No links are followed from here on, in case somebody replaces a folder by one.
     std::shared_ptr<const OpenFolder> folder = shared_from_this();
     for (auto step = atFile; step != file.end(); ++step) {
         if (*step == "..") return nullptr;

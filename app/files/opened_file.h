@@ -1,5 +1,5 @@
 #pragma once
-// Files by descriptor: what is read is what was checked, whatever the names lead to afterwards.
+// Files by descriptor: the file that is read is the one that was checked, wherever its name leads later.
 
 #include <memory>
 #include <string>
@@ -9,22 +9,22 @@ namespace nacre::app {
 class OpenedFile;
 class UnnamedFile;
 
-/// A folder, as it was opened.
+/// An open folder.
 class OpenFolder : public std::enable_shared_from_this<OpenFolder> {
 public:
-    /// Links are followed. Null: it cannot be opened.
+    /// Follows links. Null if it cannot be opened.
     static std::shared_ptr<const OpenFolder> at(const std::string& path);
     ~OpenFolder();
     OpenFolder(const OpenFolder&) = delete;
     OpenFolder& operator=(const OpenFolder&) = delete;
 
-    /// A regular file of the folder, or of one below it. Links may lead from place to place within the folder.
-    /// Null: there is none, or its name leads out.
+    /// A regular file in the folder or below it. Links may lead elsewhere within the folder. Null if there is none, or
+    /// its name leads out.
     std::shared_ptr<const OpenedFile> open(const std::string& name) const;
 
 private:
     OpenFolder(std::string path, int folder) : path_(std::move(path)), folder_(folder) {}
-    std::string path_;  ///< without links
+    std::string path_;  ///< with links resolved
     int folder_;
 };
 
@@ -34,18 +34,18 @@ public:
     OpenedFile(const OpenedFile&) = delete;
     OpenedFile& operator=(const OpenedFile&) = delete;
 
-    /// A file that stands in no folder.
+    /// A file without a folder.
     static std::shared_ptr<const OpenedFile> of(std::string name, const UnnamedFile& file);
 
-    /// For messages: where it was found.
+    /// The path where it was found, for messages.
     const std::string& name() const { return name_; }
-    /// A path under which this process opens the same file anew.
+    /// A path under which this process can open the same file again.
     std::string path() const;
-    /// A file of the same folder, as in OpenFolder::open().
+    /// Another file in its folder, as in OpenFolder::open().
     std::shared_ptr<const OpenedFile> beside(const std::string& name) const {
         return folder_ ? folder_->open(name) : nullptr;
     }
-    /// Whether it stands in one.
+    /// Whether it has a folder.
     bool hasFolder() const { return folder_ != nullptr; }
 
 private:

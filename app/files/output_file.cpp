@@ -34,11 +34,11 @@ constexpr const char* kDiskFull = "the data could not be written (is the disk fu
 
 [[noreturn]] void fail(const std::string& path, const std::string& why) { throw Error("cannot write file", path, why); }
 
-// Temporary names of open files, for the signal handler: plain memory, since it may call next to nothing. Further files
-// work as well; only an interrupted run would leave them behind.
+// Temporary names of open files, for the signal handler: in plain memory, since the handler may call almost nothing.
+// More files work, but an interrupted run would leave them behind.
 constexpr std::size_t kMostRemembered = 128;
 std::array<std::array<char, 4096>, kMostRemembered> unfinished{};
-std::mutex unfinishedTurn;  // of those that write to it; the handler only reads
+std::mutex unfinishedTurn;  // for writers; the handler only reads
 
 extern "C" void removeUnfinished(int signal) {
     removeUnfinishedFiles();
@@ -103,7 +103,7 @@ fs::path realPath(const std::string& path) {
     return error ? fs::path(path) : real;
 }
 
-/// The file of a name. Standard streams by descriptor: not every machine has /dev/stdin. @returns whether it exists
+/// Status of a named file. Standard streams by descriptor: not every machine has /dev/stdin. @returns whether it exists
 bool find(const NamedFile& file, struct stat& status) {
     if (file.written && isStandardOutput(file.path)) return fstat(STDOUT_FILENO, &status) == 0;
     if (file.path == "-") return fstat(STDIN_FILENO, &status) == 0;
@@ -113,7 +113,7 @@ bool find(const NamedFile& file, struct stat& status) {
 bool sameFile(const NamedFile& a, const NamedFile& b) {
     struct stat one {
     }, other{};
-    // Streams may well share a terminal or /dev/null.
+    // Streams may share a terminal or /dev/null.
     if (find(a, one) && find(b, other))
         return one.st_dev == other.st_dev && one.st_ino == other.st_ino && S_ISREG(one.st_mode);
     return realPath(a.path) == realPath(b.path);

@@ -11,9 +11,9 @@ bool isStandardOutput(const std::string& path);
 /// A file that appears complete or not at all: written under a temporary name in the same folder and renamed. The
 /// temporary file is created at once, so that an unwritable folder is refused before any work; its name is
 /// unpredictable, and files of others are neither followed nor overwritten. A replaced file keeps its permissions.
-/// Standard output gets the complete temporary file. Errors and signals that end the program remove it; the first
-/// OutputFile in the same folder removes leftovers of crashes, those of other machines once they are ten minutes old.
-/// Each for one thread at a time; several threads may have their own.
+/// Standard output receives the complete temporary file. Errors and signals that end the program remove it. The first
+/// OutputFile in a folder removes leftovers of crashes there; those of other machines once they are ten minutes old.
+/// Each object is for one thread at a time.
 class OutputFile {
 public:
     /// @param extension  of the temporary file for standard output: ".png"

@@ -1,4 +1,4 @@
-# As vcpkg's own, but for API level 26.
+# vcpkg's own triplet, for API level 26.
 set(VCPKG_TARGET_ARCHITECTURE x64)
 set(VCPKG_CRT_LINKAGE static)
 set(VCPKG_LIBRARY_LINKAGE static)

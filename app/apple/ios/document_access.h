@@ -27,8 +27,8 @@ namespace nacre::app {
 std::string textOf(NSString* _Nullable string);
 NSString* stringOf(const std::string& text);
 
-/// A file's bytes. Waits until they are downloaded and nobody writes them. Looks for a missing file by name among the
-/// app's own documents. @throws Error
+/// Returns a file's bytes. Waits until they are downloaded and nobody writes them. Looks for a missing file by name
+/// among the app's own documents. @throws Error
 std::string readDocument(const std::string& path);
 
 /// A folder of the app, created if missing; nil on failure.

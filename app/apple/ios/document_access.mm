@@ -43,7 +43,7 @@ std::string textOf(NSString* _Nullable string) {
 
 NSString* stringOf(const std::string& text) {
     NSString* string = [NSString stringWithUTF8String:text.c_str()];
-    return string ? string : @"";  // nil where it is not UTF-8
+    return string ? string : @"";  // nil if it is not UTF-8
 }
 
 NSURL* _Nullable folderOf(NSSearchPathDirectory kind) {
@@ -54,7 +54,7 @@ NSURL* _Nullable folderOf(NSSearchPathDirectory kind) {
                                                    error:nil];
 }
 
-/// The file itself, or one of its name among the app's own documents.
+/// The file itself, or the one of that name among the app's own documents.
 static NSURL* present(const std::string& path) {
     NSURL* url = [NSURL fileURLWithPath:stringOf(path)];
     NSString* name = url.lastPathComponent;

@@ -11,7 +11,7 @@ import zlib
 
 SIZE = 1024
 SAMPLES = 4  # per pixel side
-SHOWN = 72  # of the vector's 108 points: launchers cut off the rest
+SHOWN = 72  # of the vector's 108 points: launchers crop the rest
 
 
 def color(text):

@@ -7,7 +7,7 @@
 
 namespace nacre::app {
 
-/// As HttpFetch. Allows only https, as the system requires. Not for the main thread, which it would block.
+/// Like HttpFetch. Allows only https, as the system requires. Not for the main thread, which it would block.
 void fetchBySystem(const std::string& url, const HttpTake& take);
 
 }  // namespace nacre::app

@@ -36,7 +36,7 @@ void fetchBySystem(const std::string& url, const HttpTake& take) {
         try {
             const auto come = std::max<std::int64_t>(task.countOfBytesReceived, 0);
             const auto all = std::max<std::int64_t>(task.countOfBytesExpectedToReceive, 0);
-            take({}, static_cast<std::uint64_t>(come), static_cast<std::uint64_t>(all));  // who cancels throws here
+            take({}, static_cast<std::uint64_t>(come), static_cast<std::uint64_t>(all));  // throws if cancelled
         } catch (...) {
             [task cancel];
             throw;

@@ -20,12 +20,12 @@ using namespace nacre::app;
 namespace {
 
 NSString* const kView = @"view";          // of the state: JSON
-NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
+NSString* const kBookmark = @"bookmark";  // of the state: the access right to the file
 
 constexpr double kHot = 0.94;
 constexpr double kBackgroundPatience = 2;  // seconds; the system ends apps that take more than 5
 
-/// As ResolutionControl::setHeat: the system slows down from "serious" on.
+/// For ResolutionControl::setHeat(): the system slows down from "serious" on.
 double heatOf(NSProcessInfoThermalState state) {
     switch (state) {
         case NSProcessInfoThermalStateNominal:
@@ -87,7 +87,7 @@ double heatOf(NSProcessInfoThermalState state) {
 
 - (void)viewDidAppear:(BOOL)animated {
     [super viewDidAppear:animated];
-    [_molecule becomeFirstResponder];  // for the keys of a keyboard
+    [_molecule becomeFirstResponder];  // for hardware keyboards
 }
 
 /// The view has its size: the device can be opened.
@@ -106,13 +106,13 @@ double heatOf(NSProcessInfoThermalState state) {
     [_clock wake];
 }
 
-/// The size of text, among others.
+/// The size of text and other traits.
 - (void)traitCollectionDidChange:(nullable UITraitCollection*)previous {
     [super traitCollectionDidChange:previous];
     if (_session) [self moleculeViewResized:_molecule];
 }
 
-/// Without a device until the view has its size.
+/// Starts without a device until the view has its size.
 - (void)startSession:(const PictureDescription&)first {
     nacre::app::setHttpFetch(nacre::app::fetchBySystem);
     __weak MoleculeController* weakSelf = self;
@@ -194,7 +194,7 @@ double heatOf(NSProcessInfoThermalState state) {
     });
 }
 
-/// As everywhere on this system.
+/// Shaking undoes, as everywhere on this system.
 - (void)motionEnded:(UIEventSubtype)motion withEvent:(nullable UIEvent*)event {
     if (motion == UIEventSubtypeMotionShake) [_molecule run:ViewerCommand::undo];
 }
@@ -226,7 +226,7 @@ double heatOf(NSProcessInfoThermalState state) {
     [_clock wake];
 }
 
-/// A saved view: another session, which starts with it.
+/// Opens a saved view: starts another session with it.
 - (void)openView:(const std::string&)path {
     [self attempt:^{
       [self startSession:parseSavedView(readDocument(path), path)];
@@ -255,7 +255,7 @@ double heatOf(NSProcessInfoThermalState state) {
     _clock.suspended = YES;
     if (!_session) return;
     _session->setSeen(false);
-    // Metal refuses what runs after this method has returned, and MoltenVK then reports a lost device.
+    // Metal rejects work after this method has returned, and MoltenVK then reports a lost device.
     _session->awaitSubmitted(kBackgroundPatience);
 }
 

@@ -14,7 +14,7 @@ using nacre::app::ViewerCommand;
 
 namespace {
 
-constexpr std::int64_t kPointer = -1;  // id of the pointer in place of a finger
+constexpr std::int64_t kPointer = -1;  // id of the pointer, used like a finger's
 constexpr double kPointsPerStep = 40;  // of a two-finger scroll per step of a wheel
 
 glm::dvec2 placeOf(CGPoint point) { return {point.x, point.y}; }
@@ -46,7 +46,7 @@ std::optional<char32_t> codeOf(UIKey* key) {
     return typed.length == 1 ? std::optional<char32_t>([typed characterAtIndex:0]) : std::nullopt;
 }
 
-/// The command of a hardware key, from the table that every shell shares.
+/// The command of a hardware key, from the table shared by all shells.
 std::optional<ViewerCommand> commandOfKey(UIKey* key) {
     if (key.modifierFlags & (UIKeyModifierCommand | UIKeyModifierAlternate)) return std::nullopt;  // the system's
     const std::optional<char32_t> code = codeOf(key);
@@ -70,7 +70,7 @@ std::optional<ViewerCommand> commandOfKey(UIKey* key) {
     if ((self = [super initWithFrame:frame])) {
         self.multipleTouchEnabled = YES;
         self.metalLayer.opaque = YES;
-        // UIKit has no touches for these three: they come from trackpads and wheels alone.
+        // These three recognise no UIKit touches: their events come only from trackpads and wheels.
         UIPanGestureRecognizer* scroll = [[UIPanGestureRecognizer alloc] initWithTarget:self action:@selector(scroll:)];
         scroll.allowedScrollTypesMask = UIScrollTypeMaskAll;
         UIPinchGestureRecognizer* pinch = [[UIPinchGestureRecognizer alloc] initWithTarget:self

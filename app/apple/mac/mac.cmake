@@ -20,7 +20,7 @@ set_target_properties(nacre-mac PROPERTIES
     INSTALL_RPATH "@executable_path/../Frameworks")
 
 if(NACRE_MOLTENVK)
-    # Where Vulkan's loader looks for drivers within an app; the manifest names ../../../Frameworks.
+    # The path where Vulkan's loader looks for drivers within an app; the manifest names ../../../Frameworks.
     file(READ ${NACRE_MOLTENVK}/MoltenVK_icd.json manifest)
     string(JSON manifest SET "${manifest}" ICD library_path "\"../../../Frameworks/libMoltenVK.dylib\"")
     set(made ${CMAKE_CURRENT_BINARY_DIR}/mac/MoltenVK_icd.json)

@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Pictures are saved in the current folder, and the Finder starts apps in the root.
+/// Pictures are saved in the current folder, which is the root for apps started by the Finder.
 void goToPictures() {
     NSFileManager* files = NSFileManager.defaultManager;
     NSURL* pictures = [files URLForDirectory:NSPicturesDirectory

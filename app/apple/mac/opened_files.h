@@ -7,7 +7,7 @@
 
 namespace nacre::app {
 
-/// Starts to listen. Call before the app has finished launching, that is before glfwInit(): the file that started the
+/// Starts to listen. Call before glfwInit(), when the app has not finished launching: the file that started the
 /// app is reported during launch.
 /// @param opened called on the main thread as files arrive
 void listenForOpenedFiles(std::function<void()> opened);

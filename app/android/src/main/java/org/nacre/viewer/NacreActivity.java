@@ -42,7 +42,7 @@ public final class NacreActivity extends NativeActivity
     private Back back; // registered while Back is the app's
     private boolean animated, awaited;
 
-    // Native code registers these when the activity is made. `app` is what it handed to attach(); 0: it is gone.
+    // Native code registers these when the activity is created. `app` is the value from attach(); 0: it is gone.
     static native void opened(long app, Uri document);
     static native void failed(long app, String why);
     static native String controls(long app);
@@ -106,7 +106,7 @@ public final class NacreActivity extends NativeActivity
         return app;
     }
 
-    // --- Back, while something lies over the picture. Up to Android 12 it comes as a key.
+    // --- Back, while anything covers the picture. Up to Android 12 it is a key.
 
     /** In a class of its own, which older systems do not look at. */
     private static final class Back implements OnBackInvokedCallback {
@@ -128,7 +128,7 @@ public final class NacreActivity extends NativeActivity
         }
     }
 
-    // --- the window, which the system's bars lie over, and the size of text
+    // --- the window, which the system's bars cover in part, and the size of text
 
     private void tellInsets(WindowInsets insets) {
         if (app == 0) return;
@@ -327,7 +327,7 @@ public final class NacreActivity extends NativeActivity
         });
     }
 
-    // --- what comes back
+    // --- results
 
     @Override
     protected void onActivityResult(int request, int result, Intent data) {

@@ -19,7 +19,7 @@ final class PanelNodes extends AccessibilityNodeProvider {
 
     private final NacreActivity activity;
     private final View view;
-    private final Map<String, Integer> ids = new HashMap<>(); // a control keeps its number, wherever its row stands
+    private final Map<String, Integer> ids = new HashMap<>(); // a control keeps its number when its row moves
     private final Map<Integer, String[]> controls = new LinkedHashMap<>(); // by number
     private int focused = NONE, hovered = NONE;
 
@@ -129,7 +129,7 @@ final class PanelNodes extends AccessibilityNodeProvider {
             node.setClickable(true);
             node.addAction(AccessibilityNodeInfo.ACTION_CLICK);
         }
-        if (control[ROLE].equals("slider")) { // readers offer their volume keys or a swipe for these
+        if (control[ROLE].equals("slider")) { // screen readers map volume keys or swipes to these
             node.addAction(AccessibilityNodeInfo.ACTION_SCROLL_FORWARD);
             node.addAction(AccessibilityNodeInfo.ACTION_SCROLL_BACKWARD);
         }

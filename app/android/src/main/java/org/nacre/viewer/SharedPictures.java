@@ -59,7 +59,7 @@ public final class SharedPictures extends ContentProvider {
             File file = fileOf(uri);
             cursor.addRow(new Object[] {file.getName(), file.length()});
         } catch (FileNotFoundException none) {
-            // An empty answer says so.
+            // An empty answer reports it.
         }
         return cursor;
     }
