@@ -179,7 +179,7 @@ void OutputFile::makeTemporary(const std::string& folder, const std::string& ext
     struct stat before {
     }, now{};
     const bool replaces = !target_.empty() && stat(target_.c_str(), &before) == 0;
-    // Until it is locked another run may take it for abandoned.
+    // Until it is locked, another run may consider it abandoned.
     for (bool there = false; !there; there = stat(temporary_.c_str(), &now) == 0) {
         if (lock_ >= 0) close(lock_);
         temporary_ = (fs::path(folder) /

@@ -6,9 +6,8 @@
 
 namespace nacre::app {
 
-/// One line without effect on a terminal other than its display: line ends and tabs become spaces; other control
-/// characters (C0, DEL, C1), bidirectional marks, line separators and invalid UTF-8 become visible, as "\x1b" and
-/// "\u202e".
+/// One line that a terminal only displays: line ends and tabs become spaces; other control characters (C0, DEL, C1),
+/// bidirectional marks, line separators and invalid UTF-8 become visible, as "\x1b" and "\u202e".
 std::string printable(std::string_view text);
 
 /// As above, keeping line ends.
@@ -17,7 +16,7 @@ std::string printableLines(std::string_view text);
 /// JSON, with C1 controls, DEL and bidirectional marks escaped; valid UTF-8 before and after.
 std::string printableJson(std::string_view json);
 
-/// A message that may quote anything: what is too long loses its middle.
+/// A message that may quote anything: drops the middle of a long one.
 std::string shortened(const std::string& text);
 
 }  // namespace nacre::app

@@ -10,7 +10,7 @@ namespace nacre::app {
 
 void givePicturesMemoryBack() {
 #ifdef M_TRIM_THRESHOLD
-    constexpr unsigned kPictures = 64;  // between two times: it takes some milliseconds
+    constexpr unsigned kPictures = 64;  // between two calls: it takes some milliseconds
     static std::atomic<unsigned> pictures{0};
     if (++pictures % kPictures == 0) malloc_trim(0);
 #endif

@@ -7,17 +7,17 @@
 
 namespace nacre::app {
 
-/// A path under which this process opens the file of a descriptor anew.
+/// A path under which this process can open the descriptor's file again.
 std::string pathOfDescriptor(int descriptor);
 
-/// Over a limit on file sizes, writing then fails like on a full disk, where SIGXFSZ would end the program.
+/// Makes writing over a limit on file sizes fail like on a full disk, instead of ending the program by SIGXFSZ.
 void failOverFileSize();
 
-/// A file without a name: nobody else finds it, and it is gone with this object, however the process ends.
+/// A file without a name: nobody else can find it, and it disappears with this object, however the process ends.
 class UnnamedFile {
 public:
     enum class Place {
-        memory,  ///< where the system has such files; else as `disk`
+        memory,  ///< if the system has such files; else as `disk`
         disk,    ///< in TMPDIR
     };
     /// @throws Error if there is no room
@@ -32,11 +32,11 @@ public:
 
     /// @throws Error if there is no room
     void append(std::string_view bytes);
-    /// Reads up to `count` bytes. @returns how many there were @throws Error
+    /// Reads up to `count` bytes. @returns the number read @throws Error
     std::size_t read(std::uint64_t at, char* to, std::size_t count) const;
-    /// All of it. @throws Error
+    /// The whole content. @throws Error
     std::string bytes() const;
-    /// All of it, piece by piece. @throws Error
+    /// The whole content, in pieces. @throws Error
     void eachPiece(const std::function<void(std::string_view)>& take) const;
 
 private:

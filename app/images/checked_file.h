@@ -14,7 +14,7 @@ public:
     CheckedFile(const CheckedFile&) = delete;
     CheckedFile& operator=(const CheckedFile&) = delete;
 
-    /// Writes at the current place. @returns whether nothing failed so far
+    /// Writes at the current position. @returns whether nothing failed so far
     bool write(const void* bytes, std::size_t size);
     void seek(std::uint64_t place) { place_ = place; }
     std::uint64_t place() const { return place_; }

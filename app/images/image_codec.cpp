@@ -1,4 +1,4 @@
-// Formats besides PNG: a module of its own, loaded when a picture of such a format is written.
+// Formats other than PNG: a separate module, loaded when a picture of such a format is written.
 
 #include "app/images/image_codec.h"
 

@@ -21,7 +21,7 @@
 namespace nacre::app {
 namespace {
 
-/// Where a picture is written.
+/// Destination of a picture.
 struct ImageTarget {
     std::string name;       ///< for messages
     std::string path;       ///< of the file

@@ -18,7 +18,7 @@ struct PictureFormat {
     double dpi = 0;      ///< dots per inch, stored in PNG, TIFF and JPEG; 0: not stated
 };
 
-/// The format that a description asks for.
+/// The format requested by a description.
 PictureFormat formatOf(const PictureDescription& picture);
 /// Whether a file of this name has an alpha channel.
 bool hasAlpha(const PictureFormat& format, const std::string& path);
@@ -28,11 +28,11 @@ bool hasAlpha(const PictureFormat& format, const std::string& path);
 /// the same bytes. @throws Error
 void writePicture(OutputFile& file, const Picture& picture, const PictureFormat& format);
 
-/// The bytes of such a file, made in memory. @param extension  of the format, with the dot @throws Error
+/// The bytes of such a file, in memory. @param extension  of the format, with the dot @throws Error
 std::string encodePicture(const std::string& extension, const Picture& picture, const PictureFormat& format);
 std::string encodePicture(const std::string& extension, const CodedPicture& picture);
 
-/// As writePicture(). @param dpi  as PictureFormat has it
+/// Like writePicture(). @param dpi  as in PictureFormat
 void writePicture(OutputFile& file, const CodedPicture& picture, double dpi);
 
 /// Rows of a picture, layout as in Picture, from `first` on; valid until the next call.

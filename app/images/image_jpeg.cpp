@@ -29,7 +29,7 @@ struct Failing {
     std::longjmp(failing->out, 1);
 }
 
-/// Where libjpeg puts its bytes.
+/// Destination of libjpeg's bytes.
 struct Target {
     jpeg_destination_mgr manager;  // first, likewise
     CheckedFile* file;
@@ -43,7 +43,7 @@ struct Target {
 
 Target& targetOf(j_compress_ptr jpeg) { return *reinterpret_cast<Target*>(jpeg->dest); }
 
-/// Writes libjpeg's chunks to the file, which keeps a failure such as a full disk.
+/// Writes libjpeg's chunks to the file, which records failures such as a full disk.
 void connect(j_compress_ptr jpeg, Target& target) {
     target.manager.init_destination = [](j_compress_ptr j) { targetOf(j).empty(); };
     target.manager.empty_output_buffer = [](j_compress_ptr j) -> boolean {
@@ -76,7 +76,7 @@ void begin(jpeg_compress_struct& jpeg, const ImageRequest& request) {
 
 /// The segment of ICC.1, annex B.4: the profile is short enough for one.
 std::vector<JOCTET> profileSegment() {
-    static constexpr char kName[] = "ICC_PROFILE";  // with its zero
+    static constexpr char kName[] = "ICC_PROFILE";  // with its terminating zero
     std::vector<JOCTET> segment(kName, kName + sizeof kName);
     segment.insert(segment.end(), {1, 1});  // the first of one
     const std::vector<std::uint8_t> profile = srgbProfile();
@@ -97,7 +97,7 @@ void writeJpeg(const ImageRequest& request, CheckedFile& file) {
     jpeg_compress_struct jpeg{};
     jpeg.err = jpeg_std_error(&failing.manager);
     failing.manager.error_exit = leave;
-    // Nothing with a destructor is made between here and the last call of libjpeg.
+    // No object with a destructor may be created between here and the last call of libjpeg.
     if (setjmp(failing.out) != 0) {
         jpeg_destroy_compress(&jpeg);
         throw std::runtime_error(failing.why.data());
@@ -113,7 +113,7 @@ void writeJpeg(const ImageRequest& request, CheckedFile& file) {
             const auto* pixels = static_cast<const JSAMPLE*>(request.rows(request.context, first, count));
             for (std::uint32_t row = 0; row < count; ++row) {
                 JSAMPROW line =
-                    const_cast<JSAMPROW>(pixels + std::size_t{row} * request.width * 3);  // libjpeg reads it
+                    const_cast<JSAMPROW>(pixels + std::size_t{row} * request.width * 3);  // libjpeg only reads it
                 jpeg_write_scanlines(&jpeg, &line, 1);
             }
         }

@@ -44,8 +44,8 @@ bool beginPng(png_structp png, png_infop info, const ImageRequest& request) {
     png_set_IHDR(png, info, request.width, request.height, request.samples == Samples::words ? 16 : 8,
                  request.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    // Suits streamed rows. For pictures of molecules it takes a third of the default's time, which tries every filter
-    // on each row; files are 5 % larger (docs/notes.md).
+    // Suits streamed rows. For pictures of molecules it takes a third of the time of the default, which tries every
+    // filter on each row; files are 5 % larger (docs/notes.md).
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_set_compression_level(png, 4);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);

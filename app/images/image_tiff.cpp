@@ -1,4 +1,4 @@
-// TIFF 6.0 with deflated strips, and BigTIFF. Not by libtiff, which links libraries that nothing else needs, one of
+// TIFF 6.0 with deflated strips, and BigTIFF. Does not use libtiff, which links otherwise unneeded libraries, one of
 // them under the GPL.
 
 #include <zlib.h>
@@ -44,7 +44,7 @@ Field fieldOfBytes(std::uint16_t tag, FieldType type, std::vector<std::uint8_t> 
     return {tag, type, count, std::move(bytes)};
 }
 
-/// Replaces each sample by its difference from the one to its left, which compresses better.
+/// Replaces each sample by its difference from its left neighbour, which compresses better.
 template <typename Sample>
 void takeDifferences(Sample* samples, std::size_t rows, std::size_t width, std::size_t channels) {
     for (std::size_t y = 0; y < rows; ++y) {
@@ -63,7 +63,7 @@ std::vector<std::uint8_t> deflated(const std::vector<std::uint8_t>& bytes) {
     return out;
 }
 
-/// Writes the fields at the end of the file. @param big  offsets of 8 bytes @returns where they begin
+/// Writes the fields at the end of the file. @param big  offsets of 8 bytes @returns their position
 std::uint64_t writeFields(const std::vector<Field>& fields, bool big, CheckedFile& file) {
     const int wide = big ? 8 : 4;
     std::vector<std::uint8_t> list;
@@ -74,7 +74,7 @@ std::uint64_t writeFields(const std::vector<Field>& fields, bool big, CheckedFil
         put(list, f.count, wide);
         std::vector<std::uint8_t> value = f.value;
         if (value.size() > static_cast<std::size_t>(wide)) {
-            if (file.place() % 2) file.write("", 1);  // values begin at even places
+            if (file.place() % 2) file.write("", 1);  // values begin at even positions
             const std::uint64_t place = file.place();
             file.write(f.value.data(), f.value.size());
             value.clear();
@@ -142,7 +142,7 @@ void writeTiff(const ImageRequest& request, CheckedFile& file) {
     }
     fields.push_back(field(284, words, {kTogether}));
     if (request.dotsPerInch > 0) fields.push_back(field(296, words, {kInch}));
-    static constexpr char kSoftware[] = "nacre";  // with its zero
+    static constexpr char kSoftware[] = "nacre";  // with its terminating zero
     fields.push_back(fieldOfBytes(305, ascii, std::vector<std::uint8_t>(kSoftware, kSoftware + sizeof kSoftware)));
     fields.push_back(field(317, words, {kDifferences}));
     if (channels == 4) fields.push_back(field(338, words, {kStraight}));

@@ -1,5 +1,5 @@
 #pragma once
-// A writer per format and library. Each throws std::runtime_error, or an exception of its library. CheckedFile keeps
+// A writer per format and library. Each throws std::runtime_error, or an exception of its library. CheckedFile records
 // failures of the file itself.
 
 #include "app/images/checked_file.h"
@@ -7,8 +7,8 @@
 
 namespace nacre::app {
 
-/// JPEG of quality 95 without subsampled colours (red atoms on white would bleed), with the profile of sRGB. Bytes
-/// alone.
+/// JPEG of quality 95 without subsampled colours (red atoms on white would bleed), with the profile of sRGB. Only
+/// bytes.
 void writeJpeg(const ImageRequest& request, CheckedFile& file);
 /// TIFF, deflated, straight alpha, with the profile of sRGB. Bytes or words; BigTIFF from 4 GB on.
 void writeTiff(const ImageRequest& request, CheckedFile& file);

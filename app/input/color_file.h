@@ -12,7 +12,7 @@ namespace nacre::app {
 /// @throws Error with the line, or the row of JSON
 ColorTable readColorTable(const std::string& text, const std::string& name, const std::string& column);
 
-/// The same look with its missing tables read. @throws Error
+/// Returns the look with its missing tables read. @throws Error
 RepresentationOptions withTables(RepresentationOptions look);
 
 }  // namespace nacre::app

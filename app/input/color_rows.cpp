@@ -102,7 +102,7 @@ void ColorRows::row(const Cells& cells, std::uint64_t number) {
         any = any || columns_[i] == Column::value || columns_[i] == Column::color;
         take(columns_[i], cells[i], row);
     }
-    if (!any) return;  // no data for it
+    if (!any) return;  // the row has no data
     range(first_, last_, row.numbers);
     range(labelFirst_, labelLast_, row.labelNumbers);
     table_.rows.push_back(std::move(row));

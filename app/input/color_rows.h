@@ -1,5 +1,5 @@
 #pragma once
-// The rows of a table of colours: what its columns mean, and what its cells say.
+// The rows of a colour table: meaning of columns, and parsing of cells.
 
 #include <cstdint>
 #include <optional>
@@ -40,7 +40,7 @@ enum class TableColumn : std::uint8_t {
 
 class ColorRows {
 public:
-    /// @param name  of the file, for errors @param word  what a row is called: "line"
+    /// @param name  of the file, for errors @param word  for a row: "line"
     ColorRows(std::string name, std::string word) : name_(std::move(name)) { table_.rowWord = std::move(word); }
 
     /// @param chosen  the column of the values; empty: the only unknown one, if none is named value

@@ -37,7 +37,7 @@ constexpr const char* kName = "electrostatic potential";
 
 [[noreturn]] void fail(const std::string& why) { throw Error("cannot calculate the electrostatic potential", "", why); }
 
-/// A folder for the programs' files, removed with them, also by signals that end this program.
+/// A folder for the programs' files. It is removed with them, also by signals that end this program.
 class WorkFolder {
 public:
     WorkFolder() : path_((fs::temp_directory_path() / "nacre-potential-XXXXXX").string()) {
@@ -69,7 +69,7 @@ private:
     std::string path_;
 };
 
-/// The last line of a program's messages that says something.
+/// The last non-empty line of a program's messages.
 std::string lastLine(const std::string& path) {
     std::ifstream file(path);
     std::string line, last;
@@ -142,7 +142,7 @@ std::vector<std::uint32_t> chargedAtoms(const ResidueFacts& facts) {
     return atoms;
 }
 
-/// Residues are numbered anew: insertion codes and long numbers go, and so does what a chain lacks.
+/// Numbers residues anew, which avoids insertion codes, long numbers and missing numbers.
 std::string pdbOf(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     constexpr int kNumbers = 10'000, kSerials = 100'000;
     ChainLetters letters;
@@ -168,7 +168,7 @@ std::string pdbOf(const Molecule& molecule, const std::vector<std::uint32_t>& at
     return text + "END\n";
 }
 
-/// Charges and radii that the file states.
+/// Charges and radii from the file.
 std::string pqrOf(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     std::string text;
     int serial = 0;
@@ -184,13 +184,13 @@ std::string pqrOf(const Molecule& molecule, const std::vector<std::uint32_t>& at
     return text + "END\n";
 }
 
-/// The grid about some atoms. APBS takes numbers of nodes that are one more than a multiple of 32.
+/// The grid around atoms. APBS requires numbers of nodes of the form 32 n + 1.
 struct Grid {
     glm::ivec3 nodes{};
     glm::dvec3 coarse{}, fine{};  ///< lengths, Å
 };
 
-/// @param bytes  that the solver may use
+/// @param bytes  memory for the solver
 Grid gridAbout(const Molecule& charged, std::uint64_t bytes) {
     constexpr double kSpacing = 0.5, kMargin = 20, kCoarser = 1.7;  // Å, Å, and pdb2pqr's ratio of the two lengths
     constexpr int kStep = 32, kMostSteps = 5;
@@ -245,14 +245,14 @@ std::string contentOf(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Builds of APBS for several processors add a number.
+/// Builds of APBS for several processors append a number.
 std::string potentialFile(const WorkFolder& folder) {
     for (const char* name : {"potential.dx", "potential-PE0.dx"})
         if (fs::exists(folder / name)) return folder / name;
     fail("apbs: " + lastLine(folder / "apbs.log"));
 }
 
-/// Residues without any charged atom: pdb2pqr leaves out what its force field does not know.
+/// Lists residues without charged atoms: pdb2pqr omits those unknown to its force field.
 std::string leftOut(const Molecule& molecule, const std::vector<std::uint32_t>& atoms, const Molecule& charged) {
     constexpr double kSame = 0.01;  // Å²: hydrogens and a few others move
     constexpr std::size_t kMostNamed = 5;

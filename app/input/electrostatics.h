@@ -1,5 +1,5 @@
 #pragma once
-// The electrostatic potential about a molecule, calculated by the programs pdb2pqr and apbs.
+// The electrostatic potential of a molecule, calculated by the programs pdb2pqr and apbs.
 
 #include <memory>
 
@@ -9,10 +9,10 @@
 
 namespace nacre::app {
 
-/// Solves the linear Poisson-Boltzmann equation for the first model, in kT/e at 298 K: dielectric constants 2
-/// and 78.54, 0.15 mol/l of salt. pdb2pqr adds hydrogens and AMBER's charges; where the file states charges and radii
-/// (PQR), these are taken. The latest results are kept.
-/// @throws Error if a program is missing or fails, or nothing has charges
+/// Solves the linear Poisson-Boltzmann equation for the first model, in kT/e at 298 K: dielectric constants 2 and
+/// 78.54, 0.15 mol/l of salt. pdb2pqr adds hydrogens and AMBER's charges, unless the file states charges and radii
+/// (PQR). Recent results are kept.
+/// @throws Error if a program is missing or fails, or there are no charges
 std::shared_ptr<const DensityMap> electrostaticPotential(const ResidueFacts& facts, const InputOptions& input);
 
 }  // namespace nacre::app

@@ -21,7 +21,7 @@ int inputNumber(const Molecule& molecule, std::uint32_t atom) {
     return molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model;
 }
 
-/// The one INPUT that some atoms are of. @throws Error if there are several
+/// The INPUT to which the atoms belong. @throws Error if there are several
 int inputOf(const Molecule& molecule, const std::vector<bool>& atoms, const Selection& selection) {
     int input = 0;
     for (std::uint32_t i = 0; i < atoms.size(); ++i) {
@@ -49,7 +49,7 @@ std::string threeDecimals(double value) {
     return text;
 }
 
-/// " (chain A on B, C on D)": which chains were paired, at most six of them.
+/// " (chain A on B, C on D)": the paired chains, at most six pairs.
 std::string chainsOf(const Molecule& molecule, const AtomPairs& pairs) {
     constexpr std::size_t kMostNamed = 6;
     std::string text;
@@ -62,7 +62,7 @@ std::string chainsOf(const Molecule& molecule, const AtomPairs& pairs) {
     return text.empty() ? text : text + ")";
 }
 
-/// The INPUT that moves. @throws Error unless the selections are of two
+/// The INPUT that moves. @throws Error unless the selections belong to two INPUTs
 int movedInput(const Molecule& molecule, const FitOptions& fit, const std::vector<bool>& moving,
                const std::vector<bool>& fixed) {
     const int moved = inputOf(molecule, moving, fit.moving);
@@ -91,7 +91,7 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
     for (const std::uint32_t atom : pairs.second) to.emplace_back(molecule.atoms[atom].position);
     const PrunedSuperposition fitted = superposePruned(to, from);
     move(molecule, moved, fitted.motion);
-    // Less related molecules give worse fits than these.
+    // Worse fits than these indicate unrelated molecules.
     constexpr double kFarApart = 3, kShareOfSpread = 0.6;  // Å
     const bool unlike = 10 * pairs.sameResidues < 3 * pairs.residues;
     if (fitted.rmsdOfAll > kFarApart && (unlike || fitted.rmsdOfAll > kShareOfSpread * spreadOf(to)))

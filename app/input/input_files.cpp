@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "sample:dna" and "pdb:1bna" are not files; a name with a colon is one after a folder.
+/// "sample:dna" and "pdb:1bna" are not files; names with a colon after a folder are.
 bool isFile(const std::string& path) { return path != "-" && path.find('/') <= path.find(':'); }
 
 fs::path real(const fs::path& path) {
@@ -44,7 +44,7 @@ fs::path beside(const fs::path& folder, const fs::path& name, const std::string&
     return {};
 }
 
-/// @param most  bytes that are read at either end; 0: all
+/// @param most  bytes to read at either end; 0: all
 std::string hashOfFile(const std::string& path, std::uint64_t most) {
     std::error_code error;
     if (!fs::is_regular_file(path, error)) return {};
@@ -114,7 +114,7 @@ PictureDescription withPathsIn(const std::string& view, PictureDescription pictu
 std::string filePathOf(const InputOptions& input) {
     if (input.namedBy.empty() || !isFile(input.path)) return input.path;
     const fs::path folder = fs::path(input.namedBy).parent_path(),
-                   named = folder / input.path;  // an absolute one stays
+                   named = folder / input.path;  // an absolute path stays
     std::error_code error;
     if (input.hash.empty() || fs::exists(named, error)) return named.string();
     const fs::path moved = beside(folder, fs::path(input.path).filename(), input.hash, fileHash);

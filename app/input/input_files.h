@@ -1,6 +1,6 @@
 #pragma once
-// The molecule that a saved view names. Others may have written the view: it must not download or read anything without
-// its user's knowledge.
+// The molecule that a saved view names. The view may be untrusted: it must not download or read anything without its
+// user's knowledge.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace nacre::app {
 /// not exist and the view states its hash, it is the file beside the view with that hash, whatever its name.
 std::string filePathOf(const InputOptions& input);
 
-/// The path that opens the file of INPUT: that of the open file, if there is one, else as above.
+/// The path that opens the file of INPUT: that of the open file, if there is one, else filePathOf().
 std::string openPathOf(const InputOptions& input);
 
 /// A path for a saved view: relative to the view's folder if it is inside, so that both can move together.
@@ -26,10 +26,11 @@ std::string fileHash(const std::string& path);
 /// As above for a trajectory, from its first and last 16 MiB only.
 std::string trajectoryHash(const std::string& path);
 
-/// The picture as the view at a path saves it: paths of files relative to the view, with their hashes.
+/// The picture as saved in a view at a path: file paths relative to the view, with their hashes.
 PictureDescription withPathsIn(const std::string& view, PictureDescription picture);
 
-/// The trajectory of INPUT, found as in filePathOf(); without a hash a file of the same name beside the view will do.
+/// The trajectory of INPUT, found as in filePathOf(); without a hash, a file of the same name next to the view is
+/// enough.
 std::string trajectoryPathOf(const InputOptions& input);
 
 /// Notices before a view's trajectory is opened: it is outside the view's folder, or has changed.

@@ -37,7 +37,7 @@ struct KeptMap {
     std::uint64_t used = 0;
 };
 
-/// The latest maps by name; in total no larger than the limit for one.
+/// The most recent maps by name; in total no larger than the limit for one.
 class KeptMaps {
 public:
     std::shared_ptr<const DensityMap> find(const std::string& name, const std::optional<FileState>& state) {
@@ -83,7 +83,7 @@ KeptMaps& keptMaps() {
 
 constexpr std::string_view kOpen = "open:";
 
-/// Maps of open files by content, which their readers hold.
+/// Maps of open files by content, kept alive by their readers.
 class OpenMaps {
 public:
     std::shared_ptr<const DensityMap> find(const std::string& name) {
@@ -107,7 +107,7 @@ OpenMaps& openMaps() {
     return maps;
 }
 
-/// The name that tells the format of an open file. Empty: the path of the file does.
+/// The name that determines the format of an open file. Empty: the file's path does.
 std::string nameOfOpen(const InputOptions& input) { return input.opened ? input.path : std::string(); }
 
 }  // namespace

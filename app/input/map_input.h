@@ -11,18 +11,18 @@ namespace nacre::app {
 
 /// Whether INPUT is a density map.
 bool isMap(const InputOptions& input);
-/// The name of such an INPUT for mapOf(): its path; of an open file, a name of its content.
+/// The name of a map INPUT for mapOf(): its path; for an open file, a name derived from its content.
 std::string mapName(const InputOptions& input);
-/// Reads such an INPUT. @throws Error
+/// Reads a map INPUT. @throws Error
 DensityMap readMapInput(const InputOptions& input);
-/// The same for an open file. mapOf() finds it by mapName() as long as the result is held. @throws Error
+/// As above for an open file. mapOf() finds it by mapName() as long as the result is held. @throws Error
 std::shared_ptr<const DensityMap> openMap(const InputOptions& input);
 
-/// A map by its file, or by a name from keepMap() or mapName(). Read once, and again when the file has changed.
+/// A map by its file, or by a name from keepMap() or mapName(). Read once, and again if the file changes.
 /// @throws Error
 std::shared_ptr<const DensityMap> mapOf(const std::string& path, const MapLimits& limits);
 
-/// Keeps a map under a name that is no file: a download, or values in memory.
+/// Keeps a map under a name that is not a file's: a download, or values in memory.
 void keepMap(const std::string& name, std::shared_ptr<const DensityMap> map);
 /// The map last read from a file or kept under a name; null: none.
 std::shared_ptr<const DensityMap> keptMap(const std::string& name);

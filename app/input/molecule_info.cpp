@@ -18,7 +18,7 @@ namespace {
 
 constexpr Element kSulfur = 16;
 
-/// The double that reads like the float: 7.075, not 7.074999809.
+/// The double with the float's decimal representation: 7.075, not 7.074999809.
 double asWritten(float value) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
@@ -50,7 +50,7 @@ Json vectors(const std::array<glm::vec3, Count>& values) {
     return json;
 }
 
-/// @param drawn  their orders
+/// @param drawn  drawn orders of the bonds
 Json bondsByKind(const Molecule& molecule, const std::vector<std::uint8_t>& drawn) {
     std::array<std::int64_t, 3> sources{};
     std::array<std::int64_t, 5> orders{};
@@ -134,7 +134,7 @@ std::vector<std::size_t> subchainSizes(const Molecule& molecule) {
     return sizes;
 }
 
-/// Copies and atoms are counted from the assembly's parts.
+/// Counts copies and atoms from the assembly's parts.
 Json assemblyList(const Molecule& molecule) {
     Json list = Json::array();
     if (molecule.assemblies.empty()) return list;

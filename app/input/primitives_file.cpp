@@ -23,7 +23,7 @@ using PrimitiveJson = nlohmann::json;
 constexpr std::size_t kMostFileBytes = std::size_t{256} << 20;
 constexpr double kThickest = 1000;  // maximum of radii and widths, Å or pixels
 
-/// The keys of one primitive; keys that are never asked for are unknown.
+/// The keys of one primitive. Keys that are never read are unknown ones.
 class Keys {
 public:
     Keys(const PrimitiveJson& object, const PlaceOf& placeOf) : object_(object), placeOf_(placeOf) {}

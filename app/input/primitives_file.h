@@ -16,7 +16,7 @@ namespace nacre::app {
 using PlaceOf = std::function<glm::dvec3(const std::string& selection)>;
 
 /// @param name  of the file, for errors @throws Error naming the primitive and its key
-/// @param file  has the unit cell or periodic box of the kind "cell"
+/// @param file  has the unit cell or periodic box for the kind "cell"
 Primitives readPrimitives(const std::string& json, const std::string& name, const PlaceOf& placeOf,
                           const FileSummary& file = {});
 

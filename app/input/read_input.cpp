@@ -34,7 +34,7 @@ int modelOf(const Molecule& molecule, std::uint32_t atom) {
     return molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model;
 }
 
-/// Reads a file that is open already; errors have its own name. @throws Error
+/// Reads an open file; errors use its name. @throws Error
 Molecule readOpened(const InputOptions& input, ReadOptions options) {
     options.uploaded = true;
     std::error_code error;
@@ -96,7 +96,7 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
         return completed(input, input.opened ? readOpened(input, options) : readMoleculeFile(input.path, options));
     } catch (const Error&) {
         if (!isMap(input)) throw;
-        return {};  // a map alone: takeMap() has it drawn
+        return {};  // a map without a molecule: takeMap() draws it
     }
 }
 
@@ -110,7 +110,7 @@ Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
     whole.modelsAreInputs = true;
     whole.inputs = inputNames(input);
     whole.inputFiles = std::move(files);
-    whole.assemblies.clear();  // they arrange one molecule, not all
+    whole.assemblies.clear();  // they apply to one molecule only
     fitInputs(input, whole, tell);
     return whole;
 }
@@ -170,7 +170,7 @@ std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molec
 
 namespace {
 
-/// The chosen atoms of one model, as numbers of atoms. @param model  as Chain::model
+/// Indices of the chosen atoms of one model. @param model  as Chain::model
 std::vector<std::uint32_t> chosenOf(const Molecule& molecule, const std::vector<bool>& chosen, int model) {
     std::vector<std::uint32_t> atoms;
     for (std::uint32_t i = 0; i < chosen.size(); ++i)

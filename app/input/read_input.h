@@ -26,7 +26,7 @@ std::uint64_t memoryLimit(const InputOptions& input);
 /// Limits for a density map: half of memoryLimit() for its values, half for its text.
 MapLimits mapLimits(const InputOptions& input);
 
-/// Reads a sample, a file or standard input; treats `input.path` as nothing else.
+/// Reads a sample, a file or standard input, depending on `input.path`.
 /// @param bytes     memory limit for the molecule
 /// @param readFile  returns a file's bytes, if a path alone does not open it
 /// @param onModel   for all models of a file: called after each with the share read, 0..1
@@ -35,14 +35,14 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
                      const std::function<std::string(const std::string&)>& readFile = {},
                      const std::function<void(double)>& onModel = {});
 
-/// Joins molecules in the order of the INPUTs, fitted as the options say.
+/// Joins molecules in the order of the INPUTs, fitted as the options require.
 /// @param tell  receives the result of each fit, one line
 /// @throws Error if a fit has fewer than three pairs of atoms, or moves its reference
 Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
                     const std::function<void(const std::string&)>& tell);
 
-/// Takes the INPUTs after the first for its conformations: other models of one molecule, which is at the one that
-/// `input.model` counts.
+/// Makes the INPUTs after the first its conformations: other models of one molecule. The result has the model that
+/// `input.model` selects.
 /// @param tell  receives one line for each that lacks counterparts of some atoms
 /// @throws Error if there is no such model, or one has too few counterparts
 Molecule joinConformations(const InputOptions& input, std::vector<Molecule> molecules,
@@ -59,11 +59,11 @@ std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molec
 /// molecules whole. @returns whether it did
 bool sayTorn(const Motion& motion, const std::string& path);
 
-/// Superposes models on the first by TrajectoryOptions::fit, without a trajectory: all of those that are drawn
-/// together, or the one that is drawn. @throws Error
+/// Superposes models on the first by TrajectoryOptions::fit, without a trajectory: all models drawn together, or the
+/// one that is drawn. @throws Error
 void fitModels(const InputOptions& input, Molecule& molecule);
 
-/// Moves the atoms to the options' frame. Does nothing without a trajectory. @throws Error
+/// Moves the atoms to the frame in the options. Does nothing without a trajectory. @throws Error
 void moveToFrame(const TrajectoryOptions& options, Molecule& molecule);
 
 /// @param positions  of the molecule's atoms

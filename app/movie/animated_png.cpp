@@ -1,5 +1,5 @@
-// Animated PNG (APNG 1.0, the third edition of the PNG specification): libpng packs each frame, and its data goes into
-// the chunks of an animation. Debian's libpng does not write these chunks, and skips them when it reads.
+// Animated PNG (APNG 1.0, the third edition of the PNG specification): libpng compresses each frame, and its data goes
+// into animation chunks. Debian's libpng does not write these chunks, and skips them when reading.
 
 #include <png.h>
 #include <zlib.h>
@@ -36,7 +36,7 @@ Bytes chunk(const char (&name)[5], const Bytes& data) {
     return bytes;
 }
 
-/// A frame's time as a fraction of seconds that fits 16 bits each: 1/30, 100/2997.
+/// A frame's duration as a fraction of seconds with 16 bits each: 1/30, 100/2997.
 std::array<std::uint32_t, 2> delayOf(double framesPerSecond) {
     const auto hundredths = static_cast<std::uint32_t>(std::lround(framesPerSecond * 100));
     const std::uint32_t common = std::gcd(100u, hundredths);
@@ -53,7 +53,7 @@ extern "C" void appendPng(png_structp png, png_bytep data, std::size_t count) {
 }
 extern "C" void flushPng(png_structp) {}
 
-/// Rows of pixels, and how far they lie apart in bytes.
+/// Rows of pixels, and the distance between them in bytes.
 struct Rows {
     const std::uint8_t* pixels;
     std::size_t apart;
@@ -74,7 +74,7 @@ bool writeRows(png_structp png, png_infop info, const Rows& rows) {
     return true;
 }
 
-/// A PNG of some rows.
+/// Compresses rows to a PNG.
 Bytes packed(const Rows& rows) {
     Bytes bytes;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
@@ -136,7 +136,7 @@ public:
 
     void finish() override {
         put(chunk("IEND", {}));
-        constexpr std::uint64_t kControl = 8 + 25;  // behind the signature and IHDR
+        constexpr std::uint64_t kControl = 8 + 25;  // after the signature and IHDR
         const Bytes known = chunk("acTL", control(frames_));
         stream_.writeAt(kControl, known.data(), known.size());
         stream_.commit();
@@ -148,7 +148,7 @@ private:
     static Bytes control(std::uint32_t frames) {
         Bytes data;
         append32(data, frames);
-        append32(data, 0);  // plays: endless
+        append32(data, 0);  // plays; 0: endless
         return data;
     }
 

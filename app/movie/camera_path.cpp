@@ -28,14 +28,14 @@ glm::dquat exponential(const glm::dvec3& v) {
     return {std::cos(half), v.x * share, v.y * share, v.z * share};
 }
 
-/// Spherical interpolation the way that the signs say, be it the longer one.
+/// Spherical interpolation in the direction given by the signs, even if it is the longer one.
 glm::dquat between(const glm::dquat& a, const glm::dquat& b, double t) {
     const glm::dvec3 way = logarithm(glm::conjugate(a) * b);
     return glm::normalize(a * exponential(way * t));
 }
 
-/// Slope at a point between its two neighbours: none at an extremum, so that the curve does not pass it (after Fritsch
-/// and Carlson 1980, with the harmonic mean).
+/// Slope at a point between its two neighbours: zero at an extremum, so that the curve does not overshoot (after
+/// Fritsch and Carlson 1980, with the harmonic mean).
 double slope(double before, double after) { return before * after <= 0 ? 0 : 2 * before * after / (before + after); }
 
 /// The cubic from b to c at t, with neighbours a and d.
@@ -186,7 +186,7 @@ View viewThrough(const Lens& lens, View like, const glm::dvec3& center) {
 CameraPath::CameraPath(std::vector<Lens> lenses, bool closed)
     : lenses_(std::move(lenses)), closed_(closed && lenses_.size() > 1) {
     const std::size_t count = lenses_.size();
-    for (std::size_t i = 1; i < count; ++i)  // the shorter way round each time
+    for (std::size_t i = 1; i < count; ++i)  // takes the shorter way each time
         if (glm::dot(lenses_[i - 1].rotation, lenses_[i].rotation) < 0) lenses_[i].rotation = -lenses_[i].rotation;
     for (std::size_t i = 0; i < count; ++i) {
         const glm::dquat q = lenses_[i].rotation;
@@ -198,7 +198,7 @@ CameraPath::CameraPath(std::vector<Lens> lenses, bool closed)
         const bool first = !closed_ && i == 0, last = !closed_ && i + 1 == count;
         const glm::dvec3 before = first ? glm::dvec3(0) : way((i + count - 1) % count);
         const glm::dvec3 after = last ? glm::dvec3(0) : way((i + 1) % count);
-        // Where the motion turns back, or rests, it comes to a stop.
+        // The motion stops where it turns back or rests.
         glm::dvec3 pace = glm::dot(after, -before) <= 0 ? glm::dvec3(0) : (after - before) / 2.0;
         if (first) pace = after;
         if (last) pace = -before;

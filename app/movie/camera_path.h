@@ -40,10 +40,10 @@ struct LevelSweep {
 enum class MovieModels {
     one,
     sequence,  ///< each after the other, or the frames of a trajectory
-    morph      ///< the way from each to the next
+    morph      ///< interpolates from each to the next
 };
 
-/// How a camera moves by itself, and models; how long and how fast.
+/// How the camera and models move, with duration and frame rate.
 struct CameraMotion {
     MovieModels models = MovieModels::one;
     bool loop = false;                ///< the last view, or model of a morph, returns to the first
@@ -57,18 +57,18 @@ struct CameraMotion {
     double framesPerSecond = 30;
 };
 
-/// Takes the value of "spin", "turns", "rock", "axis", "map-sweep", "easing", "seconds" or "fps".
-/// @returns whether it is one of them @throws std::invalid_argument, in words that continue "--key: "
+/// Sets "spin", "turns", "rock", "axis", "map-sweep", "easing", "seconds" or "fps".
+/// @returns whether the key is one of them @throws std::invalid_argument, in words that continue "--key: "
 bool setMotion(std::string_view key, std::string_view text, CameraMotion& motion);
 /// @throws UsageError for conflicting options
 void checkCameraMotion(const CameraMotion& motion);
-/// Duration of a morph, a rotation or rocking; else of this many models. @param trajectory  one movie frame per model
+/// Duration of a morph, a rotation or rocking; else for this many models. @param trajectory  one movie frame per model
 double secondsOf(const CameraMotion& motion, std::uint64_t models, bool trajectory);
-/// Where each frame of a morph is between models: 0 is the first, 1 the second.
+/// Position of each frame of a morph between models: 0 is the first, 1 the second.
 std::vector<double> morphPlaces(const CameraMotion& motion, std::uint64_t frames, std::uint64_t models);
-/// The level of the first map at a time, 0..1; with a camera that comes back, so does the level.
+/// The level of the first map at a time, 0..1; if the camera returns, the level does as well.
 MapLevel levelAt(const CameraMotion& motion, double time);
-/// A view at a time, 0..1; the same where no camera moves.
+/// A view at a time, 0..1; constant if the camera does not move.
 View viewAt(const CameraMotion& motion, const View& view, double time);
 
 /// A view in the file's frame, independent of a molecule's centre.
@@ -89,7 +89,7 @@ View viewThrough(const Lens& lens, View like, const glm::dvec3& center);
 /// overshoot. It passes through the lenses at integers.
 class CameraPath {
 public:
-    /// @param lenses  at least one, of one projection @param closed  whether the last leads back to the first
+    /// @param lenses  at least one, all of one projection @param closed  whether the last leads back to the first
     CameraPath(std::vector<Lens> lenses, bool closed);
 
     /// Number of segments between lenses.

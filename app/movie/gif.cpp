@@ -17,7 +17,7 @@ namespace nacre::app {
 namespace {
 
 constexpr int kColors = 256;
-constexpr std::uint8_t kNothing = Palette::kMost;  ///< transparent, or as in the frame before
+constexpr std::uint8_t kNothing = Palette::kMost;  ///< transparent, or unchanged from the previous frame
 
 extern "C" int writeGif(GifFileType* gif, const GifByteType* bytes, int count) {
     try {
@@ -105,7 +105,7 @@ private:
                                              static_cast<int>(shape_.size.height), 8, 0, map);
         GifFreeMapObject(map);
         check(result);
-        // Again and again: the extension that Netscape introduced.
+        // Endless: the extension that Netscape introduced.
         constexpr std::uint8_t kForever[] = {1, 0, 0};
         check(EGifPutExtensionLeader(gif_, APPLICATION_EXT_FUNC_CODE));
         check(EGifPutExtensionBlock(gif_, 11, "NETSCAPE2.0"));
@@ -113,7 +113,7 @@ private:
         check(EGifPutExtensionTrailer(gif_));
     }
 
-    /// The frame's pixels as numbers of colours, in now_.
+    /// Fills now_ with the frame's palette indices.
     void place(const Picture& picture) {
         coded_ = coded(picture, shape_.alpha).bytes;
         const std::size_t channels = shape_.alpha ? 4 : 3;
@@ -126,7 +126,7 @@ private:
             }
     }
 
-    /// Times are in 1/100 s: at 30 frames per second two take 3 and one 4.
+    /// Delays are in 1/100 s: at 30 frames per second, two frames last 3 and one lasts 4.
     void putControl() {
         const auto at = [&](std::uint64_t frame) {
             return std::llround(static_cast<double>(frame) * 100 / shape_.framesPerSecond);
@@ -188,7 +188,7 @@ ColorBox boxOf(std::span<Counted> colors) {
     return box;
 }
 
-/// Splits a box where the sum of both errors is least. Its colours stay sorted along the cut.
+/// Splits a box where the sum of both errors is smallest. Its colours stay sorted along the cut.
 std::array<ColorBox, 2> cut(const ColorBox& box) {
     std::size_t bestAxis = 0, bestAt = 1;
     double best = std::numeric_limits<double>::infinity();
@@ -222,7 +222,7 @@ Rgb meanOf(const Sums& sums) {
     return mean;
 }
 
-/// The pattern that Bayer (1973) found: thresholds of 8 x 8 pixels, -0.5 to 0.5.
+/// Bayer's pattern (1973): thresholds of 8 x 8 pixels, -0.5 to 0.5.
 double threshold(std::uint32_t x, std::uint32_t y) {
     std::uint32_t value = 0;
     for (std::uint32_t bit = 0; bit < 3; ++bit) {

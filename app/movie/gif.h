@@ -11,8 +11,8 @@ namespace nacre::app {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// Counts colours, then divides them: repeatedly splits the box of colours with the largest squared error where that
-/// leaves least (Wan, Prusinkiewicz and Wong 1990), and refines the means by k-means. The most common colour, the
+/// Counts colours, then divides them: repeatedly splits the box of colours with the largest squared error where least
+/// error remains (Wan, Prusinkiewicz and Wong 1990), and refines the means by k-means. The most common colour, the
 /// background, is kept exactly.
 class Palette {
 public:
@@ -23,8 +23,8 @@ public:
     /// Call once, before colours() and place().
     void settle();
     const std::vector<Rgb>& colors() const { return colors_; }
-    /// The colour for a pixel at (x, y). Between two colours neighbouring pixels alternate in a fixed pattern, so that
-    /// shades show no bands, and still parts do not flicker.
+    /// The palette colour for a pixel at (x, y). Between two colours, neighbouring pixels alternate in a fixed pattern,
+    /// so that shades show no bands, and still parts do not flicker.
     std::uint8_t place(const std::uint8_t* rgb, std::uint32_t x, std::uint32_t y);
 
 private:

@@ -13,9 +13,9 @@ namespace nacre::app {
 
 class MovieEncoder {
 public:
-    /// @param file  outlives this; used by this alone until finish()
+    /// @param file  outlives this; exclusive to this until finish()
     explicit MovieEncoder(MovieFile& file);
-    /// Discards frames not written yet.
+    /// Discards unwritten frames.
     ~MovieEncoder();
     MovieEncoder(const MovieEncoder&) = delete;
     MovieEncoder& operator=(const MovieEncoder&) = delete;

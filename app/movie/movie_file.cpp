@@ -25,7 +25,7 @@ std::string frameName(std::uint64_t number) {
     return name;
 }
 
-/// Frames as pictures of their own: frames/frame_00001.png, each as `nacre render` would write it.
+/// Frames as separate pictures: frames/frame_00001.png, each as `nacre render` would write it.
 class FrameFolder : public MovieFile {
 public:
     FrameFolder(const std::string& path, const MovieShape& shape) : folder_(path), shape_(shape) {

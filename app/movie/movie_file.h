@@ -21,7 +21,7 @@ constexpr std::uint64_t kMostMovieFrames = 100'000;
 struct MovieShape {
     Size size;
     double framesPerSecond = 30;
-    bool alpha = false;        ///< the background is not opaque: kept if the format can, otherwise over white
+    bool alpha = false;        ///< the background is not opaque: kept if the format allows, otherwise over white
     std::uint64_t frames = 1;  ///< maximum
 };
 
@@ -29,7 +29,7 @@ struct MovieShape {
 class MovieFile {
 public:
     virtual ~MovieFile() = default;
-    /// Whether sample() needs some of the movie's pictures before the first add(): for a palette.
+    /// Whether the writer needs sample() with some pictures before the first add(), for a palette.
     virtual bool wantsSamples() const { return false; }
     virtual void sample(const Picture&) {}
     /// The next frame, of the movie's size. @throws Error
@@ -51,7 +51,8 @@ std::unique_ptr<MovieFile> makeMovieFile(const std::string& path, const MovieSha
 struct PixelBox {
     std::uint32_t x = 0, y = 0, width = 1, height = 1;
 };
-/// Where two pictures of equal size differ; one pixel if nowhere. @param channels bytes per pixel
+/// Bounding box of the differences between two pictures of equal size; one pixel if there are none. @param channels
+/// bytes per pixel
 PixelBox changedBox(const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after, const Size& size,
                     std::size_t channels);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 std::array<struct sigaction, kSignals.size()> before{};
-std::atomic<bool> stop{false};  // any thread may run the handler, and others ask
+std::atomic<bool> stop{false};  // any thread may run the handler, and other threads read it
 static_assert(std::atomic<bool>::is_always_lock_free);
 bool watching = false;
 

@@ -3,7 +3,7 @@
 
 namespace nacre::app {
 
-/// While it lives, the first of these signals is recorded; a second one acts as before. One instance at a time.
+/// While it exists, the first of these signals is recorded; a second one has its usual effect. One instance at a time.
 class StopRequest {
 public:
     StopRequest();

@@ -34,7 +34,7 @@ std::vector<std::string> argumentsOf(const OutputFile& file, const MovieShape& s
     std::vector<std::string> words{
         "ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt",
         alpha ? "rgba" : "rgb24", "-s", size, "-framerate", number(shape.framesPerSecond), "-i", "pipe:0",
-        // Colours as video players expect: BT.709's matrix, code values 16 to 235.
+        // Colours for video players: BT.709's matrix, code values 16 to 235.
         "-vf", std::string("scale=out_color_matrix=bt709:out_range=tv,format=") + (alpha ? "yuva420p" : "yuv420p"),
         "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "iec61966-2-1", "-color_range", "tv"};
     const auto add = [&](std::initializer_list<const char*> more) {
@@ -95,13 +95,13 @@ private:
         std::array<int, 2> ends{};
         if (pipe2(ends.data(), O_CLOEXEC) != 0) throw Error("cannot write file", file_.path(), std::strerror(errno));
         pipe_ = ends[1];
-        std::signal(SIGPIPE, SIG_IGN);  // if it ends early, writing reports an error
+        std::signal(SIGPIPE, SIG_IGN);  // if ffmpeg ends early, writing reports an error
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
         posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         posix_spawn_file_actions_adddup2(&actions, fileno(complaints_), STDERR_FILENO);
-        // Its own process group: Ctrl-C is for nacre, which then finishes the movie.
+        // Its own process group: Ctrl-C only reaches nacre, which then finishes the movie.
         posix_spawnattr_t attributes;
         posix_spawnattr_init(&attributes);
         sigset_t usual;
@@ -134,7 +134,7 @@ private:
         return status;
     }
 
-    /// With ffmpeg's last line.
+    /// Throws an error with ffmpeg's last line.
     [[noreturn]] void complain(int status) {
         std::string line, last;
         std::rewind(complaints_);

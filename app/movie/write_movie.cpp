@@ -7,7 +7,7 @@
 namespace nacre::app {
 
 std::uint64_t writeMovie(MovieFile& file, const MovieFrames& frames) {
-    const std::uint64_t samples = std::min<std::uint64_t>(6, frames.count);  // that a palette is made from
+    const std::uint64_t samples = std::min<std::uint64_t>(6, frames.count);  // for the palette
     if (file.wantsSamples())
         for (std::uint64_t i = 0; i < samples && frames.goesOn(MovieStage::palette, 0); ++i)
             file.sample(frames.draw(i * frames.count / samples));

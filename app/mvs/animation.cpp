@@ -94,7 +94,7 @@ void assign(Json& params, std::span<const Json> path, Json value) {
         refuseMotion("the node has no such property");
 }
 
-/// The share of a way that is done. @param prefix  of the parameters' names: "", "rotation_"
+/// The finished fraction of an interpolation. @param prefix  of the parameters' names: "", "rotation_"
 double shareOf(const Node& node, double time, const std::string& prefix = "") {
     const Json* given = node.param((prefix + "frequency").c_str());
     const double frequency = given && given->is_number() ? std::clamp(given->get<double>(), 0.0, 1e6) : 1;
@@ -132,7 +132,7 @@ Json mixedNumbers(const Json& from, const Json& to, double share, bool whole) {
     return mixed;
 }
 
-/// Along a great circle, while the length changes evenly.
+/// Along a great circle, with linear interpolation of the length.
 glm::dvec3 turnedBetween(const glm::dvec3& from, const glm::dvec3& to, double share) {
     const double a = glm::length(from), b = glm::length(to);
     const glm::dvec3 axis = glm::cross(from, to);
@@ -159,7 +159,7 @@ glm::dmat3 turnOf(const Json& value) {
     return glm::make_mat3(numbers.data());
 }
 
-/// Between equal rotations lies a whole turn about z, as in Mol*.
+/// Between equal rotations, interpolates a full turn about z, as in Mol*.
 glm::dmat3 mixedRotation(const glm::dmat3& from, const glm::dmat3& to, double share) {
     const glm::dquat a = glm::normalize(glm::quat_cast(from)), b = glm::normalize(glm::quat_cast(to));
     if (std::abs(glm::dot(a, b)) > 1 - 1e-13)
@@ -187,7 +187,7 @@ Json mixedColors(const Json& from, const Json& to, double share, const Json* bas
     return mixed;
 }
 
-/// The end that an earlier interpolation has, or the value that the node has.
+/// The end value of an earlier interpolation, else the node's value.
 const Json* beginningOf(const Node& node, const Node* before, const Json* current, const std::string& prefix = "") {
     if (const Json* own = node.param((prefix + "start").c_str())) return own;
     if (const Json* last = before ? before->param((prefix + "end").c_str()) : nullptr) return last;
@@ -213,7 +213,7 @@ Json transformed(const Node& node, const Node* before, const Json* current, doub
     shift += (end - shift) * (time > 0 ? shareOf(node, time, "translation_") : 0);
     const glm::dvec3 pivot = vectorOr("pivot", node.param("pivot"), glm::dvec3(0));
     glm::dmat4 result(turn);
-    result[3] = glm::dvec4(shift - turn * pivot, 1);  // not moved back from the pivot, as in Mol*
+    result[3] = glm::dvec4(shift - turn * pivot, 1);  // without the shift back from the pivot, as in Mol*
     return listOf(&result[0][0], 16);
 }
 
@@ -247,7 +247,7 @@ struct Track {
         };
         parts.insert(std::upper_bound(parts.begin(), parts.end(), &node, later), &node);
     }
-    /// The last that has begun, or the first.
+    /// Index of the last interpolation that has begun, or the first.
     std::size_t at(double ms) const {
         std::size_t place = parts.size() - 1;
         while (place > 0 && ms < startOf(*parts[place])) --place;

@@ -9,21 +9,21 @@
 
 namespace nacre::app::mvs {
 
-/// Maps 0..1 to 0..1 with fixed ends, by the name of an easing ("cubic-in-out"); empty: there is none of that name.
+/// Maps 0..1 to 0..1 with fixed ends, by the name of an easing ("cubic-in-out"); empty: unknown name.
 std::optional<double> easedByName(std::string_view easing, double time);
 
-/// How the camera comes to a snapshot.
+/// The camera's transition to a snapshot.
 struct CameraTransition {
     double seconds = 0;
     std::string easing = "linear", trajectory = "linear";
 };
 CameraTransition transitionOf(const Node& transition);
-/// That of a snapshot; empty: it has no such node.
+/// The transition to a snapshot; empty: it has no such node.
 std::optional<CameraTransition> transitionTo(const Snapshot& snapshot);
 
 /// Duration of a snapshot's animation, seconds, an hour at most; 0: it has none.
 double animationSeconds(const Snapshot& snapshot);
-/// A parameter of the animation that is true or false.
+/// A boolean parameter of the animation.
 bool animationFlag(const Snapshot& snapshot, const char* name);
 
 /// The snapshot at a time of its animation. @param seconds  from the animation's start

@@ -26,7 +26,7 @@ void checkSize(const std::string& name, std::size_t rows, std::size_t columns) {
                               std::to_string(kMostAnnotationCells) + " values");
 }
 
-/// A list of rows, each an object.
+/// Reads a list of rows, each an object.
 AnnotationTable fromRows(const std::string& name, const Json& json, const std::vector<std::string_view>& wanted) {
     AnnotationTable table;
     table.columns.assign(wanted.begin(), wanted.end());
@@ -42,7 +42,7 @@ AnnotationTable fromRows(const std::string& name, const Json& json, const std::v
     return table;
 }
 
-/// An object of columns, each a list.
+/// Reads an object of columns, each a list.
 AnnotationTable fromColumns(const std::string& name, const Json& json, const std::vector<std::string_view>& wanted) {
     AnnotationTable table;
     std::size_t rows = 0;

@@ -18,7 +18,7 @@ constexpr std::uint64_t kMostBytes = 512ull << 20, kFreely = 1 << 20, kMostRatio
     throw Error("cannot read scene", name, why);
 }
 
-/// A relative path without steps upwards.
+/// Whether a path is relative and has no steps upwards.
 bool isInside(std::string_view entry) {
     if (entry.empty() || entry.front() == '/' || entry.find('\\') != std::string_view::npos ||
         entry.find(':') != std::string_view::npos)

@@ -7,11 +7,11 @@
 
 namespace nacre::app::mvs {
 
-/// Whether bytes begin as a zip does.
+/// Whether the bytes begin like a zip file.
 bool looksLikeArchive(std::string_view bytes);
 
-/// Entries are bounded before memory is taken: 10,000 of them, 512 MiB each, 100 times their compressed size beyond a
-/// mebibyte. Names that lead out of the archive are refused.
+/// Entries are limited before memory is allocated: 10,000 entries, 512 MiB each, and 100 times their compressed size
+/// beyond a mebibyte. Names that lead out of the archive are refused.
 class SceneArchive {
 public:
     /// @param name  of the file, for messages @throws Error

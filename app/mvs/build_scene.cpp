@@ -18,12 +18,12 @@
 namespace nacre::app::mvs {
 namespace {
 
-/// The extent of the labels of one list, as Mol* counts it: the points that they stand at, and around these the largest
-/// of the texts' half widths and of the depths of what they name.
+/// The extent of one list of labels by Mol*'s rules: their points, surrounded by the largest half width of a text or
+/// depth of a labelled part.
 class LabelBalls {
 public:
     void add(const Primitives::Label& label, double depth) {
-        constexpr double kWidth = 0.57;  // of a character, in em
+        constexpr double kWidth = 0.57;  // of a character, em
         points_.emplace_back(label.at, 0.0);
         room_ = std::max({room_, depth, label.size * kWidth / 2 * static_cast<double>(label.text.size())});
     }
@@ -85,7 +85,7 @@ private:
             warnings_.add(node, "there is no trajectory '" + nacre::printable(transition.trajectory, 40) + "'");
     }
 
-    /// Structures may name coordinates that stand behind them.
+    /// Structures may name coordinates that follow them.
     void findCoordinates(const Node& download) {
         for (const Node& parse : download.children)
             for (const Node& node : parse.children)
@@ -143,7 +143,7 @@ private:
         }
     }
 
-    /// Labels, tooltips and focus of some atoms of a structure.
+    /// Adds labels, tooltips and focus of some atoms of a structure.
     void words(const Node& node, const std::vector<bool>& atoms, Structure& s) {
         if (node.kind == "label" || node.kind == "tooltip")
             addText(atoms, nodeText(node, "text"), s, node.kind == "label" ? s.labels : s.tooltips);
@@ -158,7 +158,7 @@ private:
         if (!label.atoms.empty() && !text.empty()) labels.push_back(std::move(label));
     }
 
-    /// One text for each group of rows.
+    /// Adds one text for each group of rows.
     void addTexts(const Node& node, const char* field, Structure& s, std::vector<Structure::Text>& labels) {
         for (const auto& [text, atoms] : textsOf(node, field, s, files_, warnings_))
             addText(atoms, text, s, labels, &node);
@@ -195,7 +195,7 @@ private:
         }
     }
 
-    /// Where a structure stands: at all its copies, each moved by its transform or by each of its instances.
+    /// Positions of a structure: all its copies, each moved by its transform or by each of its instances.
     static std::vector<glm::dmat4x3> motionsOf(const Structure& s, const glm::dmat4x3& copy) {
         if (s.instances.empty()) return {joinedMotion(s.moved, copy)};
         std::vector<glm::dmat4x3> motions;
@@ -204,7 +204,7 @@ private:
         return motions;
     }
 
-    /// Whether no structure has copies: then atoms are put where they are to stand.
+    /// Whether no structure has copies: then atoms are moved to their final positions.
     bool single() const {
         return std::all_of(structures_.begin(), structures_.end(), [](const Structure& s) {
             return s.transforms.size() + s.instances.size() <= 1 &&
@@ -224,7 +224,7 @@ private:
         }
     }
 
-    /// The copies of a structure among those of the scene. @param firstResidue  of it in the joined molecule
+    /// Adds the copies of a structure to those of the scene. @param firstResidue  of it in the joined molecule
     void placeCopies(const Structure& s) {
         const auto add = [&](const std::vector<glm::dmat4x3>& copies) {
             std::vector<std::uint32_t> list;
@@ -258,7 +258,7 @@ private:
         }
     }
 
-    /// Atoms of a structure that its assembly leaves out are in no layer.
+    /// Drops atoms from layers if their structure's assembly omits them.
     static void dropUnplaced(Structure& s) {
         if (s.listOfSubchain.empty()) return;
         const auto isPlaced = [&](std::uint32_t atom) {
@@ -268,11 +268,11 @@ private:
         for (SceneLayer& layer : s.layers) keepAtoms(layer, [&](std::size_t i) { return isPlaced(layer.atoms[i]); });
     }
 
-    /// Labels become primitives while structures still have their own atoms; tooltips those of the whole.
+    /// Makes labels primitives while structures still have their own atoms, and adds tooltips to the joined molecule.
     void takeTexts(Structure& s, std::uint32_t firstAtom) {
         std::vector<std::uint32_t> colors;
         if (!s.labels.empty() && s.representation) colors = colorsOfAll(*s.representation, s, files_);
-        std::vector<std::pair<const Node*, LabelBalls>> drawn;  // each list of labels is one thing to the camera
+        std::vector<std::pair<const Node*, LabelBalls>> drawn;  // each list of labels is one object for the camera
         for (const Structure::Text& label : s.labels) {
             double depth = 0;
             guide_->primitives.labels.push_back(labelOf(
@@ -329,7 +329,7 @@ private:
         molecule.guide = guide_;
     }
 
-    /// All structures as one molecule, with the guide to it.
+    /// All structures as one molecule, with its guide.
     Molecule joined() {
         takePrimitives();
         if (structures_.empty()) return withoutStructures();

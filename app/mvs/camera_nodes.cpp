@@ -15,7 +15,7 @@ namespace nacre::app::mvs {
 namespace {
 
 constexpr double kFarthest = 1e6;      // Å
-constexpr double kLeastRadius = 0.01;  // Å, of what is focused on
+constexpr double kLeastRadius = 0.01;  // Å, of the focus
 
 std::optional<glm::dvec3> vectorOf(const Node& node, const char* name) {
     const Json* value = node.param(name);
@@ -31,7 +31,7 @@ std::optional<glm::dvec3> vectorOf(const Node& node, const char* name) {
     return v;
 }
 
-/// How far a layer reaches beyond the spheres of a chain's atoms, Å, as Mol* counts it: balls twice.
+/// How far a layer extends beyond the spheres of a chain's atoms, Å, by Mol*'s rules: balls count twice.
 /// @param largest  van der Waals radius of the chain's atoms, Å
 double roomOf(const SceneLayer& layer, double largest) {
     const double scale = static_cast<double>(layer.atomScale);
@@ -53,8 +53,8 @@ double roomOf(const SceneLayer& layer, double largest) {
     }
 }
 
-/// The extreme points of each chain's atoms, moved outwards, in all copies; a ball for each of many copies.
-/// @param atoms  of the molecule, ascending @param layer  that they are drawn in; null: the atoms alone
+/// Adds the extreme points of each chain's atoms, moved outwards, in all copies; a ball per copy if there are many.
+/// @param atoms  of the molecule, ascending @param layer  in which they are drawn; null: only the atoms
 void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<const std::uint32_t> atoms,
                const SceneLayer* layer, std::vector<glm::dvec4>& balls) {
     constexpr std::size_t kManyCopies = 14;
@@ -107,7 +107,7 @@ void CameraNodes::takeCamera(const Node& node, SceneWarnings& warnings) try {
     camera.target = *target;
     camera.direction = *target - *position;
     camera.up = vectorOf(node, "up").value_or(glm::dvec3(0, 1, 0));
-    // The position is that of a camera to which a ball of half its distance fills the picture.
+    // The position refers to a camera that fills the picture with a ball of half its distance.
     camera.radius = distance / 2;
     camera.distance = camera.radius / std::sin(glm::radians(camera.fovDegrees) / 2);
     camera.nearest = std::max(number(node, "near", 0), 0.0);

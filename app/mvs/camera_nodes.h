@@ -1,5 +1,5 @@
 #pragma once
-// Where a scene is seen from: its camera node, or what it focuses on, by Mol*'s rules.
+// The camera of a scene: its camera node, or its focus, by Mol*'s rules.
 
 #include <cstdint>
 #include <optional>
@@ -13,18 +13,18 @@ namespace nacre::app::mvs {
 class CameraNodes {
 public:
     void takeCamera(const Node& node, SceneWarnings& warnings);
-    /// A focus on some atoms of a structure. @param structure  from 0 @param atoms  of it, ascending
+    /// A focus on atoms of a structure. @param structure  from 0 @param atoms  of it, ascending
     void takeFocus(const Node& node, std::size_t structure, std::vector<std::uint32_t> atoms);
-    /// A focus on what some balls hold. @param balls  centre and radius, Å
+    /// A focus on the contents of balls. @param balls  centre and radius, Å
     void takeFocus(const Node& node, std::vector<glm::dvec4> balls);
     /// A focus on primitives, which are read later. @returns a number for fillFocus()
     std::size_t takeFocusLater(const Node& node);
     void fillFocus(std::size_t number, std::vector<glm::dvec4> balls) { focuses_[number].balls = std::move(balls); }
-    /// A focus on all that is drawn.
+    /// A focus on everything drawn.
     void focusAll(const Node& node);
-    /// Balls that what is drawn beside structures and maps takes up.
+    /// Adds balls around everything drawn except structures and maps.
     void addDrawn(const std::vector<glm::dvec4>& balls) { drawn_.insert(drawn_.end(), balls.begin(), balls.end()); }
-    /// The camera that follows. @param molecule  all structures @param firsts  first atom of each in it
+    /// The resulting camera. @param molecule  all structures @param firsts  first atom of each in it
     std::optional<SceneCamera> camera(const Molecule& molecule, const SceneGuide& guide,
                                       const std::vector<std::uint32_t>& firsts, SceneWarnings& warnings) const;
 

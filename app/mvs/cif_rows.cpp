@@ -14,7 +14,7 @@ namespace {
     throw Error("cannot read annotations", name, why);
 }
 
-/// Tokens of CIF 1.1: words, quoted texts, texts between semicolons at the beginning of a line, comments passed over.
+/// Tokens of CIF 1.1: words, quoted texts, and texts between semicolons at the start of a line; skips comments.
 class CifTokens {
 public:
     explicit CifTokens(std::string_view text) : text_(text) {}
@@ -50,7 +50,7 @@ private:
         at_ = std::min(end + 2, text_.size());
         return Kind::quoted;
     }
-    /// A quote ends a text only where a blank follows it.
+    /// A quote ends a text only if a blank follows it.
     Kind quoted(char quote, std::string_view& token) {
         const std::size_t start = ++at_;
         while (at_ < text_.size() && text_[at_] != '\n') {
@@ -66,7 +66,7 @@ private:
     std::size_t at_ = 0;
 };
 
-/// Walks through a text's blocks and keeps the one table that is asked for.
+/// Walks through a text's blocks, and keeps the requested table.
 class CifReader {
 public:
     CifReader(const std::string& name, std::string_view text, const TablePlace& place,
@@ -107,7 +107,7 @@ private:
         here_ = place_.block.empty() ? blocks_ == place_.blockIndex + 1 : lowerCase(header) == lowerCase(place_.block);
         step();
     }
-    /// A file of annotations may have no block at all: then all of it is one.
+    /// A file of annotations may have no block: then the whole file is one.
     bool inBlock() const { return here_ || (blocks_ == 0 && place_.blockIndex == 0 && place_.block.empty()); }
 
     struct Tag {
@@ -122,7 +122,7 @@ private:
         if (category_.empty()) category_ = tag.category;
         return tag.category == category_;
     }
-    /// The place of a column among those that are kept; -1: it is not.
+    /// Index of a column among the kept ones; -1 if it is not kept.
     int placeOf(const std::string& column) const {
         const auto found = std::find_if(wanted_.begin(), wanted_.end(),
                                         [&](const std::string& one) { return lowerCase(one) == lowerCase(column); });
@@ -226,7 +226,7 @@ AnnotationTable columnsOf(const std::string& name, const MsgpackValue& category,
             std::array<char, 32> buffer{};
             for (auto& row : table.rows) {
                 const MmcifCell cell = values.next();
-                // A binary file may name one long text a million times.
+                // A binary file may refer to one long text a million times.
                 bytes += cell.textSize();
                 if (bytes > kMostSceneBytes) cannot(name, "its texts are too long");
                 row.push_back(cell.missing() ? std::nullopt : std::optional<std::string>(cell.text(buffer)));
@@ -265,7 +265,7 @@ AnnotationTable readBinary(const std::string& name, const std::string& bytes, co
 AnnotationTable readCifTable(const std::string& name, const std::string& bytes, const TablePlace& place,
                              const std::vector<std::string_view>& wanted) {
     const auto first = static_cast<unsigned char>(bytes.empty() ? ' ' : bytes[0]);
-    // MessagePack of a map begins with a byte of no text.
+    // A MessagePack map begins with a byte that no text begins with.
     if (first >= 0x80 && first != 0xef) return readBinary(name, bytes, place, wanted);
     return CifReader(name, bytes, place, wanted).read();
 }

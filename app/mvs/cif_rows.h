@@ -1,5 +1,5 @@
 #pragma once
-// One category of a CIF or BinaryCIF file, whatever its name.
+// Reads one category, of any name, from a CIF or BinaryCIF file.
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace nacre::app::mvs {
 
-/// As readTable(), of CIF or BinaryCIF. Names are the same in capitals and small letters.
+/// As readTable(), for CIF or BinaryCIF. Names are case-insensitive.
 AnnotationTable readCifTable(const std::string& name, const std::string& bytes, const TablePlace& place,
                              const std::vector<std::string_view>& wanted);
 

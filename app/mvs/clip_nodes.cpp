@@ -26,7 +26,7 @@ double positive(double value, const char* name) {
     return value;
 }
 
-/// First a shift, then a linear map.
+/// Applies a shift, then a linear map.
 glm::dmat4x3 shiftedMap(const glm::dmat3& map, const glm::dvec3& origin) {
     return glm::dmat4x3(map[0], map[1], map[2], -(map * origin));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The clip nodes of a representation or a group of primitives: planes, spheres and boxes that cut things away.
+// The clip nodes of a representation or a group of primitives: planes, spheres and boxes that cut parts away.
 
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
@@ -11,7 +11,7 @@ namespace nacre::app::mvs {
 
 class ClipRegions {
 public:
-    /// Reads the clip nodes among the children. A node with a fault is left out, with a warning.
+    /// Reads the clip nodes among the children. Omits a faulty node, with a warning.
     ClipRegions(const Node& parent, SceneWarnings& warnings);
 
     bool empty() const { return regions_.empty(); }
@@ -30,10 +30,10 @@ private:
     std::vector<Region> regions_;
 };
 
-/// Drops what is cut away of a layer: atoms, or residues of cartoons and backbones, by their centres.
+/// Drops clipped parts of a layer by their centres: atoms, or residues of cartoons and backbones.
 void clipLayer(const Node& representation, const Structure& structure, SceneLayer& layer, SceneWarnings& warnings);
 
-/// Drops primitives whose centres are cut away, and triangles of meshes.
+/// Drops clipped primitives by their centres, and triangles of meshes.
 void clipPrimitives(const ClipRegions& regions, Primitives& primitives);
 
 }  // namespace nacre::app::mvs

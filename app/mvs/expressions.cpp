@@ -113,7 +113,7 @@ bool StructureAtoms::fits(const Expression& e, const Residue& residue, std::uint
     if (e.labelChain && e.authChain && m.chains[residue.chain].name != *e.authChain) return false;
     if (e.labelEntity && (residue.entity == 0 || m.entities[residue.entity - 1] != *e.labelEntity)) return false;
     if (e.component && residue.name.view() != *e.component) return false;
-    // Where the file states no places in sequences, the authors' numbers stand in, as in Mol*.
+    // If the file states no sequence numbers, the authors' numbers are used instead, as in Mol*.
     const bool places = m.file.chainsLabel.has_value();
     if (e.label || e.fromLabel || e.toLabel) {
         if (places && residue.labelNumber == kNoLabelNumber) return false;

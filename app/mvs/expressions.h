@@ -1,5 +1,5 @@
 #pragma once
-// Which atoms of a structure a MolViewSpec selector means.
+// The atoms of a structure that a MolViewSpec selector selects.
 
 #include <cstdint>
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace nacre::app::mvs {
 
-/// A component expression: every field that is given must fit. Numbers are inclusive bounds.
+/// A component expression: all given fields must match. Numbers are inclusive bounds.
 struct Expression {
     std::optional<std::string> labelEntity, labelChain, authChain, insertion, labelAtom, authAtom, element, component;
     std::optional<std::int64_t> label, auth, fromLabel, toLabel, fromAuth, toAuth, residueIndex, atomId, atomIndex;
@@ -22,11 +22,11 @@ struct Expression {
     bool ofAtoms() const { return labelAtom || authAtom || element || atomId || atomIndex; }
 };
 
-/// Sets a field by its name in the schema. @returns whether there is such a field
-/// @throws std::invalid_argument for a value that does not fit it, with the reason
+/// Sets a field by its name in the schema. @returns whether the schema has the field
+/// @throws std::invalid_argument for an invalid value, with the reason
 bool setField(Expression& expression, std::string_view field, const Json& value);
 
-/// The fields of a schema of annotations ("residue_range"); null: there is no such schema.
+/// The fields of a schema of annotations ("residue_range"); null: no such schema.
 const std::vector<std::string_view>* fieldsOfSchema(std::string_view schema);
 
 /// The atoms of one structure, by their names.
@@ -35,11 +35,11 @@ public:
     /// @param molecule  outlives this
     explicit StructureAtoms(const Molecule& molecule);
 
-    /// Indices of atoms that are drawn of the structure (one conformer, waters too), ascending.
+    /// Indices of the structure's drawn atoms (one conformer, with waters), ascending.
     const std::vector<std::uint32_t>& all() const { return drawn_; }
-    /// Adds the atoms that an expression means to a set by atom. @throws Error if the work is too much
+    /// Adds the atoms that match an expression to a set by atom. @throws Error if that takes too much work
     void add(const Expression& expression, std::vector<bool>& atoms);
-    /// "polymer", "ligand", ...; empty if there is no such name.
+    /// "polymer", "ligand", ...; empty for an unknown name.
     std::optional<std::vector<bool>> ofKind(std::string_view name) const;
     /// The drawn atoms of a set.
     std::vector<std::uint32_t> drawnOf(const std::vector<bool>& atoms) const;

@@ -1,6 +1,6 @@
 #pragma once
-// Van der Waals radii of Mol*, which scenes are written for. Many metals are larger than by gemmi's table, which other
-// pictures have, and hydrogen is smaller.
+// Van der Waals radii of Mol*, for which scenes are written. Many metals are larger than in gemmi's table, which other
+// pictures use, and hydrogen is smaller.
 
 #include "engine/molecule/element.h"
 

@@ -129,7 +129,7 @@ constexpr NodeRow kRows[] = {
     {"primitive:box", "", "kind center extent show_faces face_color show_edges edge_radius edge_color tooltip", "", ""},
 };
 
-/// Words with blanks between them.
+/// Splits words separated by blanks.
 std::vector<std::string> divided(std::string_view words) {
     std::istringstream text{std::string(words)};
     return {std::istream_iterator<std::string>(text), {}};

@@ -1,6 +1,6 @@
 #pragma once
-// The nodes of MolViewSpec that Nacre knows, and their parameters: what is drawn of each. The documentation's table and
-// the warnings of scenes come from here.
+// The MolViewSpec nodes that Nacre knows, with their supported parameters. Source of the documentation's table and of
+// warnings about scenes.
 
 #include <span>
 #include <string>
@@ -9,16 +9,16 @@
 namespace nacre::app::mvs {
 
 struct NodeRow {
-    std::string_view kind;     ///< of the node; of a representation "representation:cartoon", of a primitive
+    std::string_view kind;     ///< of the node; for a representation "representation:cartoon", for a primitive
                                ///< "primitive:tube"
-    std::string_view parents;  ///< kinds of nodes below which it is drawn, with blanks between them
-    std::string_view params;   ///< that are drawn, with blanks between them
-    std::string_view unused;   ///< that are read and change nothing
-    std::string_view remark;   ///< what is to know; may be empty
+    std::string_view parents;  ///< kinds of parent nodes below which it is drawn, separated by blanks
+    std::string_view params;   ///< supported ones, separated by blanks
+    std::string_view unused;   ///< read, but without effect
+    std::string_view remark;   ///< a note; may be empty
 
-    /// Whether a parameter is one of `params`. Of nodes with kinds of their own, also of the shared ones.
+    /// Whether a parameter is one of `params`; for nodes with subkinds, also one of the shared ones.
     bool knows(std::string_view param) const;
-    /// Whether it is drawn below a node of a kind.
+    /// Whether the node is drawn below a parent of this kind.
     bool isBelow(std::string_view parent) const;
 };
 

@@ -1,4 +1,4 @@
-// The palettes that MolViewSpec names.
+// The palettes named in MolViewSpec.
 
 #include "app/mvs/value_palette.h"
 #include "engine/molecule/element.h"
@@ -74,7 +74,7 @@ constexpr ColorList kLists[] = {
      "535a6e595e6e5e616e64656f6969706e6c717270727774737b78747f7c75837f768883778c8677908b78948f78999378"
      "9d9778a29b78a7a077ada476b2a874b8ac72beb170c4b56dcaba6ad1be66d7c363dec85fe4cc5aead156efd652f4db4e"
      "f8e04bfbe548fdea45"},
-    // Turbo: A. Mikhailov. The last one lacks its black. The others by the formulas of D3.
+    // Turbo: A. Mikhailov. The last palette lacks its black. The others by the formulas of D3.
     {"Turbo",
      "23171b362356422f85493caa4b4ac74a58dd4666eb4174f43b82f83590f82f9df52aaaef27b6e625c2dc25ccd027d7c4"
      "2be0b731e8aa38ee9d42f4904df88459fb7867fd6d76fe6385fd5995fb51a4f749b4f242c2ec3cd1e436dedd32ead32e"
@@ -154,7 +154,7 @@ std::map<std::string, std::uint32_t> namedColorMap(std::string_view name) {
     if (name == "ElementSymbol") {
         for (int i = 1; i <= kLastElement; ++i) {
             const std::string symbol(elementSymbol(static_cast<Element>(i)));
-            if (symbol == "C") continue;  // it keeps the colours below
+            if (symbol == "C") continue;  // keeps the colours below
             for (const std::string& spelling : {symbol, upperCase(symbol)})
                 colors.emplace(spelling, elementColor(static_cast<Element>(i)));
         }

@@ -18,7 +18,7 @@ std::size_t countOf(const Primitives& p) {
     return count;
 }
 
-/// The same elsewhere. Radii stay.
+/// Moves primitives. Radii stay.
 Primitives moved(Primitives p, const glm::dmat4x3& motion) {
     const auto place = [&](glm::dvec3& at) { at = motion * glm::dvec4(at, 1.0); };
     const auto turn = [&](glm::dvec3& direction) { direction = motion * glm::dvec4(direction, 0.0); };

@@ -1,5 +1,5 @@
 #pragma once
-// The parameters of a node, checked. All throw std::invalid_argument with the reason.
+// Checked access to the parameters of a node. All functions throw std::invalid_argument with the reason.
 
 #include <glm/vec3.hpp>
 #include <string>
@@ -17,13 +17,13 @@ double number(const Node& node, const char* name, double otherwise);
 std::vector<double> numbers(const Node& node, const char* name);
 /// Values other than true and false count as missing.
 bool flag(const Node& node, const char* name, bool otherwise);
-/// A list of so many numbers within 1e6. @param name  of the parameter, for errors
+/// A list of `count` numbers within 1e6. @param name  of the parameter, for errors
 std::vector<double> numbersIn(const std::string& name, const Json& value, std::size_t count);
 glm::dvec3 vectorIn(const char* name, const Json& value);
 
-/// With two digits behind the point at most.
+/// With at most two decimals.
 std::string roundedText(double value);
-/// A text with the first of some words replaced.
+/// A text with the first occurrence of a word replaced.
 std::string replaced(std::string text, std::string_view what, const std::string& by);
 
 }  // namespace nacre::app::mvs

@@ -14,7 +14,7 @@ constexpr std::uint64_t kMostArchiveBytes = 512ull << 20;
     throw Error("cannot read scene", path, "it is larger than " + std::to_string(kMostArchiveBytes >> 20) + " MiB");
 }
 
-/// Reads a file until it is known to be a scene. @returns what was read; empty: it is none, or cannot be read
+/// Reads a file until it is known to be a scene. @returns the bytes read; empty: it is none, or cannot be read
 std::string beginningOfScene(const std::string& path, std::ifstream& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return {};

@@ -1,5 +1,5 @@
 #pragma once
-// A MolViewSpec scene as it comes: JSON, or an archive. Content decides, not the name.
+// A MolViewSpec scene file: JSON, or an archive. Detected by content, not by name.
 
 #include <memory>
 #include <optional>
@@ -11,18 +11,18 @@
 
 namespace nacre::app::mvs {
 
-/// Whether bytes are a scene. @param whole  they are all of the file
+/// Whether bytes are a scene file.
 bool isScene(std::string_view bytes);
-/// The whole of a file if it is one; empty if not, or if it cannot be read. What is none is read no further than needed
-/// to tell.
+/// The content of a file if it is a scene; empty if not, or if it cannot be read. Reads other files no further than
+/// needed.
 std::optional<std::string> readScene(const std::string& path);
-/// Whether a file is one, read no further than needed to tell.
+/// Whether a file is a scene; reads no further than needed.
 bool isSceneFile(const std::string& path);
 
 struct SceneFile {
     std::string name;
     SceneTree tree;
-    std::unique_ptr<SceneArchive> archive;  ///< null: it is JSON alone
+    std::unique_ptr<SceneArchive> archive;  ///< null: only JSON
 
     /// @throws Error
     SceneFile(const std::string& name, std::string bytes);
@@ -31,7 +31,7 @@ struct SceneFile {
 /// The JSON of a scene. @param bytes  of its file @throws Error
 std::string sceneText(const std::string& name, std::string bytes);
 
-/// The whole of a file. @throws Error if it is no scene, or is larger than one may be
+/// The content of a scene file. @throws Error if it is no scene, or too large
 std::string readSceneBytes(const std::string& path);
 
 }  // namespace nacre::app::mvs

@@ -1,4 +1,4 @@
-// Representations of a component: their style, colours and opacity.
+// Representations of a component: style, colours and opacity.
 
 #include <algorithm>
 #include <stdexcept>
@@ -16,10 +16,9 @@
 namespace nacre::app::mvs {
 namespace {
 
-// Mol* draws the balls of its scenes with 0.5 Å, whatever their element, and the sticks with half of that; ours have
-// 0.15 Å.
+// Mol* draws balls of 0.5 Å in its scenes, for all elements, and sticks of half that radius; ours have 0.15 Å.
 constexpr float kBall = 0.5f, kStickScale = 0.25f / 0.15f;
-constexpr float kLargestSurface = 4;        // of a factor: more would cost minutes, and show a ball
+constexpr float kLargestSurface = 4;        // of a factor: a larger one would take minutes, and show a ball
 constexpr float kLineScale = 2 / 1.5f;      // from our lines of 1.5 pixels to those of Mol*
 constexpr float kBackboneScale = 2.0f / 3;  // from our tubes of 0.3 Å to those of 0.2 Å
 constexpr double kTube = 0.2;               // Å, as Mol* has it
@@ -39,7 +38,7 @@ bool isOfPolymer(const Structure& structure, std::uint32_t residue) {
     return kind == ResidueKind::protein || kind == ResidueKind::nucleic;
 }
 
-/// @returns whether the type is one that is drawn
+/// @returns whether the type is supported
 bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneWarnings& warnings) {
     const float factor = factorOf(node, warnings);
     layer.atomScale = layer.bondScale = factor;
@@ -49,7 +48,7 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
     layer.surface.radius = layer.radius = molstarRadius;
     if (type == "cartoon") {
         layer.style = Style::cartoon;
-        layer.cartoon.disulfides = false;  // Mol* draws none
+        layer.cartoon.disulfides = false;  // Mol* does not draw them
         if (flag(node, "tubular_helices", false)) layer.cartoon.helices = HelixForm::tube;
     } else if (type == "putty") {
         layer.style = Style::cartoon;
@@ -83,7 +82,7 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
     return true;
 }
 
-/// Colours the atoms of a layer that a set holds.
+/// Colours a layer's atoms that are in a set.
 void paint(const std::vector<bool>& atoms, std::uint32_t color, SceneLayer& layer) {
     for (std::size_t i = 0; i < layer.atoms.size(); ++i)
         if (atoms[layer.atoms[i]]) layer.colors[i] = color;
@@ -121,7 +120,7 @@ void paintRows(const Node& node, const Structure& structure, SceneFiles& files, 
     for (const AnnotationRow& row : rows) {
         const auto color = row.value() ? colors(*row.value()) : std::nullopt;
         if (!color) continue;
-        if (color != last) paintLast();  // rows of one colour together
+        if (color != last) paintLast();  // groups rows of one colour
         last = color;
         structure.atoms->add(row.expression, atoms);
     }
@@ -139,7 +138,7 @@ void fade(const Node& node, const Structure& structure, SceneLayer& layer, Scene
         if (atoms[layer.atoms[i]]) layer.opacity[i] = value->get<float>();
 }
 
-/// Does what the colour and opacity nodes of a representation say, in their order.
+/// Applies the colour and opacity nodes of a representation, in order.
 void paintChildren(const Node& node, const Structure& structure, SceneFiles& files, SceneLayer& layer,
                    SceneWarnings& warnings) {
     for (const Node& child : node.children) {
@@ -180,7 +179,7 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
     layer.colors.assign(layer.atoms.size(), kDefaultColor);
     paintChildren(node, structure, files, layer, warnings);
     clipLayer(node, structure, layer, warnings);
-    // Atoms without opacity are not drawn.
+    // Atoms with opacity 0 are not drawn.
     if (!layer.opacity.empty())
         keepAtoms(layer, [&](std::size_t i) { return static_cast<double>(layer.opacity[i]) >= kLeastOpacity; });
     if (!layer.atoms.empty()) structure.layers.push_back(std::move(layer));
@@ -191,7 +190,7 @@ std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structu
     all.atoms.resize(structure.molecule->atoms.size());
     for (std::uint32_t i = 0; i < all.atoms.size(); ++i) all.atoms[i] = i;
     all.colors.assign(all.atoms.size(), kDefaultColor);
-    SceneWarnings known;  // they were said of the representation itself
+    SceneWarnings known;  // already reported for the representation itself
     paintChildren(representation, structure, files, all, known);
     return std::move(all.colors);
 }

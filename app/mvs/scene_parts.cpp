@@ -47,7 +47,7 @@ std::array<int, 3> cellsOf(const Node& node, const char* name, int otherwise) {
     return cells;
 }
 
-/// Where the data block of that name or number begins and ends in a text of CIF.
+/// Extracts the data block of that name or number from a text of CIF.
 std::string blockOf(const Node& node, const std::string& text, const std::string& header, std::size_t index) {
     std::size_t found = 0, number = 0, start = std::string::npos, at = 0;
     bool inText = false;
@@ -121,7 +121,7 @@ std::optional<std::uint32_t> colorOf(const Json* value) {
 
 namespace {
 
-/// Puts the atoms of a structure where its coordinates node has them.
+/// Moves the atoms of a structure to the positions in its coordinates node.
 void placeAtoms(const Node& node, std::size_t frame, Molecule& molecule, SceneFiles& files, SceneWarnings& warnings) {
     const std::string ref = nodeText(node, "coordinates_ref");
     const bool known = !ref.empty() && files.hasCoordinates(ref);
@@ -209,7 +209,7 @@ glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& c
 
 namespace {
 
-/// Centroid of the atoms in all copies. Keeps only extreme points of the copies before.
+/// Centroid of the atoms in all copies. Keeps only extreme points of the previous copies.
 glm::dvec3 centroidOf(const Structure& s) {
     std::vector<glm::dvec4> points;
     const auto add = [&](const glm::dmat4x3& copy) {
@@ -229,7 +229,7 @@ glm::dvec3 centroidOf(const Structure& s) {
 }  // namespace
 
 void takeMotions(const Node& node, Structure& s) {
-    std::optional<glm::dvec3> known;  // one for all instances: it takes as long as the structure has atoms
+    std::optional<glm::dvec3> known;  // computed once for all instances: it takes time proportional to the atoms
     const auto centroid = [&] { return known ? *known : *(known = centroidOf(s)); };
     for (const Node& child : node.children) {
         if (child.kind != "transform") continue;

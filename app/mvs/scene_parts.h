@@ -47,7 +47,7 @@ public:
     Molecule molecule(const std::string& uri, std::string text, ReadOptions options);
     /// A map of a file, read once. @throws Error
     std::shared_ptr<const DensityMap> map(const std::string& uri, const std::string& channel);
-    /// Remembers the file of a coordinates node. @param ref  of the node
+    /// Records the file of a coordinates node. @param ref  of the node
     void addCoordinates(const std::string& ref, const std::string& uri) { coordinates_.emplace(ref, uri); }
     bool hasCoordinates(const std::string& ref) const { return coordinates_.contains(ref); }
     /// Positions of atoms in a frame of a coordinates node. @param frame  from 0 @throws Error
@@ -65,7 +65,7 @@ private:
 
     struct ReadMap {
         std::shared_ptr<const DensityMap> map;
-        std::string failure;  ///< why there is none
+        std::string failure;  ///< why it could not be read
     };
     const SceneSources& sources_;
     std::map<std::string, std::string> known_, coordinates_;
@@ -74,92 +74,92 @@ private:
     std::size_t held_ = 0, parsed_ = 0, atoms_ = 0, shown_ = 0, mapBytes_ = 0;
 };
 
-/// One structure node: a molecule of its own until all are joined.
+/// One structure node: a separate molecule until all are joined.
 struct Structure {
     std::string uri;  ///< of its file
     std::unique_ptr<Molecule> molecule;
     std::unique_ptr<StructureAtoms> atoms;
-    std::vector<glm::dmat4x3> transforms;           ///< of copies; empty: it stands where it is
+    std::vector<glm::dmat4x3> transforms;           ///< of copies; empty: it stays in place
     std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms
-    std::vector<std::uint32_t> listOfSubchain;      ///< UINT32_MAX: not shown
-    glm::dmat4x3 moved{1.0};                        ///< by transform nodes, after all else
-    std::vector<glm::dmat4x3> instances;            ///< by instance nodes, instead of `moved`
+    std::vector<std::uint32_t> listOfSubchain;      ///< by subchain; UINT32_MAX: not shown
+    glm::dmat4x3 moved{1.0};                        ///< by transform nodes, applied last
+    std::vector<glm::dmat4x3> instances;            ///< from instance nodes, instead of `moved`
     std::vector<SceneLayer> layers;                 ///< of its own atoms
     struct Text {
         std::vector<std::uint32_t> atoms;  ///< ascending
         std::string text;
-        const Node* source = nullptr;  ///< of a list of texts; null: a node of its own
+        const Node* source = nullptr;  ///< of a list of texts; null: from a node of its own
     };
     std::vector<Text> labels, tooltips;
-    const Node* representation = nullptr;  ///< its first: labels have its colours
+    const Node* representation = nullptr;  ///< its first one: labels have its colours
     std::string ref;
 };
 
-/// From the widths of cartoons in pictures without a scene to those of Mol*.
+/// Ratio of Mol*'s cartoon widths to those in other pictures.
 constexpr double kCartoonScale = 0.8;
 
-/// A parameter that is a text; empty if it is none.
+/// A text parameter; empty if it is none.
 std::string nodeText(const Node& node, const char* name);
 
 /// A colour as MolViewSpec writes it, packed; empty if it is none.
 std::optional<std::uint32_t> colorOf(const Json* value);
 
-/// Reads the structure that a node asks for. @throws Error
+/// Reads the structure that a node selects. @throws Error
 Structure readStructure(const Node& parse, const Node& node, const std::string& uri, SceneFiles& files,
                         SceneWarnings& warnings);
 
-/// The motion of a transform node, or of an instance node. @param centroid  of what is moved
+/// The motion of a transform or instance node. @param centroid  of what it moves
 /// @throws Error unless it is rigid and near
 glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& centroid);
 
 /// Reads the transform and instance nodes of a structure. @throws Error
 void takeMotions(const Node& node, Structure& structure);
 
-/// First `second`, then `first`.
+/// Applies `second`, then `first`.
 glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second);
 
-/// Fills in the layers that a representation node stands for. @param atoms  of the component, ascending
+/// Adds the layers of a representation node. @param atoms  of the component, ascending
 void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms, Structure& structure,
                        SceneFiles& files, SceneWarnings& warnings);
 
-/// The colours that a representation's nodes give every atom of the structure.
+/// Colours of all atoms of the structure by a representation's nodes.
 std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structure& structure, SceneFiles& files);
 
 /// The atoms of a selector: a name, an expression, or a list of expressions. By atom.
 std::vector<bool> selected(const Node& node, const Json* selector, const Structure& structure, SceneWarnings& warnings);
 
-/// The rows of an annotation node: *_from_uri or *_from_source. @param field  of the first value, unless the node names
-/// another @param further  fields of the other values
+/// The rows of an annotation node: *_from_uri or *_from_source. @param field  default for the first value @param
+/// further  fields of the other values
 std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files,
                                   std::vector<std::string> further = {});
-/// The column that a node takes for a field of the schema; empty: it ignores the field.
+/// The column that a node uses for a field of the schema; empty: it ignores the field.
 std::string columnOf(const Node& node, const std::string& field);
 
-/// The texts of label_from_* and tooltip_from_*: one for each group of rows, by its first row; with their atoms.
-/// @param field  of the text, unless the node names another
+/// The texts of label_from_* and tooltip_from_*, with their atoms: one for each group of rows, by its first row.
+/// @param field  default field of the text
 std::vector<std::pair<std::string, std::vector<bool>>> textsOf(const Node& node, const char* field,
                                                                const Structure& structure, SceneFiles& files,
                                                                SceneWarnings& warnings);
 
-/// Warns of a node that is not drawn where it is, and of parameters that nobody asks for.
+/// Warns about a node that is unsupported in its place, and about unknown parameters.
 void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings);
-/// Warns of parameters that the node's row does not name.
+/// Warns about parameters that the node's row does not list.
 void tellUnused(const Node& node, const NodeRow& row, SceneWarnings& warnings);
 
-/// Drops the other atoms of a layer. @param keeps  by their place in the layer
+/// Drops the other atoms of a layer. @param keeps  by index in the layer
 void keepAtoms(SceneLayer& layer, const std::function<bool(std::size_t)>& keeps);
 
 constexpr double kEmOfSize = 0.6;  ///< em of a label of size 1, Å: measured in Mol*'s pictures
 
-/// The label of some atoms, as Mol* sizes it: the cube root of how many they are.
-/// @param atoms  of the structure, ascending, at least one @param depth  Å from its place to the farthest atom
+/// The label of some atoms, sized like Mol*'s: by the cube root of their number.
+/// @param atoms  of the structure, ascending, at least one @param depth  Å from its position to the farthest atom
 Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& structure,
                           std::optional<std::uint32_t> color, double* depth = nullptr);
 
-/// Where an atom of a structure stands first: by its copies, transforms and instances.
+/// The first position of a structure's atoms: by its copies, transforms and instances.
 glm::dmat4x3 firstMotionOf(const Structure& structure);
 
-/// Plain text as labels take it, safe from being read as markup.
+/// Escapes plain text so that labels do not read it as markup.
 std::string withoutMarkup(std::string_view text);
 
 }  // namespace nacre::app::mvs

@@ -18,9 +18,9 @@ namespace nacre::app::mvs {
 namespace {
 
 constexpr std::uint32_t kWhite = 0xffffffffu;
-constexpr double kPixelsOfWidth = 2;  // of a line of width 1, as Mol* draws it
+constexpr double kPixelsOfWidth = 2;  // per line width of 1, as in Mol*
 
-/// One group of primitives as it is read.
+/// One group of primitives while it is read.
 class PrimitiveGroup {
 public:
     PrimitiveGroup(const Node& group, const Structure* own, std::span<const Structure> structures,
@@ -91,7 +91,7 @@ private:
         return own.empty() ? tooltip_ : own;
     }
 
-    /// Where a position is; empty if its expression matches no atom.
+    /// The extent of a position; empty if its expression matches no atom.
     std::optional<PlaceBounds> place(const Node& node, const char* name) {
         const Json* value = node.param(name);
         if (!value) return std::nullopt;
@@ -171,7 +171,7 @@ private:
         arrow.dashes = dashes(number(node, "tube_dash_length", 0));
         arrow.look = look(node, "color", tooltipOf(node));
         setHead(node, arrow.headAtTo || !arrow.headAtFrom ? "end" : "start", radius, arrow);
-        if (Primitives::Arrow other = arrow; arrow.headAtFrom && arrow.headAtTo) {  // of a size of its own
+        if (Primitives::Arrow other = arrow; arrow.headAtFrom && arrow.headAtTo) {  // the other head has its own size
             setHead(node, "start", radius, other);
             other.radius = 0;
             other.headAtTo = arrow.headAtFrom = false;
@@ -182,7 +182,7 @@ private:
         all_.arrows.push_back(arrow);
     }
 
-    /// The value of a group in an object by numbers.
+    /// A group's value in an object keyed by number.
     static const Json* ofGroup(const Node& node, const char* name, std::int64_t group) {
         const Json* map = node.param(name);
         if (!map || !map->is_object()) return nullptr;
@@ -307,7 +307,7 @@ private:
         addLabel(node, b->center + middle * radius, text, labelSize(node, radius, 0.33));
     }
 
-    /// An axis by its end or itself.
+    /// An axis, given by its end or as a vector.
     std::optional<glm::dvec3> axis(const Node& node, const std::string& name, const glm::dvec3& center,
                                    std::optional<glm::dvec3> otherwise) {
         if (const auto end = place(node, (name + "_endpoint").c_str())) return end->center - center;

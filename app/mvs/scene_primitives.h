@@ -14,12 +14,12 @@ struct PlaceBounds {
     double radius = 0;
 };
 
-/// Reads the primitives of a group. @param own  the structure that the group is of; null: none
-/// Leaves out faulty primitives, with a warning. @param structures  expressions name them by their `ref`
+/// Reads the primitives of a group. Omits faulty ones, with a warning. @param own  the group's structure; null: none
+/// @param structures  expressions name them by their `ref`
 Primitives readPrimitives(const Node& group, const Structure* own, std::span<const Structure> structures,
                           SceneWarnings& warnings);
 
-/// Primitives once per matrix of a group's `instances`; as they are if it has none. @throws std::invalid_argument
+/// Copies primitives for each matrix of a group's `instances`; unchanged without any. @throws std::invalid_argument
 Primitives atInstances(const Node& group, Primitives primitives);
 
 }  // namespace nacre::app::mvs

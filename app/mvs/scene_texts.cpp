@@ -22,7 +22,7 @@ std::vector<std::string> groupColumns(const Node& node) {
     return columns;
 }
 
-/// The values of the group columns together; empty: the row has a text of its own.
+/// The joined values of the group columns; empty: the row has its own text.
 std::string groupOf(const AnnotationRow& row, std::size_t columns) {
     std::string group;
     for (std::size_t i = 1; i <= columns; ++i) {
@@ -48,7 +48,7 @@ std::vector<std::pair<std::string, std::vector<bool>>> textsOf(const Node& node,
     std::vector<std::string> columns = groupColumns(node);
     const std::size_t joining = columns.size();
     columns.insert(columns.end(), words->fields().begin(), words->fields().end());
-    std::map<std::string, std::size_t> groups;  // places in `texts`; SIZE_MAX: without a text
+    std::map<std::string, std::size_t> groups;  // index in `texts`; SIZE_MAX: without a text
     for (const AnnotationRow& row : rowsOf(node, field, s, files, columns)) {
         const std::string group = groupOf(row, joining);
         const auto known = group.empty() ? groups.end() : groups.find(group);

@@ -26,7 +26,7 @@ double secondsOf(const Json& object, const char* key) {
     return ms >= 0 && ms <= kLongest ? ms / 1000 : 0;
 }
 
-/// Moves a JSON tree into nodes, and counts them.
+/// Converts a JSON tree to nodes, and counts them.
 class TreeReader {
 public:
     explicit TreeReader(const std::string& name) : name_(name) {}

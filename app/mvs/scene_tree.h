@@ -1,5 +1,5 @@
 #pragma once
-// The tree of a MolViewSpec scene: nodes with parameters and children, bounded before anything is done by it.
+// The tree of a MolViewSpec scene: nodes with parameters and children. Its size is checked before use.
 // Format: github.com/molstar/mol-view-spec, and the schema of Mol* 5.11.
 
 #include <nlohmann/json.hpp>
@@ -19,9 +19,9 @@ struct Node {
     std::string kind;
     Json params = Json::object();
     std::vector<Node> children;
-    std::string ref;    ///< by which others name it; may be empty
+    std::string ref;    ///< for references from other nodes; may be empty
     std::string place;  ///< for messages: "root/download 1/parse 1"
-    std::string fault;  ///< why it is no node; such a node has no kind; empty: none
+    std::string fault;  ///< why it is invalid; such a node has no kind; empty: valid
 
     const Json* param(const char* name) const;
 };
@@ -39,15 +39,15 @@ struct SceneTree {
     bool several = false;             ///< the file is a list of snapshots
 };
 
-/// Whether a text may go on to be a scene: it begins as one.
+/// Whether a text may continue as a scene, by its beginning.
 bool mayBeScene(std::string_view beginning);
-/// Whether a text is a scene, told by its first keys without parsing it whole.
+/// Whether a text is a scene, by its first keys, without parsing it completely.
 bool looksLikeScene(std::string_view text);
 
 /// @param name  of the file, for messages @throws Error that names the place
 SceneTree parseScene(const std::string& text, const std::string& name);
 
-/// A node by itself, with its children, as a file of primitives has it. @throws Error
+/// Parses a single node with its children, as in a file of primitives. @throws Error
 Node parseNode(const std::string& text, const std::string& name);
 
 }  // namespace nacre::app::mvs

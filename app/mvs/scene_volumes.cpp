@@ -24,7 +24,7 @@ std::optional<double> valueOf(const Node& node, const char* name, SceneWarnings&
     return std::nullopt;
 }
 
-/// The same values elsewhere, shared.
+/// The map at another position; shares its values.
 std::shared_ptr<const DensityMap> movedMap(const std::shared_ptr<const DensityMap>& map, const glm::dmat4x3& motion) {
     auto moved = std::make_shared<DensityMap>(*map);
     moved->origin = motion * glm::dvec4(map->origin, 1.0);
@@ -32,7 +32,7 @@ std::shared_ptr<const DensityMap> movedMap(const std::shared_ptr<const DensityMa
     return moved;
 }
 
-/// A ball about a box of nodes, from the box along the axes that holds it.
+/// A ball around a box of nodes, from the axis-aligned box that contains it.
 Bounds boundsOfNodes(const DensityMap& map, const glm::dvec3& low, const glm::dvec3& high) {
     Box box;
     for (int corner = 0; corner < 8; ++corner)
@@ -45,7 +45,7 @@ Bounds boundsOfBox(const DensityMap& map) {
     return boundsOfNodes(map, first, first + glm::dvec3(map.boxSize));
 }
 
-/// One volume node as it is read.
+/// One volume node while it is read.
 class VolumeReader {
 public:
     VolumeReader(const Node& node, const SceneFiles& files, SceneGuide& guide, CameraNodes& camera,
@@ -88,7 +88,7 @@ private:
         }
     }
 
-    /// @returns balls about what it shows
+    /// @returns balls around what it shows
     std::vector<glm::dvec4> representation(const Node& node) {
         const std::string type = nodeText(node, "type");
         const NodeRow* row = nodeRow("volume_representation:" + type);

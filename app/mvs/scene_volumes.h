@@ -1,5 +1,5 @@
 #pragma once
-// Density maps of a scene: volume nodes and what represents them.
+// Density maps of a scene: volume nodes and their representations.
 
 #include <string>
 
@@ -10,13 +10,13 @@ namespace nacre::app::mvs {
 
 constexpr std::size_t kMostVolumes = 200;  ///< representations of maps, each with all its instances
 
-/// Adds what a volume node shows to a scene's guide, and its focus nodes to the camera. A map that cannot be read is
-/// left out with a warning. @param uri  of the file @throws Error if the file is not there, or the scene is too large
+/// Adds a volume node's representations to a scene's guide, and its focus nodes to the camera. Omits an unreadable map,
+/// with a warning. @param uri  of the file @throws Error if the file is not there, or the scene is too large
 void addVolume(const Node& node, const std::string& uri, SceneFiles& files, SceneGuide& guide, CameraNodes& camera,
                SceneWarnings& warnings);
 
-/// The ball about what a contour encloses, as Mol* has it: the box of the nodes that reach its level, and one more on
-/// each side. Higher values; lower ones for a negative level. Nothing if no node reaches it.
+/// The ball around a contour by Mol*'s rules: around the box of the nodes that reach its level, plus one node on each
+/// side. Higher values, or lower ones for a negative level. Empty if no node reaches it.
 std::optional<Bounds> boundsOfContour(const DensityMap& map, double level);
 
 }  // namespace nacre::app::mvs

@@ -1,5 +1,5 @@
 #pragma once
-// Texts of label_from_* and tooltip_from_*: "{name}: {score:.2f}", as Python's f-strings have them.
+// Texts of label_from_* and tooltip_from_*: "{name}: {score:.2f}", in the syntax of Python's f-strings.
 
 #include <optional>
 #include <string>
@@ -12,9 +12,9 @@ public:
     /// @throws std::invalid_argument with the reason
     explicit TextFormat(const std::string& format);
 
-    /// The fields that it names, in its order.
+    /// The fields in the text, in order.
     const std::vector<std::string>& fields() const { return fields_; }
-    /// The text; empty if a field has no value. @param values  the first stands for fields without a name
+    /// The text; empty if a field has no value. @param values  the first is for fields without a name
     /// @param from  index of the value of fields()[0]
     std::optional<std::string> of(const std::vector<std::optional<std::string>>& values, std::size_t from) const;
 

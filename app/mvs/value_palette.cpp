@@ -30,7 +30,7 @@ std::string wordOf(const Json& palette, const char* name, const char* otherwise)
     return value && value->is_string() ? value->get<std::string>() : otherwise;
 }
 
-/// The number that a text begins with.
+/// The number at the start of a text.
 std::optional<double> leadingNumber(const std::string& text) {
     const std::size_t start = text.find_first_not_of(" \t+");
     double value = 0;
@@ -51,13 +51,13 @@ std::uint32_t colorInPalette(const Json& value) {
     return *color;
 }
 
-/// A colour with its range or its checkpoint.
+/// A colour with its range or checkpoint.
 struct Step {
     std::optional<std::uint32_t> color;
     double from = 0, to = 0;
 };
 
-/// The steps of a list. @param each  numbers that go with a colour there; 0: the list has colours alone
+/// The steps of a list. @param each  numbers given with each colour; 0: only colours
 std::vector<Step> listedSteps(const Json& palette, std::size_t& each) {
     const Json* list = fieldOf(palette, "colors");
     const std::string name = list && list->is_string() ? list->get<std::string>() : list ? "" : "YlGn";
@@ -136,7 +136,7 @@ private:
     std::optional<std::uint32_t> below_, above_;
 };
 
-/// From values to the places of a palette's colours.
+/// Maps values to positions in a palette.
 struct Scale {
     double from = 0, to = 1;
     bool used = true;
@@ -172,7 +172,7 @@ ColorOfValue numberColors(const Json& palette, const std::vector<AnnotationRow>&
     };
 }
 
-/// The distinct values, in the order in which colours are given to them.
+/// The distinct values, in the order in which they get colours.
 std::vector<std::string> sortedValues(const Json& palette, const std::vector<AnnotationRow>& rows, bool capitals) {
     std::vector<std::string> values;
     std::set<std::string> known;

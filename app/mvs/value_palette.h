@@ -16,20 +16,20 @@ namespace nacre::app::mvs {
 
 constexpr std::size_t kMostPaletteColors = 1000;  ///< of a list
 
-/// The packed colour of a value; empty: what it colours stays as it is.
+/// The packed colour of a value; empty: keep the present colour.
 using ColorOfValue = std::function<std::optional<std::uint32_t>(const std::string& value)>;
 
-/// @param rows  of the annotation: their first values bound the colours
+/// @param rows  of the annotation: their first values determine the range of the colours
 /// @throws std::invalid_argument with the reason
 ColorOfValue colorsOfPalette(const Json& palette, const std::vector<AnnotationRow>& rows);
 
-/// A colour along a discrete or continuous palette, for 0 to 1. @throws std::invalid_argument with the reason
+/// A colour of a discrete or continuous palette at 0 to 1. @throws std::invalid_argument with the reason
 std::optional<std::uint32_t> paletteColorAt(const Json& palette, double share);
 
-/// A share of the way between two colours, packed: a mean of their sRGB values, as in Mol*.
+/// Interpolates between two packed colours, in sRGB values, as in Mol*.
 std::uint32_t mixedColor(std::uint32_t from, std::uint32_t to, double share);
 
-/// The colours of a list that MolViewSpec names ("Viridis"), packed; none if there is no such list.
+/// The packed colours of a list named in MolViewSpec ("Viridis"); none if there is no such list.
 std::vector<std::uint32_t> namedColorList(std::string_view name);
 /// Colours by word ("ElementSymbol": "Fe"), packed; none if there is no such palette.
 std::map<std::string, std::uint32_t> namedColorMap(std::string_view name);

@@ -12,7 +12,7 @@ double rounded(double x) { return std::round(x * 1e6) / 1e6; }
 
 constexpr const char *kEnds[] = {"start", "end"}, *kCorners[] = {"a", "b", "c"};
 
-/// The format that a parse node names for a map.
+/// The format of a map for a parse node.
 const char* formatOf(const DensityMap& map) {
     if (map.format == "dx") return "dx";
     return map.format == "density-server" ? "bcif" : "map";
@@ -41,7 +41,7 @@ Out nodeOf(const char* kind, Out params, Out child) {
 }
 
 Out cameraNode(const SceneCamera& camera) {
-    // To Mol*, a ball of half the distance fills the picture.
+    // In Mol*, a ball of half the distance fills the picture.
     const glm::dvec3 position = camera.target - glm::normalize(camera.direction) * (2 * camera.radius);
     return nodeOf("camera",
                   {{"target", listOf(camera.target)}, {"position", listOf(position)}, {"up", listOf(camera.up)}});

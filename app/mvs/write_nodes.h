@@ -1,5 +1,5 @@
 #pragma once
-// Nodes of a scene as they are written.
+// Nodes of a scene to be written.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -24,7 +24,7 @@ Out listOf(const glm::dvec3& v);
 Out cameraNode(const SceneCamera& camera);
 Out canvasNode(const PictureDescription& picture);
 
-/// Expressions of atoms by the authors' names: whole residues in ranges of their numbers, other atoms by their places.
+/// Expressions for atoms by the authors' names: whole residues as ranges of numbers, other atoms by index.
 class Expressions {
 public:
     explicit Expressions(const Molecule& molecule) : molecule_(molecule) {}
@@ -35,10 +35,10 @@ private:
     const Molecule& molecule_;
 };
 
-/// A download of a map, with what is shown of it. @param address  of its file
+/// A download node of a map, with its representations. @param address  of its file
 Out volumeNode(const SceneVolume& volume, const std::string& address);
 
-/// The measurements of a picture as primitives; null: none. @param left  counts those that are left out
+/// The measurements of a picture as primitives; null: none. @param left  counts omitted ones
 Out measureNode(const ResidueFacts& facts, const PictureDescription& picture, std::size_t& left);
 
 }  // namespace nacre::app::mvs

@@ -59,7 +59,7 @@ const char* formatOf(const Molecule& molecule) {
     return format == "pdb" ? "pdb" : "mmcif";
 }
 
-/// Labels without fields: of all that they name together.
+/// Adds labels without fields, each for all its atoms together.
 void addLabels(const ResidueFacts& facts, const PictureDescription& d, const Expressions& expressions, Out& children) {
     for (const Label& label : d.words.labels) {
         if (hasFields(label)) continue;
@@ -73,7 +73,7 @@ void addLabels(const ResidueFacts& facts, const PictureDescription& d, const Exp
     }
 }
 
-/// Notes of options that no scene can hold.
+/// Notes about options that no scene can express.
 std::vector<std::string> notesOf(const PictureDescription& d) {
     std::vector<std::string> notes;
     const auto add = [&](bool there, const char* what) {
@@ -120,7 +120,7 @@ std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& mo
     return notes;
 }
 
-/// Whether nodes of this kind say where a scene is seen from, or on what ground.
+/// Whether nodes of this kind set a scene's camera or background.
 bool isOfView(const Out& node) {
     const std::string kind = node.value("kind", "");
     return kind == "camera" || kind == "canvas" || kind == "focus";
@@ -133,7 +133,7 @@ void dropViews(Out& node) {
     for (Out& child : *children) dropViews(child);
 }
 
-/// A picture of a scene: that scene from where it is seen now.
+/// Rewrites the scene of a picture with its current camera.
 WrittenScene rewriteScene(const PictureDescription& d, const SceneCamera& camera, const std::string& path) {
     const std::string name = d.input.path;
     Out scene = parseJson<Out>(sceneText(name, readSceneBytes(name)));

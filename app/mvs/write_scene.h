@@ -1,5 +1,5 @@
 #pragma once
-// A picture as a MolViewSpec scene: what the format can say of it, and a note of what it cannot.
+// Converts a picture to a MolViewSpec scene, with notes about what the format cannot express.
 
 #include <span>
 #include <string>
@@ -13,15 +13,15 @@ namespace nacre::app::mvs {
 
 struct WrittenScene {
     std::string json;
-    std::vector<std::string> notes;  ///< what the scene does not say, a sentence each
+    std::vector<std::string> notes;  ///< what the scene cannot express, a sentence each
 };
 
-/// @param volumes  the picture's maps @param camera  from where it is seen @param path  of the scene: files that it
-/// names stand in its folder @throws Error
+/// @param volumes  the picture's maps @param camera  its camera @param path  of the scene: files that it names are in
+/// its folder @throws Error
 WrittenScene writeScene(const Molecule& molecule, const PictureDescription& picture,
                         std::span<const SceneVolume> volumes, const SceneCamera& camera, const std::string& path);
 
-/// The address that a scene names for an INPUT: that of a database entry, or the file's name from the scene's folder.
+/// The address of an INPUT in a scene: that of a database entry, or the file's name relative to the scene's folder.
 /// @param path  of the scene @param outside  receives files that are not in its folder
 std::string addressOf(const std::string& input, const std::string& path, std::vector<std::string>& outside);
 

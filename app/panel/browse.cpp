@@ -55,7 +55,7 @@ void take(PanelFrame& f, const fs::path& path) {
         openInput(f, path.string());
 }
 
-/// Home, the current folder and those of recent files.
+/// Home, the current folder, and folders of recent files.
 void drawPlaces(PanelFrame& f) {
     std::vector<std::pair<std::string, fs::path>> places;
     std::error_code failed;

@@ -1,4 +1,4 @@
-// The panel's frame: name, tools and tabs about its pages.
+// The panel's frame: name, tools and tabs around its pages.
 
 #include <cmath>
 #include <filesystem>
@@ -11,8 +11,8 @@
 namespace nacre::app {
 namespace {
 
-constexpr float kLowPoints = 400;      // of height: under it tools are icons alone, or scroll
-constexpr float kVeryLowPoints = 250;  // and under it tools and tabs scroll with the page
+constexpr float kLowPoints = 400;      // of height: below, tools are icons only, or scroll
+constexpr float kVeryLowPoints = 250;  // and below this, tools and tabs scroll with the page
 constexpr float kTools = 8, kToolPoints = 44, kGap = 4, kRowGap = 2;
 
 /// A page with its tab.
@@ -42,7 +42,7 @@ const Page kPages[] = {
     {"More", drawMorePage, Icon{[](const Pen& pen) { Icon::more.draw(pen); }}},
 };
 
-/// Buttons of one size side by side, in so many columns.
+/// Buttons of one size in a number of columns.
 struct Grid {
     std::size_t columns;
     ImVec2 size;
@@ -81,7 +81,7 @@ void drawHeader(PanelFrame& f) {
     const std::size_t atoms = document->drawing.scene().drawnAtoms, maps = document->view.maps.files.size();
     std::string text = std::to_string(atoms) + (atoms == 1 ? " atom" : " atoms");
     if (atoms == 0 && maps > 0) text = maps == 1 ? "Density map" : std::to_string(maps) + " density maps";
-    // Ignores the few sticks beside ribbons.
+    // Ignores the few sticks next to ribbons.
     if (2 * document->drawing.scene().drawnBonds > atoms)
         text += ", " + std::to_string(document->drawing.scene().drawnBonds) + " bonds";
     if (f.viewer.frames().occlusion() < 1 && !f.viewer.playback().playing())
@@ -90,14 +90,14 @@ void drawHeader(PanelFrame& f) {
     f.ui.caption(text);
 }
 
-/// Whether a low panel has room for all tools in one row, as icons alone.
+/// Whether a low panel has room for all tools in one row, as icons only.
 bool toolsFitRow(const PanelFrame& f) {
     const float target = f.ui.forFingers() ? kFingerPoints : kToolPoints;
     const float room = f.s.panel.width() - 2 * ImGui::GetStyle().WindowPadding.x;
     return f.s.panel.height() < f.ui.px(kLowPoints) && room >= f.ui.px(kTools * target + (kTools - 1) * kRowGap);
 }
 
-/// @param row  all in one, as icons alone
+/// @param row  all tools in one row, as icons only
 void drawTools(PanelFrame& f, bool row) {
     using C = ViewerCommand;
     struct Tool {
@@ -171,7 +171,7 @@ void drawPanel(PanelFrame& f) {
     const bool low = lacksRow || s.panel.height() < f.ui.px(kVeryLowPoints);
     beginWindow(f, "Nacre", low ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     drawHeader(f);
-    // Tabs are needed more often than tools that scroll away; a phone opens files by those alone.
+    // Tabs are needed more often than tools, which scroll away; on a phone only tools open files.
     const bool tabsFirst = low && !f.ui.forFingers();
     if (!tabsFirst) drawTools(f, row);
     drawTabs(f);

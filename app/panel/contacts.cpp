@@ -1,4 +1,4 @@
-// Interactions in the panel: actions for a selection, and the list of those drawn.
+// Interactions in the panel: actions for a selection, and the list of drawn ones.
 
 #include <algorithm>
 #include <string_view>
@@ -49,7 +49,7 @@ void drawContactList(PanelFrame& f) {
         kind = contact.kind;
         ImGui::PushID(static_cast<int>(i));
         const std::string said = contactText(*document->molecule, contact);
-        // The heading above names its kind.
+        // The heading above states the kind.
         const std::string label = said.substr(std::string_view(contactLook(contact.kind).label).size() + 1);
         if (f.ui.row(Icon::fit, label, -1)) {
             f.s.aim.emplace();

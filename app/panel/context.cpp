@@ -32,7 +32,7 @@ void drawContext(PanelFrame& f) {
     const Rectangle& window = f.s.window;
     const float width = std::min(f.ui.px(kContextPoints), window.width());
     const ImVec2 at(std::max(std::min(f.s.context->x, window.right - width), window.left), f.s.context->y);
-    // As far up as it needs; its height is that of the last frame.
+    // As far up as needed; its height is that of the last frame.
     const float top = std::max(std::min(at.y, window.bottom - f.s.contextHeight), window.top);
     beginGrown(f, "Actions", ImVec2(at.x, top), ImVec2(0, 0), width, window.height());
     if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();

@@ -29,14 +29,14 @@ const Control* findControl(const std::vector<Control>& controls, const std::stri
 
 /// The next Tab stop: index in `controls` of the control after or before the focused one, cyclic. Without a focus, the
 /// first or last.
-/// @param window  limits it to one; empty: all
+/// @param window  restricts it to one window; empty: all
 std::optional<std::size_t> nextStop(const std::vector<Control>& controls, bool back, const std::string& window);
 
-/// Where a finger presses a visible slider to move it by a tenth of its range, in pixels. Empty: there is none.
+/// Position where a finger press moves a visible slider by a tenth of its range, pixels. Empty if there is none.
 std::optional<glm::dvec2> placeOfStep(const std::vector<Control>& controls, const std::string& name, bool up);
 
-/// The visible ones, one line each: role, name, value, whether it is enabled, left, top, right, bottom, separated by
-/// tabs.
+/// The visible controls, one line each: role, name, value, whether it is enabled, left, top, right, bottom, separated
+/// by tabs.
 std::string controlLines(const std::vector<Control>& controls);
 
 }  // namespace nacre::app

@@ -30,7 +30,7 @@ void slideHalos(PanelFrame& f) {
     chooseColor(f, "halo-color", f.look.effects.halos.color);
 }
 
-/// A slider for a number that is not an option of its own. @returns whether it moved
+/// A slider for a number that is not a separate option. @returns whether it moved
 bool slideValue(Widgets& ui, const char* name, double& value, double low, double high, const char* format) {
     auto at = static_cast<float>(value);
     if (!ui.slide(name, at, static_cast<float>(low), static_cast<float>(high), format)) return false;
@@ -38,7 +38,7 @@ bool slideValue(Widgets& ui, const char* name, double& value, double low, double
     return true;
 }
 
-/// Off at its lower end. The focus is at what the camera looks at until it is moved.
+/// Off at its lower end. Until it is moved, the focus is the camera's.
 void slideDepthOfField(PanelFrame& f, double radius) {
     if (!slideOption(f, "depth-of-field")) return;
     std::optional<double>& focus = f.look.effects.depthOfField.focus;
@@ -50,7 +50,7 @@ void slideDepthOfField(PanelFrame& f, double radius) {
     if (focus && slideValue(f.ui, "Focus depth", depth, -reach, reach, "Focus depth: %.1f Å")) focus = depth;
 }
 
-/// Off at its lower end. @param radius  of the scene, Å: the default fog range is from the centre to it
+/// Off at its lower end. @param radius  of the scene, Å: end of the default fog range, which begins at the centre
 void slideFog(PanelFrame& f, double radius) {
     Fog& fog = f.look.effects.fog;
     Widgets& ui = f.ui;
@@ -75,7 +75,7 @@ void slideFog(PanelFrame& f, double radius) {
         fog.start = fog.end = 0;
         return;
     }
-    // Whichever moved, the other gives way.
+    // Moving one slider pushes the other.
     constexpr double kLeast = 0.5;
     if (endMoved) start = std::min(start, end - kLeast);
     fog.start = start;
@@ -92,7 +92,7 @@ void slidePlanes(Widgets& ui, Clip& clip, double radius) {
     if (slideValue(ui, "Back clipping plane", far, -reach, reach,
                    clip.far < Clip::kNone ? "Back clipping plane: %.1f Å" : "Back clipping plane: off"))
         clip.far = far >= reach ? Clip::kNone : far;
-    // Whichever moved, the other gives way.
+    // Moving one plane past the other turns the other off.
     if (clip.near >= clip.far) clip.far = Clip::kNone;
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr ImWchar kGlyphs[] = {0x20,   0x24f,  0x370,  0x52f,  0x2010, 0x2044, 0x2070, 0x209c,
                                0x2190, 0x2193, 0x2212, 0x2212, 0xfffd, 0xfffd, 0};
 constexpr float kShares[] = {1.0f, 0.68f, 0.84f, 1.45f};  // text, raised and lowered, captions, headings
-constexpr std::size_t kMostForeign = 2000;                // characters, which an atlas of glyphs has room for
+constexpr std::size_t kMostForeign = 2000;                // characters; limited by the glyph atlas
 
 bool isOwn(char32_t c) {
     if (c < 0x20) return true;
@@ -28,7 +28,8 @@ bool isOwn(char32_t c) {
     return false;
 }
 
-/// Characters that fonts have together: Han, kana and Hangul, Arabic with its joined forms, else 128 in a row.
+/// Representative character of a group that fonts cover together: Han, kana and Hangul, Arabic with its joined forms,
+/// else 128 consecutive ones.
 char32_t scriptOf(char32_t c) {
     if ((c >= 0x2e80 && c < 0xa000) || (c >= 0xac00 && c < 0xd7b0) || (c >= 0xf900 && c < 0xfb00) ||
         (c >= 0xff00 && c < 0xfff0))
@@ -37,7 +38,7 @@ char32_t scriptOf(char32_t c) {
     return c & ~char32_t{127};
 }
 
-/// A font's number of 16 bits, the highest byte first. 0 behind its end.
+/// A 16-bit big-endian number in a font; 0 beyond its end.
 int wordAt(const std::vector<char>& font, std::size_t at) {
     if (at + 2 > font.size()) return 0;
     return static_cast<unsigned char>(font[at]) << 8 | static_cast<unsigned char>(font[at + 1]);
@@ -113,7 +114,7 @@ void addPanelFont(float pixelsPerPoint, const std::vector<ForeignGlyphs::Font>& 
     for (const float share : kShares) {
         const float size = std::round(kTextPoints * share * pixelsPerPoint);
         ImFontConfig own;
-        own.FontDataOwnedByAtlas = false;  // nor is it written to
+        own.FontDataOwnedByAtlas = false;  // and does not write to it
         fonts.AddFontFromMemoryTTF(const_cast<std::byte*>(file.data()), static_cast<int>(file.size()), size, &own,
                                    kGlyphs);
         for (const ForeignGlyphs::Font& font : foreign) {
@@ -121,7 +122,7 @@ void addPanelFont(float pixelsPerPoint, const std::vector<ForeignGlyphs::Font>& 
             merged.FontDataOwnedByAtlas = false;
             merged.MergeMode = true;
             merged.FontNo = font.file.index;
-            // Dear ImGui's size is from the highest to the lowest point: makes the em as large as the panel's own.
+            // Dear ImGui's size is from the highest to the lowest point: scales the em to that of the panel's font.
             const float height = heightOf(font.bytes, font.file.index);
             const float whole = height > 0 ? std::round(size * height / kFontSizeOfEm) : size;
             fonts.AddFontFromMemoryTTF(const_cast<char*>(font.bytes.data()), static_cast<int>(font.bytes.size()), whole,

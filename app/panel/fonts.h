@@ -30,7 +30,7 @@ public:
         std::vector<ImWchar> ranges;  ///< in Dear ImGui's format
     };
     const std::vector<Font>& fonts() const { return fonts_; }
-    /// Records those that a font with all glyphs still lacks.
+    /// Records characters that a font with all glyphs still lacks.
     void noteMissing(const ImFont& font);
     /// A sentence that names the fonts to install; empty: nothing is missing.
     const std::string& missing() const { return missing_; }

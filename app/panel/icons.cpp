@@ -14,7 +14,7 @@ void drawEye(const Pen& pen) {
     pen.disc({0, 0}, 0.24f);
 }
 
-/// An arrow that goes back; `s` -1: forth.
+/// An arrow back; with `s` -1, forward.
 void drawTurn(const Pen& pen, float s) {
     pen.line({{-0.35f * s, -0.85f}, {-0.8f * s, -0.4f}, {-0.35f * s, 0.05f}});
     pen.line({{-0.8f * s, -0.4f},

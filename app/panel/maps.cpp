@@ -12,7 +12,7 @@ namespace {
 constexpr float kHighestSigma = 6;
 constexpr double kFarthest = 10, kFarthestOfFocus = 40;  // Å, of the slider
 
-/// The i-th of a list that may be shorter.
+/// The i-th element of a list that may be shorter.
 template <typename Value>
 Value& entry(std::vector<Value>& list, std::size_t i) {
     if (list.size() <= i) list.resize(i + 1);
@@ -63,7 +63,7 @@ void drawMap(PanelFrame& f, std::size_t i) {
     ImGui::SameLine(x + room - side);
     const bool removed = f.ui.sign(Icon::close, ("Remove " + name).c_str());
     const bool sliced = drawStyle(f, i, name);
-    // A level that was slid is not built yet: show it where the hand has it.
+    // The scene of a moved level is not built yet: shows the slider's own value.
     const bool slid = i < maps.levels.size() && maps.levels[i].unit == MapLevel::Unit::sigma;
     const std::vector<double> built =
         f.viewer.document() ? f.viewer.document()->drawing.maps().sigmas : std::vector<double>();
@@ -83,7 +83,7 @@ void drawMap(PanelFrame& f, std::size_t i) {
     f.look.mapsChanged();
 }
 
-/// Where maps are drawn. A selection from elsewhere is a choice as well.
+/// Chooses where maps are drawn. A selection made elsewhere is also offered.
 void drawAround(PanelFrame& f, MapOptions& maps) {
     enum class Place : std::uint8_t { all, ligands, focus, other };
     static const Selection ligand = parseSelection("ligand");

@@ -1,4 +1,4 @@
-// Marks on picked atoms, and the lines of text below.
+// Marks on picked atoms, and the lines of text at the bottom.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array kEyesOfOverlays{OverlayEye::both, OverlayEye::left, OverlayEye::right};
 
-/// Marks commands that follow another eye's; Dear ImGui calls nobody, since we draw its lists.
+/// Marks a change of eye between commands; Dear ImGui never calls this, since we draw its lists.
 void changesEye(const ImDrawList*, const ImDrawCmd*) {}
 
 /// Draws the following marks for one eye, beneath the panel.
@@ -35,7 +35,7 @@ double textWidth(const std::string& text, double em) {
 
 bool isDark(std::uint32_t color) { return (color & 255) + (color >> 8 & 255) + (color >> 16 & 255) < 3 * 128; }
 
-/// The halo is the text itself, a little to all sides.
+/// The halo is the text drawn slightly shifted in all directions.
 void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, std::uint32_t color, std::uint32_t halo,
               float haloWidth) {
     const float size = static_cast<float>(mark.size) * kFontSizeOfEm;
@@ -49,12 +49,13 @@ void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, 
     for (const auto& [x, y] : kWays)
         list.AddText(font, size, ImVec2(at.x + x * haloWidth, at.y + y * haloWidth), (halo & 0xffffff) | 0x90000000,
                      mark.text.c_str());
-    // Blended in linear light dark strokes look thinner than saved pictures draw them: twice has their weight.
+    // Blended in linear light, dark strokes look thinner than in saved pictures: drawing them twice restores their
+    // weight.
     for (int i = isDark(color) ? 0 : 1; i < 2; ++i) list.AddText(font, size, at, color, mark.text.c_str());
 }
 
-/// Width at the right that the legend takes from a fully visible molecule; 0 if they do not overlap, or if less than
-/// half would be left.
+/// Width at the right reserved for the legend next to a fully visible molecule; 0 if they do not overlap, or if less
+/// than half would be left.
 float legendRoom(const PlacedWords& words, const View& view, double size) {
     PlacedWords alone;
     alone.legends = words.legends;
@@ -68,7 +69,7 @@ float legendRoom(const PlacedWords& words, const View& view, double size) {
     return beside || left < width / 2 ? 0 : static_cast<float>(std::ceil(width - left + size / 2));
 }
 
-/// As a sentence begins, unless the first word is no plain one: "saved ...", "4hhb.pdb ...", "pdb:4HHB ...".
+/// Capitalises a text, unless the first word is a name: "4hhb.pdb ...", "pdb:4HHB ...".
 std::string sentenceCase(std::string text) {
     const std::size_t end = std::min(text.find(' '), text.size());
     const bool word = end > 0 && std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end),
@@ -124,7 +125,7 @@ float drawStatus(PanelFrame& f, const std::string& text, float bottom, bool stro
     return low.y;
 }
 
-/// The colour that stands for it behind red and cyan glasses, where both eyes see it.
+/// The colour that replaces another one behind red and cyan glasses, where both eyes see it.
 std::uint32_t behindGlasses(std::uint32_t color) {
     std::uint32_t seen = color & 0xff000000;
     const auto channel = [&](std::size_t i) { return srgbToLinear(static_cast<float>(color >> 8 * i & 255) / 255.0f); };
@@ -194,7 +195,7 @@ void drawMarks(const Marks& marks, const glm::dvec2& corner) {
 
 OverlayEye eyeOf(const ImDrawCmd& command) { return *static_cast<const OverlayEye*>(command.UserCallbackData); }
 
-/// Labels, measurements, legend and the like, as in saved pictures.
+/// Labels, measurements, legend and so on, as in saved pictures.
 void drawWords(PanelFrame& f) {
     const PlacedWords& words = f.viewer.words().placed();
     const float taken = f.s.legendRoom;
@@ -252,7 +253,7 @@ void drawAnnotations(PanelFrame& f) {
     }
     if (glasses) drawFor(OverlayEye::both);
     drawHint(f, a.coarse);
-    if (!a.error.empty()) return;  // that comes first
+    if (!a.error.empty()) return;  // the error is shown instead
     float bottom = f.s.freeRoom().bottom - f.ui.px(14);
     const std::string& under = a.hover.empty() || a.hover == a.atom ? a.atom : a.hover;
     for (const auto& [text, strong] :

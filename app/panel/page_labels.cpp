@@ -16,7 +16,7 @@ std::string rowText(const Measure& measure, const PlacedWords& placed) {
     return "Atoms " + measure.text;
 }
 
-/// A row each, with a sign that removes it. @param id  of the first row
+/// A row each, with a button that removes it. @param id  of the first row
 template <typename Word, typename TextOf>
 void listWords(PanelFrame& f, int id, std::vector<Word>& words, TextOf textOf) {
     const float side = f.ui.rowHeight();

@@ -35,7 +35,7 @@ void drawTitle(PanelFrame& f, const FileSummary& file) {
     if (const std::string origin = originText(file); !origin.empty()) f.ui.caption(origin);
 }
 
-/// A molecule superposed on the first of several.
+/// A row for a molecule superposed on the first of several.
 void drawFit(PanelFrame& f, const std::string& input, const std::string& onto) {
     const auto isIt = [&](const FitOptions& fit) { return fit.moving.text == "/" + input; };
     const PictureDescription& look = f.look;
@@ -49,7 +49,7 @@ void drawFit(PanelFrame& f, const std::string& input, const std::string& onto) {
     nameInputs(view);
 }
 
-/// How well each molecule lies on the first: "812 pairs of atoms, RMSD 0.41 Å"; empty: it is not laid there.
+/// Quality of each molecule's fit on the first: "812 pairs of atoms, RMSD 0.41 Å"; empty: not fitted.
 std::vector<std::string> fitTexts(const ResidueFacts& facts, const InputOptions& input) {
     const Molecule& m = facts.molecule();
     std::vector<std::string> texts(input.further.size() + 1);
@@ -122,7 +122,7 @@ std::vector<std::uint32_t> drawnColors(const Molecule& m, const Representation& 
 
 namespace {
 
-/// The one colour of each part in the scene; empty: it has several, or is not drawn.
+/// Finds the colour of each part in the scene; empty: several colours, or not drawn.
 void findPartColors(PanelFrame& f) {
     PanelState& s = f.s;
     const Drawing& drawing = f.viewer.document()->drawing;
@@ -148,7 +148,7 @@ void drawStyleChoice(PanelFrame& f, const Part& part, float width) {
     if (chooseStyle(f.ui, ("Style of " + part.name).c_str(), "Default", of.style, width)) setLookOf(f.look, part, of);
 }
 
-/// A field of the colour that is drawn, which opens swatches, schemes and a picker.
+/// A field of the drawn colour, which opens swatches, schemes and a picker.
 void drawColorChoice(PanelFrame& f, const Part& part, std::size_t number) {
     PartLook of = lookOf(f.look, part);
     std::optional<std::uint32_t> drawn;
@@ -213,7 +213,7 @@ void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
     ImGui::PopID();
 }
 
-/// One of several structures as a whole: its row, a sign that removes it, and how it lies on the first.
+/// One of several structures as a whole: its row, a button that removes it, and its fit on the first.
 void drawStructure(PanelFrame& f, const std::string& input, std::size_t number) {
     constexpr std::size_t kFirstRow = 100'000;  // beyond those of parts
     f.ui.heading(input.c_str());
@@ -244,7 +244,7 @@ void drawStructure(PanelFrame& f, const std::string& input, std::size_t number) 
     }
 }
 
-/// All models of a file at once, or one after another.
+/// Switches between all models of a file at once and one after another.
 void drawEnsemble(PanelFrame& f) {
     const Document& document = *f.viewer.document();
     const bool several = f.viewer.playback().models() > 1 && !f.viewer.playback().hasTrajectory();
@@ -254,7 +254,7 @@ void drawEnsemble(PanelFrame& f) {
     f.s.wanted.emplace(f.look).input.model = all ? kAllModels : 1;
 }
 
-/// Several files as the conformations of one molecule, which are played.
+/// Switches between several molecules and the conformations of one, which can be played.
 void drawConformations(PanelFrame& f) {
     bool conformations = f.look.input.conformations;
     if (f.look.input.further.empty() || !f.ui.toggle("Conformations of one molecule", conformations)) return;

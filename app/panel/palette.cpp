@@ -1,4 +1,4 @@
-// Every command and option by its words: typed, chosen with the arrows or a click. "outlines 2" sets an option.
+// Finds every command and option by words: typed, chosen with the arrow keys or a click. "outlines 2" sets an option.
 
 #include <algorithm>
 
@@ -17,16 +17,16 @@ constexpr Topics kSettable = kAppearance | Topic::camera | Topic::background | T
 
 struct Row {
     std::string name, about;  ///< as shown; `about` to its right
-    std::string words;        ///< that are searched besides
+    std::string words;        ///< further words to search
     std::function<void(PanelFrame&)> run;
-    std::string lowerName{}, lower{};  ///< the name, and all of its words, in lower case
+    std::string lowerName{}, lower{};  ///< the name, and all words, in lower case
 };
 
 Row rowOf(const Binding& binding) {
     return {binding.what, binding.keys, "", [command = binding.command](PanelFrame& f) { f.host.run(command); }};
 }
 
-/// A choice of an option's control.
+/// A row for one choice of an option's control.
 Row rowOf(const Option& option, const Option::Control::Choice& choice) {
     return {std::string(option.control.label ? option.control.label : option.key) + ": " + choice.label,
             "--" + std::string(option.key) + " " + choice.value, option.help + " " + choice.meaning,
@@ -35,20 +35,20 @@ Row rowOf(const Option& option, const Option::Control::Choice& choice) {
 
 std::string labelOf(const Option& option) {
     std::string label = option.control.label ? option.control.label : std::string(option.key);
-    label = label.substr(0, label.find_last_not_of(": ", label.find('%') - 1) + 1);  // a slider's is "Fog %.2f"
+    label = label.substr(0, label.find_last_not_of(": ", label.find('%') - 1) + 1);  // a slider's label is "Fog %.2f"
     std::ranges::replace(label, '-', ' ');
     label[0] = upperCase(label.substr(0, 1))[0];
     return label;
 }
 
-/// Whether a picture that is shown can take a value of the option.
+/// Whether the option of a shown picture accepts a typed value.
 bool takesTypedValue(const Option& option) {
     if (!option.parse || option.kind == Option::Kind::list) return false;
     if (option.topic == Topic::look) return !option.syntax.empty() && !option.print;  // a pocket, an interface
     return has(kSettable, option.topic) && option.print;
 }
 
-/// Asks for the option's value.
+/// A row that asks for the option's value.
 Row rowOfTyped(const Option& option) {
     return {labelOf(option) + " ...", "--" + std::string(option.key) + " " + option.syntax, option.help,
             [&option](PanelFrame& f) {
@@ -60,7 +60,7 @@ Row rowOfTyped(const Option& option) {
 std::vector<Row> allRows() {
     std::vector<Row> rows;
     for (const Binding& binding : keyBindings()) {
-        const bool known = !rows.empty() && rows.back().name == binding.what;  // by another key
+        const bool known = !rows.empty() && rows.back().name == binding.what;  // listed under another key
         if (binding.listed && !known && binding.command != ViewerCommand::palette) rows.push_back(rowOf(binding));
     }
     for (const std::string_view page : Panel::pages())
@@ -79,7 +79,7 @@ std::vector<Row> allRows() {
     return rows;
 }
 
-/// "contours 2": an option by its key or label, with the rest as its value. @param typed  as it was typed
+/// "contours 2": rows that set an option, by its key or label, to the rest of the text. @param typed  in original case
 void addSettings(const std::string& typed, std::vector<Row>& rows) {
     const std::string sought = lowerCase(typed);
     for (const Option& option : options()) {
@@ -122,7 +122,7 @@ std::vector<Row> foundRows(const std::string& typed) {
     return rows;
 }
 
-/// Runs a row's change of the view, and lets the camera follow where it looks elsewhere.
+/// Applies a row's change to the view; flies there if the change aims the camera.
 void run(PanelFrame& f, const std::function<void(PanelFrame&)>& change) {
     beginLook(f);
     change(f);
@@ -130,7 +130,7 @@ void run(PanelFrame& f, const std::function<void(PanelFrame&)>& change) {
     takeLook(f);
 }
 
-/// The value of an option that has no control.
+/// Asks for the value of an option without a control.
 void drawValue(PanelFrame& f) {
     CommandPalette& palette = f.s.palette;
     const Option& option = *palette.option;
@@ -139,7 +139,7 @@ void drawValue(PanelFrame& f) {
     const bool entered =
         f.ui.field(("Value of " + std::string(option.key)).c_str(), option.syntax.c_str(), palette.sought, -1,
                    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    if (entered) ImGui::SetKeyboardFocusHere(-1);  // a wrong value is typed anew
+    if (entered) ImGui::SetKeyboardFocusHere(-1);  // after an invalid value
     std::string help = option.help;
     std::ranges::replace(help, '\n', ' ');
     f.ui.caption(help);

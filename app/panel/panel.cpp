@@ -13,9 +13,9 @@
 namespace nacre::app {
 namespace {
 
-constexpr float kSmallestPhonePoints = 320, kPhonePoints = 480;  // of width
+constexpr float kSmallestPhonePoints = 320, kPhonePoints = 480;  // width
 constexpr float kPhoneTarget = 44;                               // height of what is pressed there
-constexpr float kSideBySidePoints = 600;                         // of width: under it the panel is a sheet
+constexpr float kSideBySidePoints = 600;                         // width; below, the panel is a sheet
 constexpr float kPanelPoints = 316, kFingerPanelPoints = 360, kSheetPoints = 420, kMarginPoints = 10;
 
 /// Places the panel; the molecule gets the rest.
@@ -50,7 +50,7 @@ void addFonts(PanelState& s) {
     fonts.Clear();
     addPanelFont(s.ui.px(1), s.foreign.fonts());
     fonts.Build();
-    fonts.ClearInputData();  // files that are not the atlas's
+    fonts.ClearInputData();  // files that the atlas does not own
     s.foreign.noteMissing(*fonts.Fonts[0]);
     s.glyphsChanged = true;
 }
@@ -87,12 +87,12 @@ void collect(Overlay& overlay) {
 void PanelState::toggle() {
     shown = shown != Shown::open ? Shown::open : ui.forFingers() ? Shown::folded : Shown::hidden;
     keyboard = false;
-    restless = 2;  // Dear ImGui needs a frame to measure
+    restless = 2;  // Dear ImGui needs another frame to measure
 }
 
 namespace {
 
-/// A card: its window's name, whether it is open, and what closes and draws it.
+/// A card: its window's name, whether it is open, and functions that close and draw it.
 struct Card {
     const char* name;
     bool (*open)(const PanelState&);
@@ -101,7 +101,7 @@ struct Card {
     bool needsDocument = false;
 };
 
-// The topmost one last. Questions and the start screen of an empty window cannot be closed.
+// In stacking order, topmost last. Questions and the start screen of an empty window cannot be closed.
 constexpr Card kCards[] = {
     {"Start", [](const PanelState& s) { return s.start || s.empty; }, [](PanelState& s) { s.start = false; },
      drawStart},
@@ -156,7 +156,7 @@ void PanelState::setBrightness(Panel::Brightness to) {
     restless = 2;
 }
 
-/// A window as narrow as a phone's may be one: its targets are as large.
+/// A window as narrow as a phone's may be on a phone: its targets have the same size.
 void PanelState::takeStyle() {
     const float points = window.width() / ui.px(1);
     const bool large = ui.forFingers() || (sheet && points >= kSmallestPhonePoints && points < kPhonePoints);
@@ -167,7 +167,7 @@ void PanelState::takeStyle() {
     restless = std::max(restless, 2);
 }
 
-/// The picture's background follows the theme, where the user wants that and did not choose another one.
+/// The picture's background follows the theme, if the user wants that and chose no other one.
 void PanelState::followCanvas(Viewer& viewer, double now) {
     if (!viewer.document() || !std::exchange(canvasDue, false)) return;
     constexpr std::array<float, 4> kWhite{1, 1, 1, 1}, kDark{0x14 / 255.0f, 0x17 / 255.0f, 0x1b / 255.0f, 1};
@@ -200,7 +200,7 @@ Panel::Panel(double pixelsPerPoint, PanelHost host, PanelHand hand, int textPerc
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.KeyRepeatDelay = FLT_MAX;            // the system repeats keys
-    io.ConfigInputTextCursorBlink = false;  // a window at rest draws nothing
+    io.ConfigInputTextCursorBlink = false;  // an idle window draws nothing
     state_ = std::make_unique<PanelState>(std::move(host), pixelsPerPoint, hand == PanelHand::fingers, textPercent);
     input_ = std::make_unique<PanelInput>(context_, *state_);
     addPanelFont(state_->ui.px(1));
@@ -295,7 +295,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
         if (over)
             s.opened();
         else if (!s.keyboard)
-            ImGui::SetWindowFocus(nullptr);  // no ring about a control that nobody went to
+            ImGui::SetWindowFocus(nullptr);  // no focus ring unless the user moved the focus
     }
     placePanel(s);
     s.followCanvas(viewer, now);
@@ -331,7 +331,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     drawWords(f);
     drawAnnotations(f);
     ImGui::Render();
-    // A field that has the focus waits for keys, which ask for frames.
+    // A focused field waits for keys, which request frames.
     if (ImGui::IsAnyItemActive() && !io.WantTextInput) s.restless = std::max(s.restless, 1);
     if (!ImGui::IsAnyItemActive()) s.editing = false;
     input_->endFrame();

@@ -1,7 +1,7 @@
 #pragma once
 // The user interface over the picture: start screen, panel, help, marks and labels. Dear ImGui lays it out; the result
 // is the engine's Overlay. Independent of the window system. The panel is beside the molecule, or a sheet below it in
-// narrow or tall windows, and can be folded. With a mouse widgets are small and the panel is open; with touch widgets
+// narrow or tall windows, and can be folded. With a mouse, widgets are small and the panel is open; with touch, widgets
 // are 48 points high, a button opens the panel, and dragging scrolls it.
 
 #include <functional>
@@ -29,7 +29,7 @@ struct RecentFile {
     std::vector<std::uint32_t> pixels;    ///< sRGB-coded, red in the lowest byte
 };
 
-/// Samples by the names that people see. The start screen shows the first as its banner.
+/// Samples by their displayed names. The start screen shows the first as its banner.
 constexpr std::pair<const char*, const char*> kSampleNames[] = {
     {"DNA", "sample:dna"}, {"Glucose", "sample:glucose"}, {"Buckyball", "sample:buckyball"}};
 
@@ -48,13 +48,13 @@ using PathChosen = std::function<void(const std::string& path)>;
 struct PanelHost {
     std::function<void(ViewerCommand)> run;  ///< runs a command that the user clicked
     std::function<void()> openDialog;        ///< opens the system's dialog, and then the chosen file
-    /// Opens the system's dialog for a file to write. `chosen` is called later, not if the user cancels.
+    /// Opens the system's dialog for a file to write. `chosen` is called later, unless the user cancels.
     std::function<void(const std::string& title, const std::string& suggested, PathChosen chosen)> saveDialog;
     bool browses = false;  ///< no system dialogs: the panel shows its own
-    /// Opens inputs, or adds them to what is open; empty: Viewer::open()
+    /// Opens inputs, or adds them to the current scene; empty: Viewer::open()
     std::function<void(const std::vector<std::string>& inputs, bool beside)> open;
-    std::function<const std::vector<RecentFile>&()> recent;   ///< the latest first
-    std::function<const std::vector<RecentFile>&()> samples;  ///< with their pictures; empty: names alone
+    std::function<const std::vector<RecentFile>&()> recent;   ///< most recent first
+    std::function<const std::vector<RecentFile>&()> samples;  ///< with their pictures; empty: only names
     std::string lastView;                                     ///< last session, for the start screen; empty: none
     std::function<void()> goOn;                               ///< restores it
     std::function<std::string(const char*)> freeName;         ///< for a picture, by extension
@@ -66,7 +66,7 @@ struct PanelHost {
     std::function<RecordingState()> recording;
     std::function<void()> stopRecording;
     std::function<void()> quit;         ///< without asking
-    std::function<void()> saveAndQuit;  ///< asks where the view is saved, then quits
+    std::function<void()> saveAndQuit;  ///< asks where to save the view, then quits
     bool videos = false;                ///< the encoder of .mp4 and .webm is available
     std::function<const char*()> clipboard;
     std::function<void(const char*)> setClipboard;
@@ -75,7 +75,7 @@ struct PanelHost {
     bool downloads = false;                   ///< "pdb:1BNA" can be downloaded
     bool captures = false;                    ///< frames can be captured for RenderDoc
     bool shakes = false;                      ///< shaking the device undoes
-    bool scalesText = false;                  ///< Panel::textPercent() is followed
+    bool scalesText = false;                  ///< Panel::textPercent() has an effect
     std::function<std::string()> statistics;  ///< for developers, in lines
     std::function<void()> copyReport;         ///< copies the device report to the clipboard
     bool dark = true;                         ///< the system's theme
@@ -110,9 +110,9 @@ public:
     void showRecord();
     /// Sets the path for a picture from a dialog; its ending decides the format.
     void setSavePath(const std::string& path);
-    /// Whether files from a dialog are added to what is open.
+    /// Whether files from a dialog are added to the current scene.
     bool opensTogether() const;
-    /// Asks whether dropped files replace what is open.
+    /// Asks whether dropped files replace the current scene or are added to it.
     void askToOpen(const std::vector<std::string>& paths);
     /// Asks where a file is written. @param suggested  a whole path @param chosen  not called if the user cancels
     void askWhere(const std::string& title, const std::string& suggested, PathChosen chosen);
@@ -145,7 +145,7 @@ public:
     /// A dark theme has a dark background, until the user chooses another one.
     void setDarkCanvas(bool on);
     bool darkCanvas() const;
-    /// As the user wants it: the shell makes another panel.
+    /// The text size that the user chose: the shell creates another panel with it.
     int textPercent() const;
     std::string_view page() const;
 

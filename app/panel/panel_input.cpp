@@ -48,7 +48,7 @@ PanelInput::PanelInput(ImGuiContext* context, PanelState& state) : context_(cont
 #endif
 }
 
-/// An event that a frame must show before the next event is handled.
+/// Announces an event that a frame must show before the next event is handled.
 void PanelInput::await(bool focusMoves) {
     focusMoves_ = focusMoves || (focusMoves_ && frames_ < 2);
     frames_ = 0;
@@ -67,7 +67,7 @@ void PanelInput::button(MouseButton button, bool down) {
     const auto i = static_cast<std::size_t>(button == MouseButton::left ? 0 : button == MouseButton::right ? 1 : 2);
     down_[i] = down;
     if (down) pressed_[i] = true;
-    if (down) s_.opening = 0;  // what is pressed has the focus
+    if (down) s_.opening = 0;  // the pressed control has the focus
     const ImVec2 at = ImGui::GetIO().MousePos;
     const bool popup = popupOpen();
     if (down && !popup && !s_.occupies({at.x, at.y})) s_.closeTop();  // a click outside
@@ -124,7 +124,7 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
     ImGuiIO& io = ImGui::GetIO();
     const bool popup = popupOpen();
     const bool held = down ? !held_.insert(key).second : held_.erase(key) != 0;
-    if (!down && !held) return;  // pressed elsewhere
+    if (!down && !held) return;  // the key was pressed elsewhere
     await(key == SpecialKey::tab || key == SpecialKey::enter || key == SpecialKey::escape);
     if (key == SpecialKey::tab && !popup) {
         // Focuses the panel, then its next control. A card keeps the focus.
@@ -163,7 +163,7 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
     hold(key, down && !held);
 }
 
-/// Whether Escape leaves a dialog, and not a list that is open in it.
+/// Whether Escape closes a dialog, and not an open list in it.
 bool PanelInput::escapes() const {
     const Turn turn(context_);
     return s_.over() && !popupOpen();
@@ -262,7 +262,7 @@ void PanelInput::beginFrame(float seconds) {
     glide(seconds);
 }
 
-/// Keys that were pressed for one frame go up again.
+/// Releases keys that were pressed for one frame.
 void PanelInput::endFrame() {
     frames_ = std::min(frames_ + 1, 2);
 #if IMGUI_VERSION_NUM < 18700
@@ -275,7 +275,7 @@ void PanelInput::endFrame() {
     await(false);
 }
 
-/// A list released while moving glides on.
+/// A list released while moving continues to glide.
 void PanelInput::glide(float seconds) {
     if (finger_) {
         dragged_ = 0.6f * dragged_ + 0.4f * s_.scroll / seconds;

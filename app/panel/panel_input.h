@@ -1,6 +1,6 @@
 #pragma once
-// Pointer, keys and touches for the panel. Dear ImGui gets a finger's press when it is lifted: before, it may turn into
-// scrolling.
+// Pointer, keys and touches for the panel. Dear ImGui receives a finger's press when it is lifted: until then, it may
+// turn into scrolling.
 
 #include <cstdint>
 #include <deque>
@@ -34,8 +34,8 @@ public:
     bool shortcut(char32_t letter);
     /// Text typed on the system's keyboard for the field of this name.
     void typed(const std::string& name, const std::string& text);
-    /// A key for what has the keys: a dialog that is open, a field, a control; else the picture.
-    /// @returns its command, if it is the picture's: for the shell to run
+    /// A key for whatever has the keyboard focus: an open dialog, a field, a control; else the picture.
+    /// @returns its command for the shell to run, if the picture has the focus
     std::optional<ViewerCommand> press(SpecialKey key, bool down, Modifiers with = {});
     /// As above for a character, and for a letter with Ctrl.
     std::optional<ViewerCommand> type(char32_t c);
@@ -43,9 +43,9 @@ public:
     /// Whether the pointer or the keys belong to the panel, not the molecule.
     bool ownsPointer() const;
     bool ownsKeys() const;
-    /// Whether frames show the effect of all clicks and keys. @param focus  also of the keyboard focus
+    /// Whether frames have shown the effect of all clicks and keys. @param focus  including the keyboard focus
     bool answered(bool focus) const;
-    /// A finger, in points. @returns whether it belongs to the panel; that stays until it is lifted
+    /// A finger, in points. @returns whether it belongs to the panel; fixed until it is lifted
     bool touch(const TouchEvent& event);
     /// Drops the finger, for example after a pause.
     void forgetTouch() { finger_.reset(), down_[0] = false; }
@@ -76,22 +76,22 @@ private:
     std::set<SpecialKey> held_;
     std::optional<SpecialKey> again_;  // pressed again in the next frame
     int frames_ = 2;                   // drawn since the last click or key
-    bool focusMoves_ = false;          // by that click or key
+    bool focusMoves_ = false;          // the last click or key moves it
     float dragged_ = 0, gliding_ = 0;  // pixels per second: of the finger, and of the scrolling list
 };
 
-/// Mouse and key events in order. The panel shows the effect of a click or key only a frame or two later: following
-/// events wait until then, and none is lost, however short the press or slow the frames.
+/// Mouse and key events in order. The panel shows the effect of a click or key a frame or two later. Later events wait
+/// until then, and none is lost, however short the press or slow the frames.
 class InputQueue {
 public:
     enum class Kind { pointer, key };
 
-    /// Handles an event at once, or after those that wait.
+    /// Handles an event at once, or after the waiting ones.
     void add(const PanelInput& panel, Kind kind, std::function<void()> handle) {
         events_.push_back({kind, std::move(handle)});
         go(panel);
     }
-    /// Handles events that need not wait any more; call it after each frame.
+    /// Handles events that need not wait any longer; call it after each frame.
     void frameDrawn(const PanelInput& panel) { go(panel); }
     bool empty() const { return events_.empty(); }
 
@@ -123,8 +123,8 @@ struct RecordingWish {
 struct RecordingState {
     bool running = false, stopping = false;
     double share = 0;                     ///< of the frames, 0..1
-    std::uint64_t frame = 0, frames = 0;  ///< finished, and total; 0: not known yet
-    double left = -1;                     ///< remaining seconds, estimated; negative: not known
+    std::uint64_t frame = 0, frames = 0;  ///< finished, and total; 0: unknown
+    double left = -1;                     ///< remaining seconds, estimated; negative: unknown
     std::string path;
     std::string message;  ///< result of the last recording
     bool failed = false;

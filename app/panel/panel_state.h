@@ -39,8 +39,8 @@ struct Browser {
     };
     bool open = false;
     std::string title;
-    const char* button = "Open";  ///< that takes the path
-    PathChosen chosen;            ///< of a file to write; empty: one is opened
+    const char* button = "Open";  ///< that confirms the path
+    PathChosen chosen;            ///< receives a path to write; empty: a file is opened
     bool saving() const { return static_cast<bool>(chosen); }
     std::string folder, typed;
     bool listed = false;  ///< the entries are up to date
@@ -59,7 +59,7 @@ struct SequenceState {
     int step = 0;                       ///< of the arrow key
     bool extends = false;               ///< extends the selection
     std::vector<std::uint32_t> colors;  ///< by residue of the molecule
-    std::uint64_t colorsOf = 0;         ///< number of the scene that has them
+    std::uint64_t colorsOf = 0;         ///< number of the scene with these colours
 };
 
 struct Option;
@@ -68,8 +68,8 @@ struct Option;
 struct CommandPalette {
     bool open = false;
     std::string sought;
-    int chosen = 0;                  ///< of the rows that are found
-    const Option* option = nullptr;  ///< whose value `sought` is, instead
+    int chosen = 0;                  ///< index among the found rows
+    const Option* option = nullptr;  ///< if set, `sought` is its value
 };
 
 /// An image to save.
@@ -120,13 +120,13 @@ struct PanelState {
     bool quitting = false;
     bool empty = false;                ///< nothing is open: the start screen stays
     bool asks = false;                 ///< the viewer has a question
-    std::vector<std::string> dropped;  ///< files that replace what is open or join it, as the user decides
+    std::vector<std::string> dropped;  ///< files to replace or join the current scene, as the user decides
     Browser browser;
     CommandPalette palette;
-    std::optional<ImVec2> context;  ///< pixels: where the menu of a right click is
+    std::optional<ImVec2> context;  ///< pixels: position of a right click's menu
     float contextHeight = 0;        ///< pixels, in the last frame
     bool over() const { return *topCard() != 0; }
-    /// The card that has the keys: the window's name; "" for none.
+    /// The card with the keyboard focus: the window's name; "" for none.
     const char* topCard() const;
     int opening = 0;          ///< frames until the top card's field has the focus
     std::string focusedCard;  ///< the top card of the last frame
@@ -134,7 +134,7 @@ struct PanelState {
     void opened() { opening = 4, restless = 5; }
     /// @param what  title of the card  @param suggested  a file, whose folder is shown; empty: the current folder
     /// @param chosen  receives the path of a file to write; empty: a file is opened
-    /// @param button  that takes the path
+    /// @param button  that confirms the path
     void browse(const std::string& what, const std::string& suggested, PathChosen chosen, const char* button);
     void askWhere(const std::string& what, const std::string& suggested, PathChosen chosen,
                   const char* button = "Save");
@@ -145,10 +145,10 @@ struct PanelState {
     void takeStyle();
     void followCanvas(Viewer& viewer, double now);
     const Theme* styled = nullptr;  ///< of Dear ImGui's style
-    bool largeTargets = false;      ///< as above
+    bool largeTargets = false;      ///< of Dear ImGui's style
     bool darkCanvas = false;        ///< a dark theme has a dark background
-    bool canvasDue = false;         ///< the background is to follow the theme
-    bool canvasIsOurs = false;      ///< it does: the dark one is not the user's
+    bool canvasDue = false;         ///< the background has yet to follow the theme
+    bool canvasIsOurs = false;      ///< the dark background is from the theme, not the user's
     int textPercent = 100;
 
     // Layout
@@ -176,9 +176,9 @@ struct PanelState {
         }
     }
     std::optional<Aim> aim;                    ///< requested by a button in this frame
-    std::optional<PictureDescription> wanted;  ///< as above, with molecules to read again
+    std::optional<PictureDescription> wanted;  ///< requested likewise; its molecules are read again
     std::string input;                         ///< on the start screen
-    bool together = false;                     ///< add the next file to what is open
+    bool together = false;                     ///< add the next file to the current scene
     std::string selection;                     ///< text in the field
     std::string selected;                      ///< the viewer's selection when the field was last filled
     std::string title;
@@ -189,10 +189,10 @@ struct PanelState {
     std::optional<ResidueFacts> facts;  ///< once there is a molecule
     std::vector<Part> parts;
     std::vector<std::uint32_t> partOfResidue;              ///< for each residue its part, or kNoPart
-    std::vector<std::optional<std::uint32_t>> partColors;  ///< by part: as drawn; empty: several
-    std::uint64_t colorsOf = 0;                            ///< number of the scene that has them
-    std::vector<std::string> fits;                         ///< by structure: how it lies on the first
-    std::vector<std::string> reading;  ///< sentences about the molecule: what was read, guessed and left out
+    std::vector<std::optional<std::uint32_t>> partColors;  ///< by part, as drawn; empty: several
+    std::uint64_t colorsOf = 0;                            ///< number of the scene with these colours
+    std::vector<std::string> fits;                         ///< by structure: its fit on the first
+    std::vector<std::string> reading;  ///< sentences about what the reader read, guessed and omitted
     SequenceState sequence;
     int rule = -1;             ///< rule being edited
     std::string ruleAtoms;     ///< its fields as typed
@@ -201,7 +201,7 @@ struct PanelState {
     MovieForm movie;
     std::string unsaved;  ///< what quitting would lose
     std::string helpSearch;
-    std::string renamed, newName;  ///< the structure that gets another name, and the name as typed
+    std::string renamed, newName;  ///< the structure being renamed, and its new name as typed
 };
 
 /// One frame of the panel, drawn by its pages.
@@ -211,14 +211,14 @@ struct PanelFrame {
     const PanelHost& host;
     Viewer& viewer;
     double now;
-    PictureDescription look{}, before{};  ///< the viewer's: modified by pages, and as it was
+    PictureDescription look{}, before{};  ///< the viewer's look: changed by pages, and before
 };
 
 // Layout around the pages (chrome.cpp)
 // The displayed name of an input: a file's without its folder.
 std::string shortName(const std::string& input);
 void drawMenuButton(PanelFrame& f);
-/// Begins a change of PanelFrame::look; takeLook() hands it to the viewer, with what else was asked for.
+/// Begins a change of PanelFrame::look; takeLook() passes it to the viewer, with other requests.
 void beginLook(PanelFrame& f);
 void takeLook(PanelFrame& f);
 void drawPanel(PanelFrame& f);
@@ -228,14 +228,14 @@ void drawEffects(PanelFrame& f);
 void drawMaps(PanelFrame& f);
 void drawPartsPage(PanelFrame& f);
 void drawSequence(PanelFrame& f, const Part& part);
-/// For each atom the colour in which it is drawn, of carbons and meshes; 0: none.
+/// For each atom the drawn colour of carbons and meshes; 0: none.
 std::vector<std::uint32_t> drawnColors(const Molecule& m, const Representation& scene);
 void drawSelectPage(PanelFrame& f);
 std::string selectedText(std::size_t atoms);
-/// What can be done with selected atoms.
+/// Actions for selected atoms.
 void drawSelectionActions(PanelFrame& f, const std::string& selection);
 void drawRules(PanelFrame& f);
-/// Actions for interactions and pockets of a selection, and the interactions found (contacts.cpp).
+/// Actions for interactions and pockets of a selection, and the found interactions (contacts.cpp).
 void drawContactActions(PanelFrame& f, const std::string& selection);
 void drawContactList(PanelFrame& f);
 void drawLabelsPage(PanelFrame& f);
@@ -243,17 +243,17 @@ void drawMorePage(PanelFrame& f);
 // Below and over the picture
 void drawPlayBar(PanelFrame& f);
 void drawWords(PanelFrame& f);
-/// Of a command with a callback: whom the commands behind it are for.
+/// The eye for the commands after a command with a callback.
 OverlayEye eyeOf(const ImDrawCmd& command);
-/// The outline of the selection, and of what a click would take.
+/// The outline of the selection, and of the atoms that a click would select.
 void drawOutline(PanelFrame& f);
 void drawAnnotations(PanelFrame& f);
 // Cards over everything else
 void drawStart(PanelFrame& f);
 void drawBrowse(PanelFrame& f);
-/// Gives the keyboard to the next field of a card that was opened.
+/// Gives the keyboard focus to the next field of a newly opened card.
 void focusField(PanelFrame& f);
-/// "Save as" with a path and, where there is a dialog, a button that asks for it (save.cpp).
+/// "Save as" with a path and, if there is a dialog, a button that opens it (save.cpp).
 struct PathField {
     const char *name, *hint;
     const char* title;  ///< of the dialog
@@ -277,13 +277,13 @@ void previewMovie(PanelFrame& f);
 void keepView(PanelState& s, const Viewer& viewer);
 void drawReading(PanelFrame& f);
 void drawFailure(PanelFrame& f);
-/// Shows an error, and what to do.
+/// Shows an error, with advice.
 void tellFailure(PanelFrame& f);
 void drawQuestion(PanelFrame& f);
 
 // Windows (windows.cpp)
 void beginWindow(PanelFrame& f, const char* name, int moreFlags);
-/// Height fits its contents, limited by its room. @param pivot  0 to 1: the point of the window at `at`
+/// A window whose height fits its contents, limited by its room. @param pivot  0 to 1: the point of the window at `at`
 void beginGrown(PanelFrame& f, const char* name, ImVec2 at, ImVec2 pivot, float width, float height);
 /// Ends such a window. Its height is known a frame later, which is requested.
 void endGrown(PanelFrame& f);
@@ -303,7 +303,7 @@ bool slideOption(PanelFrame& f, std::string_view key, bool byRatio = false);
 /// For an option with two choices. @returns whether it is on
 bool toggleOption(PanelFrame& f, std::string_view key);
 void chooseOption(PanelFrame& f, std::string_view key);
-/// For a value on its own. @returns whether it changed
+/// For a value that is not an option. @returns whether it changed
 bool chooseValue(Widgets& ui, const char* name, std::string_view key, std::string& value);
 /// One of the styles, or `none`, if offered. @returns whether it changed
 bool chooseStyle(Widgets& ui, const char* name, const char* none, std::optional<Style>& style, float width = -1);

@@ -1,4 +1,4 @@
-// The play bar under a moving molecule: play, step, scrub; speed, order, and how frames are fitted.
+// The play bar for a moving molecule: play, step, scrub; speed, order, and fitting of frames.
 
 #include <algorithm>
 #include <array>
@@ -12,9 +12,9 @@ namespace nacre::app {
 namespace {
 
 constexpr float kBarPoints = 620, kBarMargin = 10;
-constexpr float kNarrowPoints = 460;     // under it the text has a line of its own
+constexpr float kNarrowPoints = 460;     // below this width, the text has its own line
 constexpr float kTextPointsOfBar = 190;  // of the text next to the slider
-constexpr int kMostSmoothing = 25;       // that the slider offers
+constexpr int kMostSmoothing = 25;       // maximum of the slider
 
 constexpr std::array kOrders = {"Loop", "Back and forth", "Once"};
 constexpr std::array kFits = {"Not superposed", "Superpose backbones", "Superpose all atoms"};

@@ -1,5 +1,5 @@
-// Rules for parts of the molecule, last wins: each can be switched off, edited, moved or removed. Colours are fields
-// that are clicked.
+// Rules for parts of the molecule, last wins: each can be switched off, edited, moved or removed. Colours are clickable
+// fields.
 
 #include <functional>
 #include <utility>
@@ -27,7 +27,7 @@ std::string ruleWords(const Rule& rule) {
     return what;
 }
 
-/// Which atoms a rule is about, and the style or colour that it gives them.
+/// Edits a rule's atoms, and their style or colour.
 void drawRuleEditor(PanelFrame& f, Rule& rule) {
     if (f.ui.typable()) {
         f.ui.field("Atoms of the rule", "chain A and resi 10-20", f.s.ruleAtoms);
@@ -54,7 +54,7 @@ void drawRules(PanelFrame& f) {
     if (f.s.rule >= static_cast<int>(rules.size())) f.s.rule = -1;
     if (rules.empty()) return;
     f.ui.heading("Rules: the last one applies");
-    std::function<void()> then;  // rules are not moved while they are drawn
+    std::function<void()> then;  // rules are moved after drawing
     for (std::size_t i = 0; i < rules.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         Rule& rule = rules[i];
@@ -134,7 +134,7 @@ bool Widgets::chooseColor(const char* name, std::array<float, 3>& color, float s
     bool taken = false;
     if (ImGui::BeginPopup("Colour")) {
         if (const auto other = pickColor((name + std::string(", any")).c_str(), packed)) {
-            // As a saved view reads it.
+            // Rounded as in a saved view.
             for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(*other >> 8 * i & 255) / 255.0f;
             taken = true;
         }

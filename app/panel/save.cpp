@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kSizes[] = {"Screen size", "Square, 2048", "Wide, 1920 x 1080", "Print"};
 constexpr const char* kFormats[] = {"PNG", "WebP", "TIFF", "JPEG", "OpenEXR"};
 constexpr const char* kExtensions[] = {".png", ".webp", ".tif", ".jpg", ".exr"};
-constexpr int kPaper = 3, kJpeg = 3;  // of sizes, and of formats the one without transparency
+constexpr int kPaper = 3, kJpeg = 3;  // indices of sizes, and of the format without transparency
 constexpr float kSavePoints = 460;
 constexpr int kMostMm = 2000, kMostDpi = 2400;
 

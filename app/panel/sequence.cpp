@@ -1,5 +1,5 @@
-// The sequence of a chain: one letter a residue, its colour and its fold above. A click selects one, a drag or Shift
-// with the arrow keys several.
+// The sequence of a chain: one letter per residue, with its colour, and its fold above. A click selects one residue; a
+// drag, or Shift with the arrow keys, several.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kBlock = 10;  // letters between two gaps
 
-/// Where letters stand.
+/// Layout of the letters.
 struct Letters {
     ImVec2 at;
     float cell, line, gap, left;
@@ -24,7 +24,7 @@ struct Letters {
         return {at.x + left + static_cast<float>(in) * cell + static_cast<float>(in / kBlock) * gap,
                 at.y + static_cast<float>(i / perLine) * line};
     }
-    /// -1: none
+    /// Index of the letter at a point; -1: none.
     int under(ImVec2 point) const {
         const int row = static_cast<int>((point.y - at.y) / line);
         if (point.y < at.y || row >= lines()) return -1;
@@ -34,7 +34,7 @@ struct Letters {
     }
 };
 
-/// For each residue the colour that is drawn of it; 0: none, or copies have their own colours.
+/// The drawn colour of each residue; 0: none, or copies have different colours.
 std::vector<std::uint32_t> residueColors(const Molecule& molecule, const Representation& scene) {
     const std::vector<std::uint32_t> drawn = drawnColors(molecule, scene);
     std::vector<std::uint32_t> colors(molecule.residues.size());
@@ -57,7 +57,7 @@ void drawFold(ImDrawList& list, SecondaryStructure fold, bool last, ImVec2 low, 
         list.AddTriangleFilled(ImVec2(end, low.y - unit), ImVec2(high.x, y), ImVec2(end, high.y + unit), ink);
 }
 
-/// Selects the residues between two of the sequence.
+/// Selects the residues between two positions of the sequence.
 void selectResidues(PanelFrame& f) {
     const std::vector<std::uint32_t>& sequence = f.s.sequence.residues;
     const auto [low, high] = std::minmax(f.s.sequence.dragFrom, f.s.sequence.dragTo);
@@ -65,7 +65,7 @@ void selectResidues(PanelFrame& f) {
                                            sequence[static_cast<std::size_t>(high)], f.s.sequence.input));
 }
 
-/// @param i  of the sequence
+/// @param i  position in the sequence
 void drawLetter(PanelFrame& f, int i, ImVec2 p, ImVec2 size, bool chosen, bool hovered) {
     const Theme& theme = f.ui.theme();
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -1,7 +1,7 @@
 // Sliders: text, a track with a knob, and the number.
 
 #include <imgui.h>
-#include <imgui_internal.h>  // whether somebody types into a slider
+#include <imgui_internal.h>  // whether the user types into a slider
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ std::string formatted(const char* format, double value) {
 
 }  // namespace
 
-/// "Fog %.2f" is "Fog" and "0.50"; "%g per second" is one.
+/// "Fog %.2f" is split into "Fog" and "0.50"; "%g per second" is one text.
 struct Widgets::SliderText {
     std::string words, number;
 
@@ -40,8 +40,8 @@ struct Widgets::SliderText {
     }
 };
 
-/// Over the slider that Dear ImGui drew last, whose own knob is not seen: a track with a knob in the middle of its
-/// height. @param below  its text is above it, within the slider
+/// Draws over Dear ImGui's last slider, whose own knob is invisible: a track with a knob at half height. @param below
+/// its text is above it, within the slider
 void Widgets::drawTrack(float share, bool below) const {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     if (ImGui::TempInputIsActive(ImGui::GetItemID())) return;
@@ -56,7 +56,7 @@ void Widgets::drawTrack(float share, bool below) const {
     list.AddCircleFilled(ImVec2(x, y), radius, mark, 24);
 }
 
-/// Its text within the slider that was drawn last, above the track. @returns whether it had no room
+/// Draws the text within the last slider, above the track. @returns whether it was truncated
 bool Widgets::drawSliderText(const SliderText& text) const {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     if (ImGui::TempInputIsActive(ImGui::GetItemID())) return false;
@@ -80,7 +80,7 @@ bool Widgets::slider(const char* name, const Number& value, Number low, Number h
     const ImVec4 unseen(0, 0, 0, 0);
     for (const int which : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive}) ImGui::PushStyleColor(which, unseen);
     ImGui::PushStyleColor(ImGuiCol_Text, typing ? theme_->text : unseen);
-    // A double click also starts typing, not only Ctrl and click.
+    // A double click also starts typing, in addition to Ctrl and click.
     ImGuiIO& io = ImGui::GetIO();
     const bool control = io.KeyCtrl;
     io.KeyCtrl = control || io.MouseDoubleClicked[0];
@@ -98,7 +98,7 @@ bool Widgets::slider(const char* name, const Number& value, Number low, Number h
     return moved;
 }
 
-/// Text, track and number in one row; in two where the text is long.
+/// Text, track and number in one row; in two if the text is long.
 bool Widgets::slide(const char* name, float& value, float low, float high, const char* format, bool byRatio) {
     constexpr float kLabelShare = 0.42f, kNumberPoints = 48;
     const float least = px(fingers_ ? 2.75f * kFingerPoints : 72);  // of the track

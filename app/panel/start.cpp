@@ -12,8 +12,8 @@ namespace {
 
 constexpr float kStartPoints = 640, kRecentPoints = 138, kPicturePoints = 92;
 
-/// A picture as a mesh: a vertex in the middle of each pixel, colours interpolated between them. The middle of a
-/// picture wider than its place is shown.
+/// A picture as a mesh: a vertex in the middle of each pixel, with interpolated colours. Crops a picture that is wider
+/// than its place.
 void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 high) {
     if (recent.width < 2 || recent.height < 2 || recent.pixels.size() != std::size_t{recent.width} * recent.height)
         return;
@@ -30,7 +30,7 @@ void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 
     const auto placeOf = [&](std::uint32_t x, std::uint32_t y) {
         return ImVec2(along(low.x, high.x, x, w), along(low.y, high.y, y, h));
     };
-    const std::uint32_t most = 0xffff / w;  // rows of vertices that 16 bits count
+    const std::uint32_t most = 0xffff / w;  // rows of vertices that fit 16-bit indices
     for (std::uint32_t top = 0; top + 1 < h; top += most - 1) {
         const std::uint32_t rows = std::min(most, h - top);
         list.PrimReserve(static_cast<int>((w - 1) * (rows - 1) * 6), static_cast<int>(w * rows));
@@ -47,13 +47,13 @@ void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 
     }
 }
 
-/// Buttons side by side, each of which opens something.
+/// Buttons side by side, each of which opens an input.
 void offer(PanelFrame& f, std::span<const std::pair<const char*, const char*>> inputs) {
     for (const auto& each : inputs)
         if (f.ui.word(each.first, &each != inputs.data())) openInput(f, each.second);
 }
 
-/// The first sample, over the width of the card.
+/// The first sample, across the card.
 void drawBanner(PanelFrame& f, const RecentFile& sample) {
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 size(width, std::round(width * static_cast<float>(sample.height) / static_cast<float>(sample.width)));
@@ -69,7 +69,7 @@ void drawBanner(PanelFrame& f, const RecentFile& sample) {
     if (pressed) openInput(f, sample.input);
 }
 
-/// A card with a picture and a name below it. @param said  to screen readers
+/// A card with a picture and a name below it. @param said  for screen readers
 void drawRecent(PanelFrame& f, const RecentFile& recent, float width, const std::string& said) {
     const float picture = f.ui.px(kPicturePoints), height = picture + f.ui.px(26);
     const auto [pressed, low, ink] = f.ui.press("##recent", recent.input.c_str(), ImVec2(width, height));
@@ -88,7 +88,7 @@ void drawRecent(PanelFrame& f, const RecentFile& recent, float width, const std:
     if (pressed) openInput(f, recent.input);
 }
 
-/// An identifier or a path is typed.
+/// A field for an identifier or a path.
 void drawInput(PanelFrame& f) {
     f.ui.heading(f.ui.forFingers() ? "From a database" : f.host.downloads ? "Database ID or file path" : "File path");
     const float go = f.ui.buttonWidth("Open") + f.ui.px(2);
@@ -141,7 +141,7 @@ void drawStart(PanelFrame& f) {
         if (dialog) f.ui.wrapLine(wide);
         const bool fits = ImGui::GetContentRegionAvail().x >= wide;
         if (f.ui.button(Icon::play, words.c_str(), fits ? 0 : -1, !dialog)) f.host.goOn();
-        f.ui.controls.back().cut = false;  // a long name is shortened, as everywhere
+        f.ui.controls.back().cut = false;  // long names are always shortened
     }
     if (!f.ui.forFingers()) f.ui.caption(dialog ? "Or drop a file on this window." : "Drop a file on this window.");
     if (!f.ui.forFingers() || (f.host.downloads && f.ui.typable())) drawInput(f);

@@ -5,8 +5,8 @@
 
 namespace nacre::app {
 
-/// Straight alpha, sRGB-coded. Text has a contrast of 4.5:1 or more (WCAG 2.1, 1.4.3), lines and marks that carry
-/// meaning alone 3:1 (1.4.11); tests/panel checks this table.
+/// Straight alpha, sRGB-coded. Text has a contrast of 4.5:1 or more (WCAG 2.1, 1.4.3), lines and marks with a meaning
+/// 3:1 (1.4.11); tests/panel checks this table.
 struct Theme {
     bool dark;
     ImVec4 ground;    ///< of the panel
@@ -33,14 +33,14 @@ inline constexpr float kFingerPoints = 48;
 /// Text sizes.
 enum class TextSize { caption, body, heading };
 
-/// The font whose size is nearest to some pixels of ImFont::FontSize.
+/// The font whose size is nearest to a number of pixels of ImFont::FontSize.
 ImFont* fontOf(float size);
 ImFont* fontOf(TextSize size);
 /// FontSize per em: Dear ImGui measures from the highest to the lowest point of DejaVu Sans.
 inline constexpr float kFontSizeOfEm = 1.164f;
 
 /// Sets sizes and colours of the current context.
-/// @param target  height of what is pressed, points; 0: as small as its text allows
+/// @param target  height of clickable widgets, points; 0: as small as their text allows
 void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers, float target);
 
 }  // namespace nacre::app

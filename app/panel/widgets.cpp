@@ -1,6 +1,6 @@
 #include "app/panel/widgets.h"
 
-#include <imgui_internal.h>  // Dear ImGui's own Tab goes to fields alone
+#include <imgui_internal.h>  // Dear ImGui's own Tab only visits fields
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <utility>
 
 namespace nacre::app {
-/// A field that was typed into lets go.
+/// Ends typing in a field.
 void Widgets::focusLast() {
     ImGuiContext& g = *ImGui::GetCurrentContext();
     if (g.LastItemData.ID == 0) return;
@@ -27,7 +27,7 @@ void Widgets::focusLast() {
 
 std::string shortened(const std::string& text, float width, Cut cut) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    std::vector<std::size_t> starts;  // of characters
+    std::vector<std::size_t> starts;  // byte offsets of characters
     for (std::size_t i = 0; i < text.size(); ++i)
         if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) starts.push_back(i);
     for (std::size_t kept = starts.size(); kept-- > 1;) {
@@ -114,7 +114,7 @@ bool Widgets::word(const char* label, bool more, Icon icon) {
     constexpr float kColumnPoints = 112;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     if (more) ImGui::SameLine();
-    // From the left edge: what is on this line already is a part of it.
+    // From the left edge: includes what is already on this line.
     const float left = ImGui::GetCursorPosX() - ImGui::GetCursorStartPos().x,
                 room = left + ImGui::GetContentRegionAvail().x;
     const float columns = std::max(std::floor((room + gap) / (px(kColumnPoints) + gap)), 1.0f);
@@ -194,7 +194,7 @@ bool Widgets::unfold(const char* label) {
     return open;
 }
 
-/// A switch that slides, with its words to the right.
+/// A switch, with its text to the right.
 bool Widgets::toggle(const char* label, bool& on) {
     const float track = px(30), thick = px(17), room = ImGui::GetContentRegionAvail().x - track - px(8);
     const ImVec2 text = ImGui::CalcTextSize(label, nullptr, true, std::max(room, 1.0f));

@@ -47,22 +47,22 @@ public:
     /// @returns the pressed one
     std::optional<std::size_t> answers(std::span<const Answer> buttons);
     /// One line of a list: icon and text from the left, truncated if needed. @param width  as for button()
-    /// @param shown  in place of the label, if not empty @param chosen  is emphasised
+    /// @param shown  instead of the label, if not empty @param chosen  emphasised
     bool row(Icon icon, const std::string& label, float width, bool faint = false, const std::string& shown = {},
              bool chosen = false);
     /// An icon above a word, in a toolbar or as a tab. @param value  its state: "on", "selected"
     /// @param alone  the word is a tooltip
     bool tool(Icon icon, const char* label, ImVec2 size, bool on = false, bool enabled = true,
               const char* role = "button", bool alone = false);
-    /// An icon whose name shows as a tooltip.
+    /// An icon with its name as a tooltip.
     bool sign(Icon icon, const char* name, bool enabled = true);
-    /// A heading that expands the following part. @returns whether it is open
+    /// A heading that expands the section below. @returns whether it is open
     bool unfold(const char* label);
     bool toggle(const char* label, bool& on);
-    /// One of several choices: a drop-down list for a mouse, an expanding list for touch.
+    /// One of several choices: a drop-down list with a mouse, an expanding list with touch.
     /// @returns whether the choice changed
     bool choose(const char* name, std::span<const char* const> choices, std::string& current, float width = -1);
-    /// As above by position: a number, or a value of an enumeration.
+    /// As above by index: a number, or a value of an enumeration.
     template <typename Place>
     requires(!std::is_class_v<Place>) bool choose(const char* name, std::span<const char* const> choices,
                                                   Place& current, float width = -1) {
@@ -80,13 +80,13 @@ public:
     /// A line of text, kMostTyped bytes at most. @returns as Dear ImGui; edited() tells whether it changed
     bool field(const char* name, const char* hint, std::string& text, float width = -1, int flags = 0);
     bool edited() const { return edited_; }
-    /// A keyboard is available.
+    /// Whether a keyboard is available.
     bool typable() const { return !fingers_ || askText; }
     /// Distinguishable colours as swatches in rows. @returns the one clicked
     std::optional<ImU32> swatches(std::optional<ImU32> chosen, std::size_t perLine);
     /// As above, with a field for any colour below. @param name  of the field
     std::optional<ImU32> pickColor(const char* name, std::optional<ImU32> chosen);
-    /// A swatch that opens them. @param color  sRGB-coded  @param many  shows that there are several colours
+    /// A swatch that opens the swatches. @param color  sRGB-coded  @param many  shows that there are several colours
     /// @returns whether the colour changed
     bool chooseColor(const char* name, std::array<float, 3>& color, float side = 0, bool many = false);
     /// Four squares of colours over a swatch. @param corner  upper left
@@ -100,7 +100,7 @@ public:
     void caption(const std::string& words) { text(words, TextSize::caption, theme_->faint); }
     void paragraph(const std::string& words) { text(words, TextSize::body, theme_->text); }
     void warning(const std::string& words) { text(words, TextSize::body, theme_->warning); }
-    /// The folder of a file, on desktops. @param path  as typed
+    /// Shows the folder of a file, on desktops. @param path  as typed
     void folderOf(const char* path);
     /// A progress bar with text below. @param share  0 to 1
     void progress(double share, const std::string& words);
@@ -115,17 +115,17 @@ public:
 
     std::vector<Control> controls;  ///< of this frame so far
     std::string window;             ///< window of the following controls
-    /// Receives the keyboard focus when drawn: its index in `controls`, and its name.
+    /// The control that receives the keyboard focus when drawn: its index in `controls`, and its name.
     std::optional<std::pair<std::size_t, std::string>> focusNext;
     /// For touch: shows the system's keyboard for a field's name and text; `typed` is the result.
     std::function<void(const std::string& name, const std::string& text)> askText;
     std::optional<std::pair<std::string, std::string>> typed;
 
-    /// Gives the keyboard's focus to the last item.
+    /// Gives the keyboard focus to the last item.
     static void focusLast();
-    /// Focus ring around the last item, if it is custom-drawn and focused by keys.
+    /// Draws a focus ring around the last item, if it is custom-drawn and focused by keys.
     void ringFocus() const;
-    /// Tooltip of that item.
+    /// Tooltip of the last item.
     void explain(const std::string& text) const;
 
     /// A custom-drawn button.
@@ -149,8 +149,8 @@ private:
     bool drawSliderText(const SliderText& text) const;
     bool askedField(const char* name, const char* hint, std::string& text, float width);
 
-    bool edited_ = false;   // the last field
-    std::string unfolded_;  // the one open list, for touch
+    bool edited_ = false;   // of the last field
+    std::string unfolded_;  // the only open list, for touch
     const Theme* theme_;
     float scale_;
     bool fingers_;

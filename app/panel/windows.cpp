@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse;
-constexpr float kTightPoints = 320;  // of width: under it a card has all of it
+constexpr float kTightPoints = 320;  // width; below, a card takes all of it
 constexpr float kErrorPoints = 220;  // height reserved for the error with its advice
 
 /// Dims everything below a card; a click there closes the card.
@@ -30,7 +30,7 @@ void drawScrim(PanelFrame& f, const char* below) {
     ImGui::PopStyleVar(2);
 }
 
-/// What to do about an error, where it does not say so itself; may be empty.
+/// Advice on an error that does not include it; may be empty.
 std::string adviceFor(const std::string& error) {
     const auto says = [&](std::initializer_list<const char*> words) {
         return std::any_of(words.begin(), words.end(),
@@ -62,7 +62,7 @@ void followFinger(PanelFrame& f) {
 void beginWindow(PanelFrame& f, const char* name, int moreFlags) {
     ImGui::Begin(name, nullptr, kWindow | moreFlags);
     f.ui.window = name;
-    if (ImGui::IsWindowAppearing()) f.s.restless = std::max(f.s.restless, 3);  // it is measured before it is shown
+    if (ImGui::IsWindowAppearing()) f.s.restless = std::max(f.s.restless, 3);  // measured before it is shown
     const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     f.s.occupied.push_back({at.x, at.y, at.x + size.x, at.y + size.y});
     followFinger(f);
@@ -125,13 +125,13 @@ void drawReading(PanelFrame& f) {
         f.ui.progress(share, std::to_string(std::lround(100 * share)) + " % downloaded");
     if (f.ui.button(Icon::close, "Cancel")) f.viewer.reading().cancel(f.now);
     endGrown(f);
-    f.s.restless = std::max(f.s.restless, 1);  // it goes on
+    f.s.restless = std::max(f.s.restless, 1);  // progress continues
 }
 
 void tellFailure(PanelFrame& f) {
     Messages& messages = f.viewer.messages();
     const bool reading = f.viewer.reading().failed();
-    // "cannot read molecule: a.pdb: it is empty": what, then where and why.
+    // Splits "cannot read molecule: a.pdb: it is empty": what, then where and why.
     std::string what = messages.failure();
     const std::size_t colon = what.find(": ");
     const std::string why = colon == std::string::npos ? "" : what.substr(colon + 2);
@@ -144,7 +144,7 @@ void tellFailure(PanelFrame& f) {
     if (again) f.viewer.reading().again();
 }
 
-/// As above in a card of its own, until it is dismissed.
+/// As above, in a separate card, until it is dismissed.
 void drawFailure(PanelFrame& f) {
     Rectangle room = f.s.freeRoom();
     if (room.height() < f.ui.px(kErrorPoints)) room = f.s.window;

@@ -19,7 +19,7 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::string_view kSample = "sample:";
 
-/// In the cache folder; empty without one.
+/// A path in the cache folder; empty without one.
 std::string kept(const PhoneHost& host, const char* name) {
     return host.cache.empty() ? std::string() : host.cache + "/" + name;
 }
@@ -98,7 +98,7 @@ void PhoneSession::remakePanel() {
     viewer().schedule().overlayChanged();
 }
 
-/// The panel's points grow with its text.
+/// The panel's points scale with its text.
 TouchEvent PhoneSession::onPanel(const TouchEvent& event) const {
     return {event.finger, event.phase, event.at / textScale_};
 }
@@ -254,7 +254,7 @@ void PhoneSession::sharePicture() {
     }
 }
 
-/// As JSON. Paths differ between devices: states the file's name only.
+/// As JSON. Paths differ between devices: includes only the file's name.
 void PhoneSession::shareView() {
     if (!host_.shareText || !viewer().document()) return;
     PictureDescription view = viewer().picking().savedView();

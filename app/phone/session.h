@@ -1,5 +1,5 @@
 #pragma once
-// Shared by the phone apps: viewer, panel and renderer of one window, from touches to shared pixels. Plain C++, so that
+// Shared by the phone apps: viewer, panel and renderer of one window, from touches to shared images. Plain C++, so that
 // it can be tested without a phone. For one thread.
 
 #include <functional>
@@ -40,7 +40,8 @@ struct PhoneHost {
     bool shakes = false;     ///< shaking the device undoes
     bool dark = true;        ///< the system's theme
     bool validate = false;   ///< Khronos validation layer
-    /// As on Android: the window may vanish before anyone is told, and the device keeps working for invisible apps.
+    /// As on Android: the window may vanish before the session is told, and the device keeps working for invisible
+    /// apps.
     bool windowMayGo = false;
 };
 
@@ -60,12 +61,12 @@ public:
     void setTextScale(double scale);
     /// Areas covered by the system, pixels.
     void setInsets(const Insets& insets);
-    /// Nothing is drawn while invisible. @throws Error if there is no suitable device; where the window may vanish, the
-    /// device is made on another thread, and step() throws that
+    /// Nothing is drawn while invisible. @throws Error if there is no suitable device; if the window may vanish, the
+    /// device is created on another thread, and step() throws that error
     void setSeen(bool seen);
     bool seen() const { return seen_; }
-    /// Where systems stop the work of invisible apps: waits for what was submitted, and for a test of the device to
-    /// stop, at most so long. Call after setSeen(false). @returns whether nothing is left
+    /// On systems that stop the work of invisible apps: waits until submitted work is done and a test of the device has
+    /// stopped, or the time is over. Call after setSeen(false). @returns whether everything has ended
     bool awaitSubmitted(double seconds);
     /// The window vanishes, or is replaced from now on.
     void releaseWindow();
@@ -74,8 +75,8 @@ public:
 
     // User input: for the panel, or else the picture. Positions in points.
     void touch(const TouchEvent& event, double when);
-    /// One button of a mouse, as a finger that is up between its phases.
-    /// @param button  when pressed; whoever receives that gets the rest
+    /// One button of a mouse, like a finger that is up between its phases.
+    /// @param button  when pressed; the receiver also gets the rest of the gesture
     void mouse(MouseButton button, const TouchEvent& event, Modifiers with, double when);
     /// Position of a hovering mouse or pen; empty: it left.
     void hover(std::optional<glm::dvec2> at);
@@ -117,7 +118,7 @@ public:
 protected:
     double now() const { return host_.clock(); }
     double scale() const { return scale_; }
-    /// Waits for a device in the making.
+    /// Waits for a device being created.
     void awaitDevice();
 
 private:
@@ -137,13 +138,13 @@ private:
     MouseButton held_ = MouseButton::left;
     Insets insets_;
     bool seen_ = false, panelDrag_ = false;
-    int windows_ = 0, openedFor_ = 0;  // windows that vanished: so far, and when the device was requested
+    int windows_ = 0, openedFor_ = 0;  // number of windows that vanished: so far, and when the device was requested
 };
 
 /// The view of state(); empty if it is invalid.
 std::optional<PictureDescription> viewOfState(const std::string& json);
 
-/// Screen reader text for the picture besides title(): the error, the last pick, its measurement, the message.
+/// Screen reader text for the picture in addition to title(): the error, the last pick, its measurement, the message.
 std::string spokenValue(const Annotations& annotations);
 
 }  // namespace nacre::app

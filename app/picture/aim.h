@@ -10,12 +10,12 @@ namespace nacre::app {
 
 struct Aim {
     bool principal = false;           ///< principal axes; else the camera's orientation
-    std::optional<Selection> axesOf;  ///< whose principal axes; empty: of all that is drawn
+    std::optional<Selection> axesOf;  ///< their principal axes; empty: of everything drawn
     bool fromSide = false;            ///< the shortest axis to the right, the longest upwards
     std::optional<Selection> left;    ///< with `principal`: on the left
-    std::optional<Selection> spares;  ///< clipping planes leave it whole
+    std::optional<Selection> spares;  ///< stays whole under clipping planes
     std::optional<Selection> clip;    ///< has a clipping plane in front of it
-    std::optional<Selection> center;  ///< its middle is the picture's centre, and that of rotation
+    std::optional<Selection> center;  ///< its middle is the centre of picture and rotation
     std::optional<Selection> lookAt;  ///< faces the viewer
     std::optional<Selection> zoomTo;  ///< fills the picture
 
@@ -25,7 +25,7 @@ struct Aim {
     /// No scale is given: the visible scene fills the picture.
     bool fits = false;
     bool placed = false;  ///< a saved view sets the molecule's position in the picture
-    bool turns = false;   ///< pictures from other sides follow, and all of them must fit
+    bool turns = false;   ///< pictures from other sides follow, and all must fit
 
     bool any() const { return principal || lookAt || zoomTo || uncover || center || clip; }
     /// The default.

@@ -99,7 +99,7 @@ Style parseStyle(std::string_view text) {
 
 namespace {
 
-/// A colour that atoms can have, packed as the engine's are.
+/// A colour for atoms, packed like the engine's.
 std::uint32_t parseAtomColor(std::string_view text) {
     const std::array<float, 4> color = parseColor(text);
     if (color[3] < 1.0f) throw std::invalid_argument("atoms cannot be transparent: '" + std::string(text) + "'");
@@ -124,8 +124,8 @@ std::vector<std::string> palettesOf(bool ramps) {
 
 std::string rampChoices() { return "one of " + listOf(palettesOf(true)) + ", or colours such as white:red"; }
 
-/// Takes a ramp of colours from the start of a text: "white:red:10..60" leaves "10..60". @returns nothing, and leaves
-/// the text alone, if it does not begin with two colours
+/// Takes a ramp of colours from the start of a text: "white:red:10..60" leaves "10..60". @returns nothing, and does not
+/// change the text, if it does not begin with two colours
 std::optional<AnyPalette> takeRamp(std::string_view& text) {
     std::vector<std::uint32_t> colors;
     std::string_view rest = text;
@@ -143,7 +143,7 @@ std::optional<AnyPalette> takeRamp(std::string_view& text) {
     return AnyPalette::ramp(std::move(colors));
 }
 
-/// The part after a scheme's name: its range, its palette, or the colour of its carbons.
+/// Parses the part after a scheme's name: its range, its palette, or the colour of its carbons.
 void parseColoringPart(std::string_view text, Coloring& coloring) {
     const std::string name(colorSchemeName(coloring.scheme));
     const PaletteUse use = paletteUse(coloring.scheme);
@@ -196,7 +196,7 @@ std::vector<std::string> allSchemes() {
     return names;
 }
 
-/// The word of a list that another one is the plural of: "entity" for "entities". Empty if there is none.
+/// The word of a list whose plural is `text`: "entity" for "entities". Empty if there is none.
 std::string singularOf(std::string_view text, std::span<const std::string> words) {
     const std::string word = lowerCase(text);
     for (const std::string& one : words)
@@ -206,7 +206,7 @@ std::string singularOf(std::string_view text, std::span<const std::string> words
     return {};
 }
 
-/// @param text  what stands before the first colon is no scheme, and all of it is no colour
+/// Throws for a text that is neither a colour nor begins with a scheme before its first colon.
 [[noreturn]] void refuseColoring(std::string_view text) {
     const std::string_view scheme = text.substr(0, text.find(':'));
     std::string_view rest = text;
@@ -268,7 +268,7 @@ Coloring parseColoring(std::string_view text) {
 
 namespace {
 
-/// Letters and hyphens, as the names of palettes.
+/// Letters and hyphens, like the names of palettes.
 bool isWord(std::string_view text) {
     return !text.empty() && std::ranges::all_of(text, [](char c) { return c == '-' || (c >= 'a' && c <= 'z'); });
 }
@@ -309,7 +309,7 @@ Coloring parseColorSource(std::string_view text) {
             coloring.range = parseColorRange(part);
         else if (palette)
             throw std::invalid_argument("values take no palette of kinds: one of " + paletteNames(true));
-        else if (isWord(part) && text.substr(0, colon).find('.') != std::string_view::npos)  // after a file's ending
+        else if (isWord(part) && text.substr(0, colon).find('.') != std::string_view::npos)  // after a file's extension
             refuse(part, "value=COLUMN, a range such as 10..60, or " + rampChoices(), palettesOf(true));
         else
             break;
@@ -339,7 +339,7 @@ void setStyle(Style style, RepresentationOptions& look) {
 
 namespace {
 
-/// A selection may hold no '=', so that the last one is what divides.
+/// A selection may contain no '=', so the last one divides.
 std::pair<std::string_view, std::string_view> divide(std::string_view text, const char* wanted) {
     const std::size_t sign = text.rfind('=');
     if (sign == std::string_view::npos) refuse(text, wanted);
@@ -354,7 +354,7 @@ std::pair<std::string_view, std::string_view> divide(std::string_view text, cons
 
 Rule parseShow(std::string_view text) {
     std::string_view rest = text;
-    /// The text behind a separator. Both are cut off.
+    /// Cuts off a separator and the text after it, and returns that text.
     const auto cut = [&](std::string_view separator) -> std::optional<std::string_view> {
         const std::size_t at = rest.rfind(separator);
         if (at == std::string_view::npos) return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
-// The complete description of a picture, as one plain value. Every frontend writes it: command line, batch jobs,
-// Python, saved views, looks, the window's panel. options.h lists its options, one row each.
+// The complete description of a picture, as one plain value. Every frontend fills it: command line, batch jobs, Python,
+// saved views, looks, the window's panel. options.h lists its options, one row each.
 
 #include <array>
 #include <cstdint>
@@ -44,9 +44,9 @@ struct PictureDescription {
     std::vector<PrimitiveSource> primitives;
     bool cell = false;  ///< the unit cell or periodic box as lines
 
-    /// Whether something may be drawn where no atom is.
+    /// Whether anything may be drawn in addition to atoms.
     bool drawsBeside() const { return !maps.files.empty() || !primitives.empty() || cell; }
-    /// Call when maps were added or removed: density is inside of spheres.
+    /// Call after adding or removing maps: density lies inside spheres.
     void mapsChanged() { look.usual = maps.files.empty() ? Style::spacefill : Style::licorice; }
 
     Camera camera;
@@ -63,7 +63,7 @@ struct PictureDescription {
     std::optional<double> dpi;                            ///< dots per inch
     std::optional<ScreenLength> contourWidth, haloWidth;  ///< override pixels
     std::optional<double> textPoints;                     ///< 72 per inch; overrides pixels
-    /// Likewise of lines; and widths of sticks, bonds and tubes, which override radii.
+    /// As above for lines; and widths of sticks, bonds and tubes, which override radii.
     std::optional<double> linePoints, stickPoints, bondPoints, tubePoints;
     int bits = 8;  ///< per channel of the file
     std::uint32_t supersample = RenderSettings::kEdges;

@@ -1,5 +1,5 @@
 #pragma once
-// Geometry beside the molecule, as option values: a file, or the file's text.
+// Geometry in addition to the molecule, as option values: a file, or the file's text.
 
 #include <memory>
 #include <string>
@@ -11,9 +11,9 @@ struct Primitives;
 
 namespace nacre::app {
 
-/// Primitives (docs/geometry.md) from a file, from JSON text, or from a reader of scenes.
+/// Primitives (docs/geometry.md) from a file, from JSON text, or from a scene reader.
 struct PrimitiveSource {
-    /// The file's name, or JSON on one line. For readers: a name that changes with the primitives.
+    /// The file's name, or JSON on one line. For scene readers: a name that changes with the primitives.
     std::string text;
     std::shared_ptr<const Primitives> made = {};
 };

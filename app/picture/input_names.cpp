@@ -85,7 +85,7 @@ std::array<std::optional<Selection>*, 10> optionalSelections(PictureDescription&
             &d.aim.left,   &d.aim.clip,   &d.aim.spares,  &d.look.contacts.of, &d.look.contacts.with};
 }
 
-/// Where a selection's text names an input as `/name`, from a position on; npos: nowhere.
+/// Position of `/name` in a selection's text, from a position on; npos: none.
 std::size_t findInput(const std::string& text, const std::string& name, std::size_t from = 0) {
     const std::string sought = "/" + name;
     for (std::size_t at = text.find(sought, from); at != std::string::npos; at = text.find(sought, at + 1)) {
@@ -130,14 +130,14 @@ void forgetNames(PictureDescription& d, const std::vector<std::string>& names) {
         std::erase_if(*fits, [&](const FitOptions& fit) { return gone(fit.moving) || gone(fit.fixed); });
     for (std::optional<Selection>* selection : optionalSelections(d))
         if (*selection && gone(**selection)) selection->reset();
-    d.words.measures.clear();  // they count atoms of all
+    d.words.measures.clear();  // their atom numbers count atoms of all inputs
 }
 
 }  // namespace
 
 void removeInput(PictureDescription& d, std::size_t number) {
     const std::vector<std::string> names = inputNames(d.input);
-    const bool alone = d.input.further.size() == 1;  // a name means nothing once one is left
+    const bool alone = d.input.further.size() == 1;  // a single input needs no name
     if (number == 0) {
         const FurtherInput next = d.input.further.front();
         d.input.path = next.path, d.input.name = next.name, d.input.hash = next.hash, d.input.opened = next.opened;
@@ -183,7 +183,7 @@ void colorApart(const std::vector<std::string>& names, RepresentationOptions& lo
         step.numbers.push_back({number, number, '\0', '\0'});
         rule.selection.text = "/" + names[i];
         rule.selection.steps.push_back(step);
-        // From the palette's end: the chains of the first take theirs from its beginning.
+        // Counts from the palette's end: the chains of the first input use its beginning.
         const std::size_t kinds = kindCount(kChainPalette);
         rule.coloring =
             Coloring::elementWithCarbons(kindColor(i == 0 ? 0 : kinds - 1 - (i - 1) % kinds, kChainPalette));

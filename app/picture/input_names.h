@@ -31,15 +31,15 @@ void nameInputs(PictureDescription& description);
 void forEachSelection(PictureDescription& description, const std::function<void(Selection&)>& take);
 /// Whether a selection's text has `/name`.
 bool namesInput(const Selection& selection, const std::string& name);
-/// Takes an input out of several, with the rules, labels and fits that name it. @param number  from 0
+/// Removes one of several inputs, with the rules, labels and fits that name it. @param number  from 0
 void removeInput(PictureDescription& description, std::size_t number);
-/// Takes the further inputs for conformations of the first, without rules, labels and fits that name an input; or for
-/// molecules, each in a colour.
+/// Makes the further inputs conformations of the first, without rules, labels and fits that name an input; or
+/// molecules, each with its own colour.
 void setConformations(PictureDescription& description, bool conformations);
-/// Names an input anew, also in all selections. @param number  from 0 @throws std::invalid_argument
+/// Renames an input, also in all selections. @param number  from 0 @throws std::invalid_argument
 void renameInput(PictureDescription& description, std::size_t number, const std::string& name);
 
-/// By default, colours the carbons of each INPUT but the first differently.
+/// By default, gives the carbons of each INPUT but the first a different colour.
 /// @param from  the first to be coloured, counted from 0
 void colorApart(const std::vector<std::string>& names, RepresentationOptions& look, std::size_t from = 1);
 

@@ -21,7 +21,7 @@ std::optional<Selection> parsed(std::string_view text) {
     }
 }
 
-/// Other programs' words.
+/// Words of other programs.
 constexpr std::pair<std::string_view, std::string_view> kKindSynonyms[] = {
     {"hbond", "hydrogen-bond"}, {"hbonds", "hydrogen-bond"},    {"h-bond", "hydrogen-bond"},
     {"polar", "hydrogen-bond"}, {"salt", "salt-bridge"},        {"ionic", "salt-bridge"},
@@ -51,8 +51,8 @@ void parseInteractions(std::string_view text, ContactOptions& contacts) {
     }
     contacts.with.reset();
     const std::string_view first = text.substr(0, text.find(','));
-    parseSelection(first);  // throws the error of the first of two
-    // A comma that continues no list, as in "chain A,B", begins the second.
+    parseSelection(first);  // throws the error of the first selection of two
+    // A comma that does not continue a list, as in "chain A,B", begins the second selection.
     if (first.size() < text.size() && !parsed(std::string(first) + ",A")) parseSelection(text.substr(first.size() + 1));
     contacts.of = parseSelection(text);
 }

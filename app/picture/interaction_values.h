@@ -19,11 +19,11 @@ InteractionRules parseInteractionRules(std::string_view name);
 /// "all", or names separated by commas: "hydrogen-bond,metal".
 std::array<bool, kInteractionKinds> parseInteractionKinds(std::string_view text);
 std::string interactionKindsText(const std::array<bool, kInteractionKinds>& kinds);
-/// Their names, separated by commas.
+/// Names of interaction kinds, separated by commas.
 std::string interactionKindNames();
 /// "KIND=COLOR", or "COLOR" for all kinds; "" clears all. @throws std::invalid_argument
 void parseInteractionColor(std::string_view text, ContactOptions& contacts);
-/// One line per kind that has a colour of its own.
+/// One line per kind with its own colour.
 std::string interactionColorsText(const ContactOptions& contacts);
 
 }  // namespace nacre::app

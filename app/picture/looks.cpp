@@ -82,7 +82,7 @@ std::span<const Look> looks() {
 
 Look lookFromText(const std::string& json, const std::string& name) {
     Look look{name, "", {}};
-    parseSavedView(json, name);  // judges every key and value
+    parseSavedView(json, name);  // checks every key and value
     const auto keys = parseJson<OrderedJson>(json);
     for (const auto& [key, value] : keys.items())
         if (lookOption(key))
@@ -112,7 +112,7 @@ Look lookOf(const std::string& nameOrFile) {
 
 void applyLook(const Look& look, PictureDescription& view) {
     const PictureDescription plain;
-    for (const Option& option : options())  // how a cut looks stays with the cut
+    for (const Option& option : options())  // the style of cuts belongs to the cut
         if (option.look && option.key != "color" && option.needs != "clip") option.parse(option.print(plain), view);
     for (const auto& [key, value] : look.options) option(key).parse(value, view);
 }
@@ -128,7 +128,7 @@ std::string lookJson(const PictureDescription& view) {
 }
 
 void applyPocket(std::string_view text, PictureDescription& d) {
-    if (text == "ligand") text = "mainligand";  // one of equal ones, and no glycan
+    if (text == "ligand") text = "mainligand";  // one of several equal ones, and no glycan
     const Selection ligand = parseSelection(text);
     const std::string it = "(" + std::string(text) + ")";
     const std::string around = "byres (within " + numberText(kPocketReach) + " of " + it + ")";

@@ -1,6 +1,6 @@
 #pragma once
 // Named looks: matching light, outlines, fog, background and colours. A look is data: options and values in the format
-// of saved views; others are default. Contents and camera are never part of a look.
+// of saved views, with defaults for the others. Contents and camera are never part of a look.
 
 #include <optional>
 #include <span>
@@ -15,20 +15,20 @@ namespace nacre::app {
 
 struct Look {
     std::string name, about;
-    std::vector<std::pair<std::string, std::string>> options;  ///< without dashes; and their values
+    std::vector<std::pair<std::string, std::string>> options;  ///< names without dashes, and their values
 };
 
 /// In the order of sheets and menus; the first is the default.
 std::span<const Look> looks();
 
-/// A look by name, or from a JSON file of options; a saved view also works, and its other keys are ignored.
+/// A look by name, or from a JSON file of options; a saved view also works, without its other keys.
 /// @throws std::invalid_argument, Error
 Look lookOf(const std::string& nameOrFile);
 
 /// As above from such a file's text. @param name  of the file @throws Error
 Look lookFromText(const std::string& json, const std::string& name);
 
-/// A look from a file that holds nothing else; empty if it does. @throws Error
+/// The look of a file that contains nothing else; empty for other files. @throws Error
 std::optional<Look> lookAlone(const std::string& path);
 
 /// Replaces a view's look. Colours stay unless the look sets them.
@@ -40,13 +40,13 @@ std::string lookJson(const Look& look);
 
 constexpr double kPocketReach = 4;  ///< Å: residues with an atom this close form the pocket
 
-/// The ligand and the residues around it as sticks, their interactions, labels of the residues, a faint cartoon, and
-/// the camera on the side that shows most of the ligand. Existing rules and labels come after these.
+/// Shows the ligand and the residues around it as sticks, their interactions, labels of the residues and a faint
+/// cartoon, with the camera on the side that shows most of the ligand. Existing rules and labels come after these.
 /// @throws Error as parseSelection()
 void applyPocket(std::string_view ligand, PictureDescription& d);
 
-/// Two sides in two colours, the residues at which they touch as sticks, the interactions between them, and the camera
-/// at the side of the interface: the first side to the left. Other chains are hidden. Existing rules come after these.
+/// Shows two sides in two colours, the residues where they touch as sticks, and the interactions between them, with the
+/// camera beside the interface: the first side on the left. Other chains are hidden. Existing rules come after these.
 /// @param sides  two chains or selections, separated by a comma @throws Error as parseSelection(),
 /// std::invalid_argument
 void applyInterface(std::string_view sides, PictureDescription& d);

@@ -88,7 +88,7 @@ ValueMap parseValueMap(std::string_view text) {
         const std::string_view part = text.substr(colon + 1);
         const auto range = parseColorRange(part);
         const auto palette = paletteFromName(lowerCase(part));
-        if (!range && !palette) break;  // of a name as emdb:3001
+        if (!range && !palette) break;  // belongs to a name such as emdb:3001
         if (palette && !isRamp(*palette))
             throw std::invalid_argument("expected a palette of numbers, one of " + paletteNames(true) + ", not '" +
                                         std::string(part) + "'");

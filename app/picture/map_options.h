@@ -15,7 +15,7 @@ namespace nacre::app {
 
 struct MapLevel {
     enum class Unit : std::uint8_t {
-        automatic,  ///< 1.5 sigma for a crystal, 3 for a difference map, else the highest 1 %
+        automatic,  ///< 1.5 sigma for a crystal, 3 for a difference map, otherwise the highest 1 %
         value,      ///< in the file's unit
         sigma,      ///< above the mean, in root mean square deviations
         top         ///< percentage of values above it
@@ -32,10 +32,10 @@ struct MapColors {
     friend bool operator==(const MapColors&, const MapColors&) = default;
 };
 
-/// In place of a file: the potential about the atoms of the picture.
+/// Instead of a file: the potential of the picture's atoms.
 constexpr const char* kElectrostatics = "electrostatics:";
 
-/// A map by whose values something is coloured.
+/// A map whose values determine colours.
 struct ValueMap {
     std::string file;  ///< empty: none; or kElectrostatics
     std::optional<ColorRange> range = {};
@@ -43,10 +43,10 @@ struct ValueMap {
     friend bool operator==(const ValueMap&, const ValueMap&) = default;
 };
 
-/// A plane of the grid that is drawn in place of a contour.
+/// A plane of the grid that is drawn instead of a contour.
 struct MapSliceOption {
-    int axis = -1;       ///< 0, 1, 2: across a, b, c; -1: there is none
-    double place = 0.5;  ///< 0..1 of what is drawn of the map
+    int axis = -1;       ///< 0, 1, 2: across a, b, c; -1: none
+    double place = 0.5;  ///< 0..1 of the drawn part of the map
     friend bool operator==(const MapSliceOption&, const MapSliceOption&) = default;
 };
 
@@ -66,14 +66,14 @@ struct MapOptions {
     std::vector<MapLevel> levels;
     std::vector<MapStyle> styles;
     std::vector<MapColors> colors;
-    std::vector<ValueMap> values;  ///< by which contours and slices are coloured
+    std::vector<ValueMap> values;  ///< colours of contours and slices
     std::vector<MapSliceOption> slices;
     std::vector<MapTransfer> transfers;            ///< of volumes
-    ValueMap surface;                              ///< by which the molecule's surfaces are coloured
+    ValueMap surface;                              ///< colours of the molecule's surfaces
     std::vector<std::optional<double>> opacities;  ///< of surfaces and volumes; empty: 0.5, of slices 1
     double width = 1.5;                            ///< of lines and dots, pixels
-    std::optional<Selection> around;               ///< empty: of a crystal all drawn atoms, else everything
-    bool aroundFocus = false;                      ///< around what the camera looks at, and no selection
+    std::optional<Selection> around;               ///< empty: for a crystal all drawn atoms, else everything
+    bool aroundFocus = false;                      ///< around the camera's focus, without a selection
     std::optional<double> reach;                   ///< Å from there; empty: usualReach()
 
     double usualReach() const { return around ? kMapReach : aroundFocus ? kMapReachOfFocus : kMapReachOfAll; }
@@ -90,24 +90,24 @@ std::optional<double> parseMapOpacity(std::string_view text);
 std::string mapOpacityText(const std::optional<double>& opacity);
 MapStyle parseMapStyle(std::string_view text);
 std::string mapStyleText(MapStyle style);
-/// "auto", a colour, or two separated by a comma.
+/// "auto", one colour, or two separated by a comma.
 MapColors parseMapColors(std::string_view text);
 std::string mapColorsText(const MapColors& colors);
-/// "none", or "FILE" with ":LOW..HIGH" and ":PALETTE" behind it, in any order. @throws std::invalid_argument
+/// "none", or "FILE" followed by ":LOW..HIGH" and ":PALETTE", in any order. @throws std::invalid_argument
 ValueMap parseValueMap(std::string_view text);
 std::string valueMapText(const ValueMap& map);
 /// "on", "off" or "LOW..HIGH", in kT/e. @throws std::invalid_argument
 ValueMap parseElectrostatics(std::string_view text);
 std::string electrostaticsText(const ValueMap& map);
-/// "none", or "a", "b" or "c" with ",PLACE" behind it. @throws std::invalid_argument
+/// "none", or "a", "b" or "c", optionally followed by ",PLACE". @throws std::invalid_argument
 MapSliceOption parseMapSlice(std::string_view text);
 std::string mapSliceText(const MapSliceOption& slice);
-/// "auto", or 2 to 8 of "LEVEL=COLOR@OPACITY" with commas between. @throws std::invalid_argument
+/// "auto", or 2 to 8 of "LEVEL=COLOR@OPACITY", separated by commas. @throws std::invalid_argument
 MapTransfer parseMapTransfer(std::string_view text);
 std::string mapTransferText(const MapTransfer& transfer);
-/// All that a picture reads: --map, and what it is coloured by. Each once.
+/// All files that a picture reads for --map and for colours by maps, each once.
 std::vector<std::string> mapFiles(const MapOptions& maps);
-/// Applies to each of them, so that a view's are found wherever it is.
+/// Applies a change to each of them, for example to make a view's paths absolute.
 template <typename Change>
 void changeMapFiles(MapOptions& maps, const Change& change) {
     for (std::string& file : maps.files) file = change(file);
@@ -116,7 +116,7 @@ void changeMapFiles(MapOptions& maps, const Change& change) {
     if (!maps.surface.file.empty() && maps.surface.file != kElectrostatics)
         maps.surface.file = change(maps.surface.file);
 }
-/// "SEL" or "focus", with ",RADIUS" behind it, into `around`, `aroundFocus` and `reach`.
+/// Parses "SEL" or "focus", optionally followed by ",RADIUS", into `around`, `aroundFocus` and `reach`.
 void parseMapAround(std::string_view text, MapOptions& maps);
 std::string mapAroundText(const MapOptions& maps);
 

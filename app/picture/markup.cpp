@@ -1,4 +1,4 @@
-// Raised and lowered letters, and Greek ones.
+// Markup: superscripts, subscripts and Greek letters.
 
 #include <stdexcept>
 
@@ -67,7 +67,7 @@ private:
         std::size_t end = at_;
         while (end < text_.size() && isAsciiLetter(text_[end])) ++end;
         const std::string_view name = text_.substr(at_, end - at_);
-        // "\alphaH" is a letter and another one.
+        // "\alphaH" is a Greek letter followed by another letter.
         const Letter* longest = nullptr;
         std::vector<std::string> words;
         for (const Letter& letter : kLetters) {

@@ -26,7 +26,7 @@ const Option& wantedOption(const std::string& key, const std::string& who) {
     throw UsageError("\"" + std::string(key) + "\": " + why);
 }
 
-/// A value for a message; of a long one the beginning.
+/// A value for a message; of a long one only the beginning.
 std::string shownJson(const JobJson& value) {
     constexpr std::size_t kMost = 60, kMostEntries = 8;
     if (value.is_structured() && value.size() > kMostEntries)
@@ -41,7 +41,7 @@ bool takesWord(const Option& option, std::string_view word) {
     return words.find("|" + std::string(word) + "|") != std::string::npos;
 }
 
-/// What switches an option on or off, if something does.
+/// The text that switches an option on or off, if there is one.
 std::optional<std::string> switchText(bool on, const Option& option) {
     if (!takesOff(option)) return std::nullopt;
     if (!on) return takesWord(option, "off") ? "off" : "hide";
@@ -55,7 +55,7 @@ std::optional<std::string> switchText(bool on, const Option& option) {
     return number ? std::optional(usual) : std::nullopt;
 }
 
-/// A text or number, or numbers that belong together: [640, 480] is "640x480" of a size, and "640,480" otherwise.
+/// A text, a number, or a group of numbers: [640, 480] is "640x480" for a size, and "640,480" otherwise.
 std::string jobText(const JobJson& value, const Option& option) {
     if (value.is_string()) return value.get<std::string>();
     const bool file = option.positional || option.syntax.find("FILE") != std::string::npos ||
@@ -108,7 +108,7 @@ void addJobRules(std::vector<OptionValue>& values, const JobJson& rules, const s
 
 void setJobOption(const Option& option, const std::string& value, PictureDescription& description) {
     const std::string key(option.key);
-    // Names of files would end there.
+    // File names would end there.
     if (value.find('\0') != std::string::npos) throw UsageError(key + ": it contains a NUL character");
     try {
         setOption(option, value, description);

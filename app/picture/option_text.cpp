@@ -19,7 +19,7 @@ std::string exactText(double value) {
     std::array<char, 40> digits{};
     for (int precision = 1; precision <= 17; ++precision) {
         std::snprintf(digits.data(), digits.size(), "%.*g", precision, value);
-        const bool plain = std::strchr(digits.data(), 'e') == nullptr;  // 30, where one digit would be 3e+01
+        const bool plain = std::strchr(digits.data(), 'e') == nullptr;  // 30, where one digit would give 3e+01
         const bool readable = plain || std::abs(value) < 1e-4 || std::abs(value) >= 1e15;
         if (readable && std::strtod(digits.data(), nullptr) == value) break;
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Converts values to option text, which option_values.h reads.
+// Converts values to option text, which option_values.h parses.
 
 #include <array>
 #include <string>
@@ -12,7 +12,7 @@ namespace nacre::app {
 
 /// A number in short form: 0.0001, 16384.
 std::string numberText(double value);
-/// With all digits needed to read the same number again.
+/// With all digits needed to parse to the same number.
 std::string exactText(double value);
 constexpr std::pair<const char*, Style> kStyles[] = {
     {"spacefill", Style::spacefill},  {"ball-and-stick", Style::ballAndStick},
@@ -30,7 +30,7 @@ std::string clipText(const Clip& clip);
 /// The option without dashes, and its value: {"show", "ligand=licorice"}.
 std::pair<std::string, std::string> ruleText(const Rule& rule);
 
-/// A selection that presets make, for people: "residues within 4 Å of the ligand"; others as they are.
+/// A description of a preset's selection: "residues within 4 Å of the ligand"; other selections unchanged.
 std::string selectionWords(const std::string& text);
 
 }  // namespace nacre::app

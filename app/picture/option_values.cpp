@@ -192,7 +192,7 @@ std::uint32_t parseSupersample(std::string_view text) {
 }
 
 void checkSamples(const Size& size, std::uint32_t supersample, std::uint64_t most) {
-    supersample = std::max(supersample, 1u);  // samples of edges need no pixels of their own
+    supersample = std::max(supersample, 1u);  // edge samples need no additional pixels
     const std::uint64_t samples = std::uint64_t{size.width} * size.height * supersample * supersample;
     if (samples > most)
         throw std::invalid_argument("--size times --supersample squared is " + std::to_string(samples) +

@@ -22,14 +22,14 @@ constexpr int kMostDirections = 4096;                               ///< occlusi
 constexpr double kSmallestZoom = 1e-4, kLargestZoom = 1e4;
 constexpr double kSmallestFov = 1, kLargestFov = 120;  ///< degrees
 
-/// All of a text as a number. @returns whether it is one, and nothing else; does not throw
+/// Parses the whole text as a number. @returns whether that succeeded; does not throw
 template <typename Number>
 bool readWhole(std::string_view text, Number& value) {
     const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
     return error == std::errc() && end == text.data() + text.size();
 }
 
-/// Throws the reason why `text` is invalid. @param words  the nearest is suggested
+/// Throws the reason why `text` is invalid. @param words  the nearest one is suggested
 [[noreturn]] void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words = {});
 
 /// "a, b, c"
@@ -37,7 +37,7 @@ std::string listOf(std::span<const std::string> words);
 /// "a, b or c"
 std::string anyOf(std::span<const std::string> words);
 
-/// As above for a name with another ending. @param also  other valid forms: ", or a folder"
+/// As above for a name with an invalid extension. @param also  other valid forms: ", or a folder"
 [[noreturn]] void refuseEnding(std::string_view name, std::span<const std::string> endings,
                                const std::string& also = {});
 
@@ -65,10 +65,10 @@ Size parseSize(std::string_view text);
 /// "X,Y,Z" in degrees, finite.
 glm::dvec3 parseRotation(std::string_view text);
 
-/// All of the text as a finite number within [low, high].
+/// The whole text as a finite number within [low, high].
 double parseNumber(std::string_view text, double low, double high);
 
-/// All of the text as an integer within [low, high].
+/// The whole text as an integer within [low, high].
 std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t high);
 
 /// "all" is kAllModels; otherwise a number from 1.
@@ -92,7 +92,7 @@ std::uint32_t parseSupersample(std::string_view text);
 /// Refuses more than `most`. @param supersample  from parseSupersample()
 void checkSamples(const Size& size, std::uint32_t supersample, std::uint64_t most = kMostSamples);
 
-/// A width that the picture's size, resolution or camera turns into pixels.
+/// A width that depends on the picture's size, resolution or camera.
 struct ScreenLength {
     enum class Unit : std::uint8_t {
         points,   ///< 72 per inch

@@ -38,12 +38,12 @@ const Option* findOption(std::string_view key, Topics topics) {
 
 const Option& option(std::string_view key) {
     if (const Option* found = findOption(key)) return *found;
-    std::abort();  // a key that the program misspells
+    std::abort();  // a misspelled key in the program
 }
 
 namespace {
 
-/// Suggests a word of the option's syntax, or its other unit, for a text that it refuses.
+/// For an invalid text, suggests a word of the option's syntax, or its other unit.
 std::string hintFor(const Option& option, std::string_view text, std::string_view said) {
     if (said.find("did you mean") != std::string_view::npos) return {};
     std::vector<std::string> words(1);
@@ -53,7 +53,7 @@ std::string hintFor(const Option& option, std::string_view text, std::string_vie
         else
             words.back() += c;
     for (std::string& word : words) word.resize(std::min(word.find('['), word.size()));  // "focus[,RADIUS]"
-    std::erase_if(words, [](const std::string& word) {                                   // forms: SEL, START,END
+    std::erase_if(words, [](const std::string& word) {                                   // placeholders: SEL, START,END
         return word.size() < 3 || !std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
     });
     if (std::string hint = suggestion(text, words); !hint.empty()) return hint;

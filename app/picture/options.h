@@ -1,7 +1,7 @@
 #pragma once
-// The options of a picture's description, one row each. Everything follows from these rows: command line, help, manual
-// page, completions, batch jobs, Python's arguments, saved views, looks, undo, redrawing, and docs/reference.md. The
-// rows are in rows_*.cpp, by subject.
+// The options of a picture's description, one row each. These rows are the source of: command line, help, manual page,
+// completions, batch jobs, Python's arguments, saved views, looks, undo, redrawing, and docs/reference.md. The rows are
+// in rows_*.cpp, by subject.
 
 #include <span>
 #include <string>
@@ -16,7 +16,7 @@ namespace nacre::app {
 enum class Topic : std::uint64_t {
     view = 1 << 0,        ///< saved views
     look = 1 << 1,        ///< several options by one name
-    thumbnail = 1 << 2,   ///< likewise
+    thumbnail = 1 << 2,   ///< several options by one name
     input = 1 << 3,       ///< INPUT
     reading = 1 << 4,     ///< how INPUT is read
     trajectory = 1 << 5,  ///< positions of its atoms
@@ -46,7 +46,7 @@ enum class Topic : std::uint64_t {
     validation = 1 << 29,
     interactions = 1 << 30,
     map = std::uint64_t{1} << 32,       ///< density maps
-    geometry = std::uint64_t{1} << 33,  ///< beside the molecule
+    geometry = std::uint64_t{1} << 33,  ///< in addition to the molecule
     saved = 1u << 31,                   ///< in saved views only
 };
 using Topics = std::uint64_t;
@@ -58,10 +58,10 @@ constexpr Topics kAppearance = Topic::style | Topic::color | Topic::rules | Topi
                                Topic::interactions | Topic::map | Topic::geometry;
 constexpr Topics kEveryTopic = ~static_cast<Topics>(Topic::saved);
 
-/// The part of the work that is done again when an option changes.
+/// The part of the work that must be repeated when an option changes.
 enum class Facet : unsigned {
     input = 1 << 0,       ///< the molecule is read
-    frame = 1 << 7,       ///< which of its models or frames is taken, and how frames are laid
+    frame = 1 << 7,       ///< a model or frame is chosen, and frames are processed
     scene = 1 << 1,       ///< spheres, sticks and meshes are made
     view = 1 << 2,        ///< the camera
     shading = 1 << 3,     ///< how pixels are shaded
@@ -69,7 +69,7 @@ enum class Facet : unsigned {
     annotation = 1 << 4,  ///< text in the picture
     file = 1 << 5,        ///< output files
     device = 1 << 6,      ///< the device
-    map = 1 << 9          ///< what is drawn beside the molecule: contours of density maps, primitives
+    map = 1 << 9          ///< objects drawn in addition to the molecule: contours of density maps, primitives
 };
 using Facets = unsigned;
 constexpr Facets operator|(Facet a, Facet b) { return static_cast<Facets>(a) | static_cast<Facets>(b); }
@@ -88,7 +88,7 @@ struct Option {
         inputs    ///< further inputs; JSON: a list of objects
     };
     enum class Number { none, whole, real };
-    /// When a saved view holds it.
+    /// When a saved view includes it.
     enum class Save { never, differing, always, withTrajectory };
 
     std::string_view key = {};  ///< "contours": --contours, "contours" in JSON, contours= in Python
@@ -97,19 +97,19 @@ struct Option {
     std::string help = {};      ///< '\n' is a possible line break
     Topic topic = Topic::saved;
     Facet facet = Facet::file;
-    /// Reads a value; adds one to a list, or clears the list for "". @throws std::invalid_argument with a text that
+    /// Reads a value; adds one to a list, or clears the list for "". @throws std::invalid_argument with text that
     /// continues "--key: ", or Error
     void (*parse)(std::string_view text, PictureDescription&) = nullptr;
-    /// The text that parse() reads; lists have one line per value. Null: the option stands for others.
+    /// The text that parse() reads; lists have one line per value. Null: the option sets others.
     std::string (*print)(const PictureDescription&) = nullptr;
 
     Kind kind = Kind::value;
     Save save = Save::never;
     Number number = Number::none;    ///< type in saved views, if it is a number
     bool look = false;               ///< part of a look
-    std::string_view savedAs = {};   ///< key in saved views; empty: the same
+    std::string_view savedAs = {};   ///< key in saved views; empty: `key`
     std::string_view needs = {};     ///< an option without which this one has no effect
-    std::string_view excludes = {};  ///< an option that cannot be given beside it
+    std::string_view excludes = {};  ///< an option that cannot be combined with this one
     std::string_view bare = {};      ///< value of the option's name alone
     std::string_view letter = {};    ///< "-o"
     bool positional = false;         ///< INPUT
@@ -121,13 +121,13 @@ struct Option {
         struct Choice {
             const char* label;
             std::string value;
-            const char* meaning = "";  ///< what a picture with it shows, a sentence
+            const char* meaning = "";  ///< a sentence about pictures with it
             const char* heading = "";  ///< of its legend; empty: the value
         };
         const char* label = nullptr;
         double low = 0, high = 0;          ///< of a slider
         const char* shown = nullptr;       ///< printf format of the value
-        std::vector<Choice> choices = {};  ///< of a list; of a switch two: off, and on
+        std::vector<Choice> choices = {};  ///< of a list; for a switch two: off, and on
     } control = {};
 
     std::string_view savedKey() const { return savedAs.empty() ? key : savedAs; }
@@ -143,12 +143,12 @@ const Option& option(std::string_view key);
 /// Sets a value and records that it was given. @throws as Option::parse
 void setOption(const Option& option, std::string_view text, PictureDescription& description);
 
-/// The place of its value among the choices of its control; behind them if it is another one.
+/// Index of its value among the choices of its control; their number for any other value.
 std::size_t chosen(const Option& option, const PictureDescription& description);
-/// Takes the next of those choices, the first after another value. @returns its place
+/// Sets the next choice; the first if the current value is no choice. @returns its index
 std::size_t stepOption(const Option& option, PictureDescription& description);
 
-/// The parts of the work in which two descriptions differ.
+/// The parts of the work that differ between two descriptions.
 Facets difference(const PictureDescription& a, const PictureDescription& b);
 
 }  // namespace nacre::app

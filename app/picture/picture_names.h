@@ -8,7 +8,7 @@ namespace nacre::app {
 /// Whether a picture can be written under this name: standard output, or .png .tif .tiff .jpg .jpeg .webp .exr in any
 /// case.
 bool isPictureName(const std::string& path);
-/// The endings of picture files, ".png" first.
+/// The extensions of picture files, ".png" first.
 std::span<const std::string> pictureEndings();
 
 }  // namespace nacre::app

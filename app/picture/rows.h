@@ -16,8 +16,8 @@ std::vector<Option> shadingRows();
 std::vector<Option> wordRows();
 std::vector<Option> deviceRows();
 
-/// Rows of one topic that affect one part of the work. A row may state another part; one without help is for saved
-/// views only.
+/// Rows of one topic that affect one part of the work. A row may state another part; a row without help is only for
+/// saved views.
 std::vector<Option> under(Topic topic, Facet facet, std::vector<Option> rows);
 std::vector<Option> joined(std::initializer_list<std::vector<Option>> groups);
 
@@ -62,7 +62,7 @@ template <auto... members>
 std::string printNumber(const PictureDescription& d) {
     return numberText(at<members...>(d));
 }
-/// All digits needed to read the same number again.
+/// All digits needed to parse to the same number.
 template <auto... members>
 std::string printExact(const PictureDescription& d) {
     return exactText(at<members...>(d));

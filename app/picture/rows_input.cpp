@@ -23,7 +23,7 @@ std::vector<std::string> lookNames() {
 void takeThumbnail(T text, P& d) {
     const auto side = static_cast<std::uint32_t>(parseInteger(text, 16, 4096));
     d.size = {side, side};
-    d.occlusion.detail = 12;  // of which so few pixels show no more, nor of more directions
+    d.occlusion.detail = 12;  // so few pixels show no finer detail, and no more directions
     d.occlusion.directions = 64;
     d.aim.principal = d.view.empty();
 }
@@ -35,7 +35,7 @@ std::string printInputs(const P& d) {
     return text;
 }
 
-/// Before the options that override what a saved view says.
+/// Precede the options that override values of a saved view.
 std::vector<Option> positional() {
     std::vector<Option> rows{
         {.key = "input",
@@ -175,7 +175,7 @@ std::string printModel(const P& d) { return d.input.model == kAllModels ? "all" 
 
 void parseSceneMap(T text, P& d) {
     addTo(d.input.sceneMaps, text, kMostInputs, [](T map) {
-        // An address may hold '=' itself: the last one divides.
+        // An address may contain '=': the last one divides.
         const std::size_t end = map.rfind('=');
         if (end == T::npos || end == 0 || end + 1 == map.size())
             throw std::invalid_argument("'" + std::string(map) + "' is no URL=PATH");

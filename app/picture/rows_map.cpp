@@ -1,4 +1,4 @@
-// Density maps: which, at which levels, and how they look.
+// Density maps: files, levels, and appearance.
 
 #include "app/files/json_text.h"
 #include "app/picture/rows.h"

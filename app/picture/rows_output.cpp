@@ -30,7 +30,7 @@ void parseOutput(T text, P& d) {
     d.output = text;
 }
 
-/// A file of one ending, or standard output.
+/// A file with one extension, or standard output.
 std::string parseEnding(T text, const char* ending) {
     const std::string path(text);
     if (!isStandardOutput(path) && extensionOf(path) != ending)

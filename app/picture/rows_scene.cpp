@@ -174,7 +174,7 @@ void parseLineWidth(T text, P& d) {
     if (!d.linePoints) d.look.lineWidth = parseNumber(text, 0.5, kWidestWire);
 }
 
-/// A radius in Å; or the width in points, which the scale of the picture turns into one.
+/// A radius in Å; or a width in points, which the picture's scale converts to one.
 template <auto size, auto points>
 void parseThickness(T text, P& d) {
     d.*points = pointsOf(text);

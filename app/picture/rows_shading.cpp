@@ -83,7 +83,7 @@ std::vector<Option> lightRows() {
     };
 }
 
-/// An effect: part of a look, and saved where it differs.
+/// An effect: part of a look, and saved if it differs.
 Option effect(T key, const char* syntax, const char* help, void (*parse)(T, P&), std::string (*print)(const P&),
               T needs = {}, Option::Control control = {}) {
     return {.key = key,
@@ -100,7 +100,8 @@ Option effect(T key, const char* syntax, const char* help, void (*parse)(T, P&),
             .control = control};
 }
 
-/// A width in pixels, where 0 is "off". @param given  in another unit, if so; then the width is a usual picture's
+/// A width in pixels; 0 is "off". @param given  set if it is in another unit; then the width is that for a default
+/// picture
 void parseWidth(T text, double& width, std::optional<ScreenLength>& given) {
     constexpr double kUsualSide = 1024, kUsualScale = 10;
     given = screenLengthOf(text);
@@ -173,7 +174,7 @@ std::vector<Option> lineRows() {
     };
 }
 
-/// One number, or two with a comma between them.
+/// One number, or two separated by a comma.
 std::vector<double> oneOrTwo(T text) {
     const std::size_t comma = text.find(',');
     std::vector<double> numbers{parseNumber(text.substr(0, comma), -kFarthest, kFarthest)};

@@ -1,4 +1,4 @@
-// Where the picture is seen from.
+// The camera of the picture.
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -41,7 +41,7 @@ void parseOrientation(T text, P& d) {
     const glm::dquat orientation(q[0], q[1], q[2], q[3]);
     const double length = glm::length(orientation);
     if (!(length > 1e-6 && length < 1e6)) throw std::invalid_argument("expected a quaternion w, x, y, z");
-    // One that is unit already keeps its very digits.
+    // An orientation of unit length keeps its exact digits.
     d.camera.orientation = std::abs(length - 1) < 1e-12 ? orientation : orientation / length;
 }
 std::string printOrientation(const P& d) {
@@ -95,7 +95,7 @@ std::string printCenter(const P& d) {
     const glm::dvec3& c = *d.camera.center;
     return exactText(c.x) + "," + exactText(c.y) + "," + exactText(c.z);
 }
-/// A camera that was moved has an explicit scale.
+/// A moved camera has an explicit scale.
 std::string printZoom(const P& d) {
     const bool moved = d.camera.zoom != 1 || d.camera.pan != glm::dvec2(0);
     return d.aim.fits && !moved ? "fit" : exactText(d.camera.zoom);

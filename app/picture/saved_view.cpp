@@ -18,15 +18,15 @@
 namespace nacre::app {
 namespace {
 
-using Json = nlohmann::json;  // sorts its keys, so that many of them are no burden
+using Json = nlohmann::json;  // sorts its keys, so that it handles many
 using OrderedJson = nlohmann::ordered_json;
 using Kind = Option::Kind;
 
-/// A number or text as an option would have it.
+/// A number or text in the option's syntax.
 std::string textOf(const Json& value) {
     if (value.is_string()) {
         if (value.get_ref<const std::string&>().find('\0') != std::string::npos)
-            throw std::invalid_argument("it contains a NUL character");  // where names of files would end
+            throw std::invalid_argument("it contains a NUL character");  // file names would end there
         return value.get<std::string>();
     }
     if (value.is_number()) return value.dump();
@@ -138,7 +138,7 @@ OrderedJson numberJson(const std::string& text, Option::Number number) {
     return number == Option::Number::real ? OrderedJson(value) : OrderedJson(std::strtoll(text.c_str(), nullptr, 10));
 }
 
-/// The pieces of a text between signs.
+/// Splits a text at a character.
 std::vector<std::string> divided(const std::string& text, char sign) {
     std::vector<std::string> pieces;
     for (std::size_t from = 0; from <= text.size() && !text.empty();) {
@@ -182,7 +182,7 @@ bool isSaved(const Option& option, const PictureDescription& view) {
 
 constexpr const char* kWhatAViewIs = " (views are files of --save-view, of --stats and of the window)";
 
-/// Keys in the order of the options, whatever theirs: some lean on those before them.
+/// Reads keys in the order of the options, since some depend on earlier ones.
 void readKeys(const Json& object, const std::string& name, PictureDescription& view) {
     const auto fail = [&](std::string_view key, const std::string& why) {
         throw Error("cannot read view", name, "\"" + std::string(key) + "\": " + why);
@@ -204,7 +204,7 @@ void readKeys(const Json& object, const std::string& name, PictureDescription& v
     nameInputs(view);
 }
 
-/// Whether it is a file of --stats, which holds a view's camera and clipping planes.
+/// Whether it is an output of --stats, which includes a view's camera and clipping planes.
 bool isStatistics(const Json& object) {
     const auto view = object.find("view");
     return view != object.end() && view->is_object() && view->contains("pixels_per_angstrom");
@@ -259,7 +259,7 @@ void readView(const std::string& json, const std::string& name, PictureDescripti
     if (!object.is_object())
         throw Error("cannot read view", name, std::string("it is not a JSON object") + kWhatAViewIs);
     if (!twice.empty()) throw Error("cannot read view", name, "\"" + twice + "\": it occurs twice");
-    view.aim.fits = false;  // it keeps its scale, also where it does not state it
+    view.aim.fits = false;  // it keeps its scale, even if not stated
     if (isStatistics(object))
         readStatistics(object["view"], name, view);
     else
@@ -282,13 +282,13 @@ void placeBeside(const std::string& path, PictureDescription& view) {
         if (!table.table && !isTableText(table.source)) table.source = besideView(path, table.source);
 }
 
-/// Puts the values of a view before those that were there.
+/// Inserts the values of a view before the existing ones.
 template <typename Value>
 void append(std::vector<Value>& list, const std::vector<Value>& before) {
     list.insert(list.end(), before.begin(), before.end());
 }
 
-/// Maps go by their numbers: lists that are shorter than that of the view's are filled up first.
+/// Options refer to maps by index: pads lists that are shorter than the view's list of maps.
 void appendMaps(MapOptions& maps, const MapOptions& more) {
     const std::size_t count = maps.files.size();
     const auto add = [&](auto& list, const auto& of) {

@@ -6,7 +6,7 @@
 //    "orientation": [w, x, y, z], "pan": [x, y], "zoom": 1.5, "labels": ["ligand={residue}"],
 //    "further-inputs": [{"name": "drug", "input": "b.sdf"}], "fits": [["/drug", "/receptor and resn STI"]], ...}
 // `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. `center` is C, `scale` the Å across the shorter
-// side: with both the camera is the same whatever is drawn. Every key is optional.
+// side: with both, the camera does not depend on the drawn scene. Every key is optional.
 
 #include <cstddef>
 #include <string>
@@ -15,8 +15,8 @@
 
 namespace nacre::app {
 
-/// Whether a file is a saved view, a look, or what --stats writes: by its name, or an object most of whose keys are
-/// options'. Reads no other file than a small JSON object.
+/// Whether a file is a saved view, a look, or an output of --stats: by its name, or an object most of whose keys are
+/// option names. Reads only small JSON objects.
 bool isViewFile(const std::string& path);
 
 /// Parses a saved view, or the output of --stats. @param name  of the file, for messages @throws Error with the key
@@ -30,7 +30,7 @@ std::string savedViewJson(const PictureDescription& view);
 /// follow the view's. @throws Error
 void applySavedView(const std::string& path, PictureDescription& description);
 
-/// The view's input, read as the view says; everything else as in `options`.
+/// The view's input, read as the view requires; everything else as in `options`.
 InputOptions inputOf(const PictureDescription& view, InputOptions options = {});
 
 }  // namespace nacre::app

@@ -27,7 +27,7 @@ struct Stereo {
     friend bool operator==(const Stereo&, const Stereo&) = default;
 };
 
-/// The picture of one eye. Of an odd side, the last column or row of the whole stays empty.
+/// Size of one eye's picture. If a side is odd, the last column or row of the whole stays empty.
 inline Size eyeSize(const Stereo& stereo, Size whole) {
     if (stereo.beside()) whole.width = std::max(whole.width / 2, 1u);
     if (stereo.mode == Stereo::Mode::topBottom) whole.height = std::max(whole.height / 2, 1u);

@@ -34,7 +34,7 @@ Label parseLabel(std::string_view text) {
             label.selection = parseSelection(text.substr(0, sign));
         } catch (const Error& error) {
             if (!first) first = error;
-            continue;  // perhaps the sign belongs to the selection
+            continue;  // the '=' may belong to the selection
         }
         label.text = text.substr(sign + 1);
         if (label.text.empty()) throw std::invalid_argument("there is no text behind '" + label.selection.text + "='");

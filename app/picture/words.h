@@ -1,6 +1,6 @@
 #pragma once
-// Words in a picture beside the molecule, as options: labels, measurements, title, scale bar, legend. app/annotation/
-// places and paints them.
+// Words in a picture, as options: labels, measurements, title, scale bar, legend. app/annotation/ places and paints
+// them.
 
 #include <array>
 #include <cstdint>
@@ -28,7 +28,7 @@ struct LabelColor {
     friend bool operator==(const LabelColor&, const LabelColor&) = default;
 };
 
-/// Where the labels of a selection's atoms stand: from their usual anchor, in em, to the right and up.
+/// Position of the labels of a selection's atoms: from their usual anchor, in em, to the right and up.
 struct LabelOffset {
     Selection selection;
     double right = 0, up = 0;
@@ -54,7 +54,7 @@ struct Words {
     bool legend = false;
     bool axes = false;                          ///< a cross of x, y, z; of a, b, c with the unit cell
     std::string legendTitle;                    ///< of the first scale, else of the first legend
-    bool distances = false;                     ///< of drawn interactions
+    bool distances = false;                     ///< values of drawn interactions
     bool seenOnly = false;                      ///< hide labels behind other atoms
     double size = 0;                            ///< em size, pixels; 0: 1/42 of the shorter side
     std::optional<std::array<float, 3>> color;  ///< sRGB-coded; empty: dark or light, in contrast to the background
@@ -72,7 +72,7 @@ Label parseLabel(std::string_view text);
 /// "SELECTION=COLOR" and "SELECTION=X,Y", split at the last '='. @throws std::invalid_argument, Error for the selection
 LabelColor parseLabelColor(std::string_view text);
 LabelOffset parseLabelOffset(std::string_view text);
-/// Two to four selections separated by commas; lists inside use '+'. A number alone is an atom's.
+/// Two to four selections separated by commas; lists inside use '+'. A plain number is an atom's.
 Measure parseMeasure(std::string_view text);
 /// "off", "angstrom" or "A" or "Å", "nm".
 ScaleBar parseScaleBar(std::string_view text);
@@ -103,8 +103,8 @@ struct TextRun {
     friend bool operator==(const TextRun&, const TextRun&) = default;
 };
 
-/// Markup as in TeX: _x and _{xyz} lower, ^x and ^{xyz} raise, \alpha to \Omega and \AA are letters, \ before another
-/// character is that character. Fields are not resolved here. @throws std::invalid_argument
+/// Markup as in TeX: _x and _{xyz} lower, ^x and ^{xyz} raise, \alpha to \Omega and \AA are letters, \ before any other
+/// character gives that character. Fields are not resolved here. @throws std::invalid_argument
 std::vector<TextRun> runsOf(std::string_view text);
 
 }  // namespace nacre::app

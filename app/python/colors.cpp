@@ -15,7 +15,7 @@ namespace nacre::python {
 
 Colors colorsOfValues(const std::vector<double>& values, const std::string& palette,
                       const std::optional<std::pair<double, double>>& limits) {
-    constexpr std::uint32_t kNone = packedColor(0xc4beb4);  // warm grey, as schemes have it
+    constexpr std::uint32_t kNone = packedColor(0xc4beb4);  // warm grey, as in schemes
     constexpr int kStops = 5;
     Colors colors;
     try {

@@ -13,7 +13,7 @@ namespace nacre::python {
 /// User-defined colours that replace a scheme's.
 struct Colors {
     std::vector<std::uint32_t> atoms;  ///< packed as in engine/scene/color/colors.h, one per atom; empty: the scheme's
-    std::vector<LegendEntry> legend;   ///< along the ramp, if they show numbers
+    std::vector<LegendEntry> legend;   ///< along the ramp, if the colours represent numbers
     AnyPalette ramp = {};
     bool operator==(const Colors& other) const { return atoms == other.atoms && ramp == other.ramp; }
 };
@@ -23,7 +23,7 @@ Colors colorsOfValues(const std::vector<double>& values, const std::string& pale
                       const std::optional<std::pair<double, double>>& limits);
 /// @throws app::UsageError unless there is one colour per atom
 void checkCount(const Colors& colors, std::size_t atoms);
-/// Applies them to a scene.
+/// Applies the colours to a scene.
 void paint(const Colors& colors, Representation& scene);
 
 }  // namespace nacre::python

@@ -34,7 +34,7 @@ using app::OptionValue;
 using app::PictureDescription;
 using app::Topic;
 
-/// For the command line alone: a structure is there already, and files are save()'s.
+/// Options only for the command line: the structure is already open, and save() writes files.
 constexpr app::Topics kNotHere = Topic::input | Topic::files | Topic::view;
 
 bool isOfReading(const app::Option& option) { return has(app::kReading, option.topic); }
@@ -57,11 +57,11 @@ auto deviceKey(const DeviceOptions& d) {
     return std::tuple(d.device, d.visibility, d.multisampling, d.encoded, d.validate);
 }
 
-/// The renderer, made for the first picture and kept; one thread at a time draws. Each structure keeps its scene.
+/// The renderer, created for the first picture and kept; one thread at a time draws. Each structure keeps its scene.
 class Shared {
 public:
     void draw(const Structure& structure, const PictureDescription& request, const Colors& colors, const Draw& draw) {
-        checkNotForked();  // before any lock, which a vanished thread may hold
+        checkNotForked();  // before any lock that a vanished thread may hold
         if (!colors.atoms.empty()) checkCount(colors, structure.molecule->atoms.size());
         const std::lock_guard its(structure.kept->turn);
         checkInterrupt();
@@ -98,13 +98,13 @@ private:
     decltype(deviceKey({})) key_;
 };
 
-/// Never destroyed: at the interpreter's end drivers may be gone already.
+/// Never destroyed: when the interpreter ends, drivers may already be gone.
 Shared& shared() {
     static Shared* const one = new Shared;
     return *one;
 }
 
-/// How open() reads. @throws app::UsageError
+/// Reading options of open(). @throws app::UsageError
 app::InputOptions readingOf(const std::vector<std::string>& inputs, const std::string& json) {
     std::vector<OptionValue> values = app::optionValuesOf(json, "open()");
     for (const OptionValue& value : values)
@@ -180,7 +180,7 @@ Structure openBytes(const std::string& name, std::string bytes, const std::strin
 
 namespace {
 
-/// @param alpha  whether to keep it in 8 bits per channel
+/// @param alpha  whether to keep alpha in 8 bits per channel
 void drawNow(app::Drawing& drawing, app::Canvas& canvas, bool alpha, Drawn& drawn) {
     drawn.warnings = drawing.warnings;
     if (drawing.settings.fine)
@@ -207,8 +207,8 @@ Drawn draw(const Structure& structure, const std::string& options, const Colors&
 }
 
 std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::string>& options, const Colors& colors) {
-    // A request that fails ends the list, so that pictures before it are not lost. It fails as the first of the next
-    // call.
+    // An invalid request ends the list, so that earlier pictures are not lost. It fails as the first request of the
+    // next call.
     std::vector<PictureDescription> requests;
     for (const std::string& one : options) {
         try {
@@ -233,7 +233,7 @@ std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::st
         try {
             for (std::size_t i = 0; i < requests.size(); ++i) {
                 if (bytes >= kMostBytes) {
-                    all.resize(i);  // those that are started lie before
+                    all.resize(i);  // the started ones precede it
                     break;
                 }
                 const PictureDescription& request = requests[i];
@@ -307,7 +307,7 @@ std::vector<bool> selected(const Structure& structure, const std::string& text) 
 
 namespace {
 
-/// Whether render() takes it.
+/// Whether render() accepts it.
 bool isOfPictures(const app::Option& option) {
     return has(app::kEveryTopic & ~kNotHere, option.topic) && (!isOfReading(option) || isCache(option));
 }

@@ -27,7 +27,7 @@ struct Structure {
     std::vector<std::string> inputs;                     ///< one, or several drawn together
     std::vector<std::string> warnings = {}, notes = {};  ///< from opening
     app::InputOptions reading = {};                      ///< how it was read: model, trajectory
-    /// Its scene, kept between pictures, for one thread at a time.
+    /// The structure's scene, kept between pictures, for one thread at a time.
     struct Kept {
         std::mutex turn;
         app::Drawing drawing;
@@ -38,32 +38,31 @@ struct Structure {
 
 struct Drawn {
     Picture picture;
-    std::optional<CodedPicture> codes;  ///< instead of the picture, if 8 bits per channel hold it
+    std::optional<CodedPicture> codes;  ///< instead of the picture, if 8 bits per channel are enough
     app::PictureFormat format;          ///< file format of the options
     std::vector<std::string> warnings;  ///< of the scene
 };
 
-/// Opens files, samples or downloads, as `nacre render INPUT...`. @param options  JSON: format, model, fit and the like
+/// Opens files, samples or downloads, as `nacre render INPUT...`. @param options  JSON: such as format, model, fit
 /// @throws app::UsageError, Error
 Structure openInputs(const std::vector<std::string>& inputs, const std::string& options);
 /// Opens a file's bytes. @param name  for messages, and a hint to the format
 Structure openBytes(const std::string& name, std::string bytes, const std::string& options);
 
-/// Interactions of `nacre info --interactions --json`. @param options  JSON: interactions, interaction_rules and the
-/// like
+/// Interactions of `nacre info --interactions --json`. @param options  JSON: such as interactions, interaction_rules
 /// @throws app::UsageError, Error
 nlohmann::ordered_json interactions(const Structure& structure, const std::string& options);
 
 /// Draws with the shared renderer, one thread after another.
 /// @param options  JSON, keys as in `nacre render` @throws app::UsageError, Error
 Drawn draw(const Structure& structure, const std::string& options, const Colors& colors);
-/// Draws a structure by several options, each picture while the last is copied. All have one device.
-/// @returns the first pictures, at least one: no more follow when they take 32 MiB
+/// Draws a structure with several sets of options, each picture while the previous one is copied. All use one device.
+/// @returns the first pictures, at least one; stops once they take 32 MiB
 std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::string>& options, const Colors& colors);
 LayerPicture drawLayers(const Structure& structure, const std::string& options, const Colors& colors,
                         std::vector<std::string>& warnings);
 
-/// Draws, and writes the picture as `nacre render -o`; layers as well, if `options` name a file for them. @returns
+/// Draws, and writes the picture as `nacre render -o`; also layers, if `options` name a file for them. @returns
 /// warnings of the scene
 std::vector<std::string> save(const Structure& structure, const std::string& path, const std::string& options,
                               const Colors& colors);
@@ -89,15 +88,15 @@ std::vector<bool> selected(const Structure& structure, const std::string& select
 
 /// The options of `nacre render` for draw(): names with '_', and the first sentence of their help.
 std::vector<std::pair<std::string, std::string>> optionNames();
-/// The same as JSON Schema.
+/// These options as JSON Schema.
 std::string schemaOfOptions();
 
 // Shared by the sources of this folder.
 
-/// The description to draw. @param output  decides the format; it is not created @throws app::UsageError
+/// The description to draw. @param output  determines the format; it is not created @throws app::UsageError
 app::PictureDescription requestOf(const Structure& structure, const std::string& json, const std::string& output);
 constexpr const char* kPlain = "picture.png";  ///< a format that keeps a picture's pixels unchanged
-/// @param good  whether the path has one of these endings @throws app::UsageError that names `who`
+/// @param good  whether the path has one of these extensions @throws app::UsageError that names `who`
 void checkName(const char* who, const std::string& path, bool good, std::span<const std::string> endings);
 /// Draws a structure's scene with exclusive use of the renderer. @throws Error; also in a forked process
 using Draw = std::function<void(app::Drawing&, app::Canvas&)>;

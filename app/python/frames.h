@@ -9,7 +9,7 @@
 
 namespace nacre::python {
 
-/// Null if there is one model. @param now  whose positions follow @throws Error
+/// Null if there is only one model. @param now  the molecule whose positions change @throws Error
 std::unique_ptr<Motion> motionOf(const Structure& structure, const Molecule& now);
 
 /// Reads frames one by one. Threads may share it.
@@ -24,7 +24,7 @@ public:
 
 private:
     Structure structure_;
-    mutable std::mutex turn_;  // of motion_, which holds one frame at a time
+    mutable std::mutex turn_;  // guards motion_, which holds one frame at a time
     std::unique_ptr<Motion> motion_;
 };
 

@@ -23,14 +23,14 @@ struct Job {
     std::condition_variable ready;
     bool done = false;
     std::exception_ptr failure;
-    std::atomic<bool> given{false};  ///< nobody waits for it any more
+    std::atomic<bool> given{false};  ///< nobody waits for the work any more
 };
 
 thread_local const Job* current = nullptr;
-std::atomic<int> strays{0};  ///< jobs that go on though nobody waits
+std::atomic<int> strays{0};  ///< jobs that continue although nobody waits for them
 
 #ifdef __GLIBC__
-/// They still use drivers and what exit() would destroy.
+/// They still use drivers and objects that exit() would destroy.
 void exitBesideStrays(int status, void*) {
     if (strays == 0) return;
     std::fflush(nullptr);
@@ -38,7 +38,7 @@ void exitBesideStrays(int status, void*) {
 }
 #endif
 
-/// At Python's end. Files that strays write are not going to be whole.
+/// At Python's end. Files that these jobs write stay incomplete.
 void leaveStrays() {
     if (strays > 0) app::removeUnfinishedFiles();
 #ifndef __GLIBC__

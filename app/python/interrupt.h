@@ -1,5 +1,5 @@
 #pragma once
-// Ctrl C during long work. Python's main thread alone answers signals, so it waits while another thread works.
+// Ctrl C during long work. Only Python's main thread handles signals, so it waits while another thread works.
 
 #include <pybind11/pybind11.h>
 
@@ -10,20 +10,20 @@
 
 namespace nacre::python {
 
-/// Thrown by checkInterrupt(); no std::exception, so that nobody takes it for a failure of the work.
+/// Thrown by checkInterrupt(). It is no std::exception, so that it is not mistaken for a failure of the work.
 struct Interrupted {};
 
-/// In work that nobody waits for any more: ends it. Cheap enough to be called often. @throws Interrupted
+/// Ends work that nobody waits for any more. Cheap enough to be called often. @throws Interrupted
 void checkInterrupt();
 
-/// Whether this thread answers Python's signals.
+/// Whether this thread handles Python's signals.
 bool answersSignals();
-/// Runs work in another thread, and answers signals meanwhile. @throws what the work throws; the exception of a
-/// signal's handler within a fraction of a second, and then the work ends at its next checkInterrupt()
+/// Runs work in another thread, and handles signals meanwhile. @throws the work's exception; or, within a fraction of a
+/// second, that of a signal's handler, and then the work ends at its next checkInterrupt()
 void runBeside(std::function<void()> work);
 
-/// Runs work without Python's lock. @param work  owns what it uses, and no Python object: after a signal it may outlive
-/// the call
+/// Runs work without Python's lock. @param work  owns its data, and no Python object: after a signal it may outlive the
+/// call
 template <typename Work>
 auto interruptible(Work&& work) {
     const pybind11::gil_scoped_release others;

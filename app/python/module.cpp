@@ -39,7 +39,7 @@ py::array_t<T> arrayOf(const std::vector<T>& values, std::vector<py::ssize_t> sh
     return array;
 }
 
-/// One value of each atom. @param value  of (atom, its residue)
+/// One value per atom. @param value  of (atom, its residue)
 template <typename T, typename Value>
 py::array_t<T> ofAtoms(const Molecule& m, Value&& value) {
     py::array_t<T> array(static_cast<py::ssize_t>(m.atoms.size()));
@@ -63,7 +63,7 @@ py::array namesOf(const Molecule& m, Value&& value) {
     return array;
 }
 
-/// A character as a text; of none an empty one. The text is that of the character's own place.
+/// A character as a text, empty if there is none. The text refers to the character itself.
 std::string_view textOf(const char& character) { return {&character, character != '\0' ? 1u : 0u}; }
 
 py::dict atomsOf(const Structure& structure) {
@@ -131,7 +131,7 @@ void addBonds(Molecule& m, const Integers& bonds) {
     m.bonds.erase(std::unique(m.bonds.begin(), m.bonds.end(), same), m.bonds.end());
 }
 
-/// Atom data for from_arrays() besides position and element; empty if unknown.
+/// Atom data for from_arrays() in addition to position and element; empty if unknown.
 struct AtomColumns {
     std::vector<std::string> names, residueNames, chains;
     std::vector<std::int32_t> residueNumbers;
@@ -150,7 +150,7 @@ void checkLength(const std::vector<T>& column, std::size_t count, const char* na
                " atoms");
 }
 
-/// Begins a chain or a residue where its name or number changes.
+/// Begins a chain or a residue if its name or number changes.
 void place(Molecule& m, const std::string& chain, const std::string& residueName, std::int32_t number) {
     const bool newChain = m.chains.empty() || m.chains.back().name != chain;
     if (newChain) {
@@ -206,7 +206,7 @@ Structure fromArrays(const Floats& positions, const std::vector<std::string>& el
     return {std::make_shared<const Molecule>(std::move(m)), {name}};
 }
 
-/// An array as a map that pictures name. Its last axis is the fastest; a map's is the first.
+/// Keeps an array as a map under a name for pictures. An array's last axis is the fastest; a map's first axis is.
 void keepDensity(const std::string& name, const Floats& values, const std::vector<double>& cell,
                  const std::vector<double>& origin, bool crystal) {
     if (values.ndim() != 3) throw app::UsageError("density_map(): the values are an array of three axes");
@@ -224,7 +224,7 @@ void keepDensity(const std::string& name, const Floats& values, const std::vecto
                            name, size, edges, {origin[0], origin[1], origin[2]}, crystal, std::move(turned))));
 }
 
-/// Rows of sRGB code values with straight alpha, as a PNG has them.
+/// Rows of sRGB code values with straight alpha, as in a PNG.
 py::array codesOf(Drawn drawn) {
     if (drawn.codes) {
         auto* const codes = new CodedPicture(std::move(*drawn.codes));
@@ -253,7 +253,7 @@ py::dict layersOf(const LayerPicture& l) {
     return layers;
 }
 
-/// Runs something without the GIL.
+/// Runs a function without the GIL.
 template <typename Work>
 auto freely(Work&& work) {
     const py::gil_scoped_release others;

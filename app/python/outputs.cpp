@@ -49,7 +49,7 @@ std::uint64_t framesOf(const app::CameraMotion& motion, std::uint64_t models, bo
 /// The models of a structure, the frames of the trajectory that it was opened with, or a morph.
 class Models {
 public:
-    /// @throws Error if there is one alone
+    /// @throws Error if there is only one model
     Models(const Structure& structure, const app::CameraMotion& motion)
         : now_(*structure.molecule), motion_(madeOf(structure, motion, now_)) {
         if (!motion_)
@@ -61,7 +61,7 @@ public:
 
     std::uint64_t count() const { return motion_->frames(); }
     const Molecule& molecule() const { return now_; }
-    /// Moves the drawing to one of them. @throws Error
+    /// Moves the drawing to a model. @throws Error
     void move(std::uint64_t model, app::Drawing& drawing) {
         app::movePositions(now_, motion_->positions(model));
         drawing.moment = {static_cast<std::int64_t>(model + 1), motion_->time()};
@@ -108,17 +108,17 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
     const app::MovieShape shape{request.size, motion.framesPerSecond, request.background[3] < 1.0f, frames};
     const std::unique_ptr<app::MovieFile> file = app::makeMovieFile(path, shape);
     std::vector<std::string> warnings;
-    Structure own = structure;  // a scene of its own: words have another room where the camera moves
+    Structure own = structure;  // a separate scene: the moving camera needs other room for words
     own.kept = std::make_shared<Structure::Kept>();
     withScene(own, request, colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
         warnings = drawing.warnings;
         app::WordMemory memory;
         if (models) {
-            drawing.settings.occlusion.cache.clear();  // of models that come and go
+            drawing.settings.occlusion.cache.clear();  // of temporary models
             drawing.startMoving(models->molecule());
         }
         const bool comesBack =
-            motion.spin || motion.rock;  // as what begins anew at 1, which the last frame stays short of
+            motion.spin || motion.rock;  // a cyclic motion starts again at 1, which the last frame does not reach
         const auto picture = [&](std::uint64_t frame) {
             const std::uint64_t whole = comesBack ? frames : std::max<std::uint64_t>(frames - 1, 1);
             if (motion.sweep) {

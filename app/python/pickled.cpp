@@ -76,7 +76,7 @@ private:
         rest_.remove_prefix(size);
         return at;
     }
-    /// Length of a list, limited by the available bytes, so that invalid data cannot demand more memory.
+    /// Length of a list, limited by the available bytes, so that invalid data cannot request more memory.
     std::size_t count(std::size_t each) {
         std::uint64_t n = 0;
         plain(n);
@@ -115,7 +115,7 @@ void parts(Archive& archive, Parts& all) {
     });
 }
 
-/// Both ways, as all().
+/// Reads or writes, as all().
 template <typename Archive, typename File>
 void summary(Archive& archive, File& file) {
     auto& [format, title, models, records, totalAtomsAllModels, totalAtomsAllRecords, totalBondsAllRecords, stated,
@@ -143,7 +143,7 @@ void summary(Archive& archive, File& file) {
     names(archive, entityNames);
 }
 
-/// Both ways. The bindings name every member: who adds one to a struct has to add it here, or this does not compile.
+/// Reads or writes all members. The bindings name every member: a new member does not compile until it is added here.
 template <typename Archive, typename M>
 void all(Archive& archive, M& molecule) {
     auto& [atoms, residues, chains, subchains, bonds, assemblies, entities, statesSecondaryStructure, partialCharges,
@@ -187,7 +187,7 @@ void all(Archive& archive, M& molecule) {
     archive.text(othersMissing);
     summary(archive, file);
     archive.list(inputFiles, [&](auto& each) { summary(archive, each); });
-    static_cast<void>(others);  // by its functions, below
+    static_cast<void>(others);  // through its functions, below
 }
 
 static_assert(std::is_trivially_copyable_v<Atom> && std::is_trivially_copyable_v<Residue> &&

@@ -8,7 +8,7 @@
 
 namespace nacre::python {
 
-/// All data of a molecule, with its file's other models.
+/// All data of a molecule, including its file's other models.
 std::string pickled(const Molecule& molecule);
 
 /// @throws Error for bytes of another version, or invalid ones

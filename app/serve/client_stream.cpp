@@ -10,10 +10,10 @@
 namespace nacre::app {
 namespace {
 
-constexpr std::size_t kMostRead = std::size_t{128} << 20;  // bytes of a body, of which one that is too large is skipped
+constexpr std::size_t kMostRead = std::size_t{128} << 20;  // bytes of a body; larger ones are skipped
 constexpr std::size_t kPiece = 16384;                      // read at once
 
-/// Renames headers Range: pictures are sent whole, and many ranges of one would be its size many times. httplib answers
+/// Renames Range headers: pictures are sent whole, and many ranges could multiply an answer's size. httplib answers
 /// malformed ones with 416.
 void dropRanges(char* head, std::size_t size) {
     constexpr std::string_view kName = "\nrange:";
@@ -54,7 +54,7 @@ void ClientStream::takeHead(httplib::Request& request) {
     received_ = 0;
     const std::string length = request.get_header_value("Content-Length");
     expected_ = std::strtoull(length.c_str(), nullptr, 10);
-    // Only httplib's reader finds the end of a body in chunks.
+    // Only httplib's reader finds the end of a chunked body.
     if (request.has_header("Transfer-Encoding")) expected_ = ~std::size_t{0};
 }
 
@@ -62,7 +62,7 @@ void ClientStream::end() { ::shutdown(socket_, SHUT_WR); }
 
 bool ClientStream::skip() {
     std::array<char, kPiece> dropped;
-    constexpr int kReads = 16;  // then others have their turn
+    constexpr int kReads = 16;  // then other connections have their turn
     for (int i = 0; i < kReads; ++i) {
         const ssize_t got = ::recv(socket_, dropped.data(), dropped.size(), MSG_DONTWAIT);
         if (got == 0) return false;
@@ -80,8 +80,8 @@ ssize_t ClientStream::read(char* to, std::size_t size) {
     std::memcpy(to, buffer_.data() + first_, taken);
     first_ += taken;
     received_ += taken;
-    sent_ = 0;  // after "100 Continue" the answer is still to come
-    // httplib reads lines byte by byte, into a buffer that grows.
+    sent_ = 0;  // after "100 Continue" the answer still follows
+    // httplib reads lines byte by byte, into a growing buffer.
     line_ = size == 1 && *to != '\n' ? line_ + 1 : 0;
     if (line_ > kMostHeadBytes || (!headTaken_ && received_ > kMostHeadBytes)) return -1;
     return static_cast<ssize_t>(taken);
@@ -114,7 +114,7 @@ int ClientStream::left(std::size_t moved) const {
     return static_cast<int>(std::clamp(most - millisecondsSince(start_), 0.0, 3.6e6));
 }
 
-/// Reads what there is. @param takes  all that was read before has been taken @returns whether there was some
+/// Reads available bytes. @param takes  everything read before was used @returns whether there were any
 bool ClientStream::fill(bool takes) {
     if (takes || first_ == buffer_.size()) {
         buffer_.clear();

@@ -10,7 +10,7 @@
 
 namespace nacre::app {
 
-/// Bodies and answers that take longer than ClientTimes::head go at this rate on average, in bytes per second.
+/// Least average rate of bodies and answers that take longer than ClientTimes::head, bytes per second.
 constexpr std::size_t kLeastRate = std::size_t{64} << 10;
 constexpr std::size_t kMostHeadBytes = std::size_t{64} << 10;
 
@@ -18,32 +18,32 @@ class ClientStream final : public httplib::Stream {
 public:
     enum class Head {
         partial,
-        whole,    ///< or longer than one may be
-        missing,  ///< the other end is gone
+        whole,    ///< complete, or too long
+        missing,  ///< the client disconnected
     };
 
-    /// @param seconds  for a body or an answer that is small
+    /// @param seconds  for a small body or answer
     ClientStream(socket_t socket, int seconds) : socket_(socket), seconds_(seconds) {}
     ~ClientStream() override;
     ClientStream(const ClientStream&) = delete;
 
-    /// Reads what there is of the next request's head, without waiting.
+    /// Reads available bytes of the next request's head, without waiting.
     Head readHead();
-    /// Bytes read and not yet taken.
+    /// Bytes read but not used.
     std::string_view ahead() const { return std::string_view(buffer_).substr(first_); }
 
-    /// The request whose head was read begins. @param waits  false: an answer that the system does not take at once is
-    /// given up
+    /// Begins the request whose head was read. @param waits  false: cancel an answer that the system does not accept at
+    /// once
     void begin(bool waits);
-    /// httplib took the head.
+    /// httplib received the head.
     void takeHead(httplib::Request& request);
-    /// Whether all of the request was read, so that another one may follow.
+    /// Whether the whole request was read, so that another one may follow.
     bool isThrough() const { return headTaken_ && received_ >= expected_; }
 
-    /// Tells the client that nothing more comes. skip() then reads what it still sends: closing at once would reset the
-    /// connection, and the client could lose the answer.
+    /// Tells the client that nothing more follows. skip() then reads what it still sends: closing at once would reset
+    /// the connection, and the client could lose the answer.
     void end();
-    /// Drops what there is, without waiting. @returns whether more may come
+    /// Drops available bytes, without waiting. @returns whether more may come
     bool skip();
 
     ssize_t read(char* to, std::size_t size) override;
@@ -65,9 +65,9 @@ private:
     Clock::time_point start_ = Clock::now();
     bool headTaken_ = false, waits_ = true;
     std::size_t received_ = 0, sent_ = 0, expected_ = 0;
-    std::size_t line_ = 0;  ///< bytes of the line that is being read
+    std::size_t line_ = 0;  ///< bytes of the line being read
     std::string buffer_;
-    std::size_t first_ = 0, searched_ = 0;  ///< bytes of buffer_ that were taken, and in which no head ends
+    std::size_t first_ = 0, searched_ = 0;  ///< bytes of buffer_ that were used, and that contain no end of a head
 };
 
 }  // namespace nacre::app

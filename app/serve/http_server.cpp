@@ -11,8 +11,8 @@
 namespace nacre::app {
 namespace {
 
-constexpr std::size_t kRequests = 1000;  // of a connection
-constexpr int kSliceMs = 250;            // after which deadlines are looked at
+constexpr std::size_t kRequests = 1000;  // per connection
+constexpr int kSliceMs = 250;            // interval of deadline checks
 
 double secondsSince(Clock::time_point start) { return millisecondsSince(start) / 1000; }
 
@@ -20,7 +20,7 @@ double secondsSince(Clock::time_point start) { return millisecondsSince(start) /
 
 HttpServer::HttpServer(std::size_t requests, std::size_t connections, ClientTimes times)
     : mostRequests_(requests), mostConnections_(connections), times_(times) {
-    set_keep_alive_timeout(times.idle);  // as the answers tell
+    set_keep_alive_timeout(times.idle);  // announced in answers
     set_keep_alive_max_count(kRequests);
     if (pipe(wake_) != 0) throw Error("cannot serve", "", "no pipe can be opened");
     for (const int end : wake_) {
@@ -37,7 +37,7 @@ HttpServer::~HttpServer() {
 
 void HttpServer::wake() const {
     const char byte = 0;
-    [[maybe_unused]] const ssize_t written = ::write(wake_[1], &byte, 1);  // where it is full, it wakes as well
+    [[maybe_unused]] const ssize_t written = ::write(wake_[1], &byte, 1);  // a full pipe also wakes the gate
 }
 
 void HttpServer::stop() {
@@ -50,7 +50,7 @@ void HttpServer::serve() {
     threads_.push_back(startThread([this] { work(); }));
     constexpr int kBacklog = 1024;
     ::listen(svr_sock_, kBacklog);
-    fcntl(svr_sock_, F_SETFL, O_NONBLOCK);  // a client that leaves before accept() must not block it
+    fcntl(svr_sock_, F_SETFL, O_NONBLOCK);  // a client that disconnects before accept() must not block it
     std::vector<pollfd> polled;
     std::vector<Connections::iterator> order;
     while (!stopping_) {
@@ -88,7 +88,7 @@ void HttpServer::accept() {
         if (i > 0 && ::poll(&more, 1, 0) <= 0) return;
         const socket_t socket = ::accept(svr_sock_, nullptr, nullptr);
         if (socket == INVALID_SOCKET) {
-            // Without descriptors the oldest connection makes room for the next.
+            // Without free descriptors, closes the oldest connection.
             if ((errno == EMFILE || errno == ENFILE) && !waiting_.empty()) waiting_.pop_front();
             return;
         }
@@ -131,7 +131,7 @@ void HttpServer::look(Connections::iterator at) {
     waiting_.push_back(std::move(connection));
 }
 
-/// Only if nothing follows the head: answers to several requests might have to wait for the client to read them.
+/// Only if nothing follows the head: otherwise answers might have to wait for the client to read them.
 bool HttpServer::isForGate(std::string_view head) const {
     if (head.find("\r\n\r\n") + 4 != head.size()) return false;
     for (const std::string_view method : {"GET ", "HEAD "})
@@ -162,7 +162,7 @@ void HttpServer::takeBack() {
     for (Connection& connection : back) {
         connection.since = Clock::now();
         waiting_.push_back(std::move(connection));
-        look(std::prev(waiting_.end()));  // a request may have come with the one before
+        look(std::prev(waiting_.end()));  // it may already have sent another request
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-// httplib's server with bounds that it lacks. One thread, the gate, waits for all heads: a connection takes another
-// thread once its request's head is there, and a client that sends a byte now and then takes none. A request has a
-// deadline as a whole, not one per read, and a head has a size.
+// httplib's server with limits that it lacks. One thread, the gate, waits for all heads: a connection gets another
+// thread once its request's head is complete, so that slow clients occupy none. A request has one deadline as a whole,
+// not one per read, and its head has a maximum size.
 
 #include <httplib.h>
 
@@ -23,36 +23,36 @@ namespace nacre::app {
 
 /// Times of a client, in seconds.
 struct ClientTimes {
-    int head = 10;   ///< to send the head of a request, and what a body or an answer may take in any case
+    int head = 10;   ///< to send a request's head; also the minimum time for a body or an answer
     int idle = 15;   ///< between two requests
     int linger = 1;  ///< to stop sending after the last answer
 };
 
 class HttpServer : public httplib::Server {
 public:
-    /// @param requests  that are read and answered at the same time @param connections  that wait; the one that has
-    /// waited longest makes room for another
+    /// @param requests  read and answered at the same time @param connections  waiting; when exceeded, the oldest is
+    /// closed
     HttpServer(std::size_t requests, std::size_t connections, ClientTimes times = {});
     ~HttpServer() override;
 
-    /// Requests for this path are answered by the gate itself: its handler takes no time.
+    /// The gate itself answers requests for this path: its handler must be fast.
     void answerAtGate(std::string path) { atGate_.push_back(std::move(path)); }
 
-    /// Once it is bound: serves until stop(), and finishes what has been received. @throws Error if there is no thread
+    /// Serves until stop(), and finishes received requests. Call after binding. @throws Error if there is no thread
     void serve();
-    /// From any thread.
+    /// Thread-safe.
     void stop();
 
 private:
     struct Connection {
         std::unique_ptr<ClientStream> stream;
-        Clock::time_point since = Clock::now();  ///< it waits
+        Clock::time_point since = Clock::now();  ///< start of waiting
         std::size_t requests = 0;                ///< answered
         enum class State { idle, head, ending } state = State::head;
     };
     using Connections = std::list<Connection>;
 
-    // By the gate.
+    // Called by the gate.
     void accept();
     void look(Connections::iterator connection);
     void dropLate();
@@ -72,13 +72,13 @@ private:
     int wake_[2] = {-1, -1};  ///< a pipe
     std::atomic<bool> stopping_{false};
 
-    std::mutex turn_;  // of all below
+    std::mutex turn_;  // guards the following
     std::condition_variable ready_;
-    std::deque<Connection> heads_;  ///< whose requests no thread has yet
-    std::deque<Connection> back_;   ///< for the gate again
+    std::deque<Connection> heads_;  ///< their requests wait for a thread
+    std::deque<Connection> back_;   ///< return to the gate
     std::vector<std::thread> threads_;
     std::size_t idleThreads_ = 0;
-    bool closed_ = false;  ///< no more heads come
+    bool closed_ = false;  ///< no more heads follow
 };
 
 }  // namespace nacre::app

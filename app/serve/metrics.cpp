@@ -9,7 +9,7 @@
 namespace nacre::app {
 namespace {
 
-/// As Linux tells it; elsewhere 0.
+/// On Linux; elsewhere 0.
 std::uint64_t residentBytes() {
     std::uint64_t whole = 0, resident = 0;
     std::ifstream("/proc/self/statm") >> whole >> resident;

@@ -15,7 +15,7 @@ public:
     void took(double seconds);
     void hit();
     void drawn();
-    /// Text format 0.0.4. @param waiting  number of waiting requests @param devices  made so far
+    /// Text format 0.0.4. @param waiting  number of waiting requests @param devices  created so far
     std::string text(std::size_t waiting, std::uint64_t devices) const;
 
 private:

@@ -31,7 +31,7 @@ constexpr std::string_view kServerKeys[] = {"cache",   "offline",       "memory"
 
 using Opened = std::shared_ptr<const OpenedFile>;
 
-/// Opens an input, if a request may have it. Null: it is no file. @throws Problem
+/// Opens an input, if a request may use it. Null: it is no file. @throws Problem
 Opened openedInput(const std::string& input, const ServeOptions& options, const Uploads& uploads) {
     if (input.starts_with(Uploads::kPrefix)) {
         if (Opened file = uploads.find(input)) return file;
@@ -49,25 +49,25 @@ Opened openedInput(const std::string& input, const ServeOptions& options, const 
                                "of files (--root)");
     const std::shared_ptr<const OpenFolder> root = OpenFolder::at(options.root);
     Opened file = root ? root->open(input) : nullptr;
-    // The same answer for files outside and missing files.
+    // Gives the same answer for files outside the root and missing files.
     if (!file) throw Problem(404, "there is no input '" + input + "'");
     return file;
 }
 
-/// Takes the place of an input, if a request may have it. @throws Problem
+/// Replaces an input, if a request may use it. @throws Problem
 void takeInput(std::string& path, Opened& opened, const ServeOptions& options, const Uploads& uploads) {
     opened = openedInput(path, options, uploads);
     if (opened) path = opened->name();
 }
 
-/// Key of an input: its name, its content, and the content of what it names. A body's name says nothing of it.
+/// Key of an input: its name, its content, and the content of files that it names. A body's name is ignored.
 std::string keyOf(const InputOptions& input) {
     if (!input.opened) return input.path;
     return input.path + (input.sceneFiles ? " with its folder " : " ") + fileHash(input.opened->path()) + "\n" +
            contentOfNamed(input);
 }
 
-/// Whether an option takes a file or its text, of which the server takes the text.
+/// Whether an option takes a file or its text; the server accepts the text.
 bool takesText(const Option& option) { return option.syntax.find("FILE|") != std::string::npos; }
 
 OptionValue valueOf(const std::string& key, const std::string& text) {
@@ -95,7 +95,7 @@ OptionValue valueOf(const std::string& key, const std::string& text) {
     return value;
 }
 
-/// A saved view from somebody else: its inputs count as the request's.
+/// An untrusted saved view: its inputs count as the request's.
 void takeView(const std::string& text, const std::string& name, PictureDescription& d) {
     PictureDescription view = parseSavedView(text, name);
     if (!view.input.trajectory.path.empty()) throw Problem(422, "a view's trajectory is not drawn here");
@@ -112,7 +112,7 @@ void takeView(const std::string& text, const std::string& name, PictureDescripti
     d = view;
 }
 
-/// Options that decide about the picture. @param reading  those alone that decide about the molecule
+/// Options that affect the picture. @param reading  only those that affect the molecule
 std::string printed(const PictureDescription& description, bool reading) {
     std::ostringstream text;
     for (const Option& row : options())
@@ -123,7 +123,7 @@ std::string printed(const PictureDescription& description, bool reading) {
     return text.str();
 }
 
-/// `format` of the picture; the same key with another value is the format of the input.
+/// Whether `format` is the picture's; with any other value, the key is the input's format.
 bool isPictureFormat(const std::string& key, const std::string& text) {
     return key == "format" && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz") == std::string::npos &&
            isPictureName("picture." + text);
@@ -189,7 +189,7 @@ PictureRequest pictureRequest(const Query& query, const UnnamedFile* body, const
         d.input.cache = options.picture.input.cache;
         d.input.offline = options.picture.input.offline || !options.picture.input.allowDownload;
         d.input.memoryMegabytes = options.picture.input.memoryMegabytes;
-        // Scenes: what they name by an address, by the server's rules, and no files of its own.
+        // Scenes may download by the server's rules, and may not read its files.
         d.input.allowDownload = options.picture.input.allowDownload;
         d.input.sceneMaps = options.picture.input.sceneMaps;
         d.input.sceneHosts = options.sceneHosts;

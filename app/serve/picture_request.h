@@ -17,8 +17,8 @@ class Uploads;
 using Query = std::vector<std::pair<std::string, std::string>>;
 
 struct PictureRequest {
-    PictureDescription description;  ///< complete; `output` is no file but the format, "picture.png"
-    std::string molecule;            ///< key of the molecule, as it was when the request came; see moleculeKey()
+    PictureDescription description;  ///< complete; `output` is only a format, "picture.png"
+    std::string molecule;            ///< key of the molecule when the request arrived; see moleculeKey()
     std::string identity;            ///< key of the picture
 };
 
@@ -34,12 +34,12 @@ bool isServed(const Option& option);
 PictureRequest pictureRequest(const Query& query, const UnnamedFile* body, const ServeOptions& options,
                               const Uploads& uploads);
 
-/// Key of the molecule of a complete description, by the names and contents of all that is read for it, as they are
-/// now.
+/// Key of the molecule of a complete description: by the names and current contents of all files read for it.
 std::string moleculeKey(const PictureDescription& description);
 
-/// "4hhb_assembly-1_front-512x512.webp": PDB identifier or sample, then any number of assembly-N, model-N, front, side
-/// or top (the camera), a style, a colour scheme; then a size. @returns the equivalent query; empty: invalid name
+/// The query of "4hhb_assembly-1_front-512x512.webp": PDB identifier or sample, then any number of assembly-N, model-N,
+/// front, side or top (the camera), a style, a colour scheme; then a size. @returns the equivalent query; empty:
+/// invalid name
 Query queryOfName(const std::string& name);
 
 }  // namespace nacre::app

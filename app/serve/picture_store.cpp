@@ -38,7 +38,7 @@ std::string contentKey(const UnnamedFile& file) {
 
 PictureStore::PictureStore(std::string folder, std::uint64_t bytes)
     : slack_(bytes / 16), cache_(std::move(folder), bytes - slack_, {kPrefix}) {
-    cache_.trim();  // the bound may have been another
+    cache_.trim();  // the limit may have changed
 }
 
 std::optional<std::string> PictureStore::find(const std::string& name) const {

@@ -34,7 +34,7 @@ std::string unescaped(std::string_view text) {
     return plain;
 }
 
-/// "http://localhost:8080" and a header Host of "localhost:8080". A proxy may have left out the port.
+/// "http://localhost:8080" and a Host header of "localhost:8080". A proxy may have removed the port.
 bool isOwnPage(const std::string& origin, const std::string& host) {
     const std::size_t scheme = origin.find("://");
     if (scheme == std::string::npos) return false;

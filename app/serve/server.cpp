@@ -37,8 +37,8 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr std::size_t kAnswering = 256;                      // threads that read bodies and wait for pictures
-constexpr std::size_t kConnections = 640;                    // beside them; a process often has 1024 descriptors
-constexpr std::size_t kMostBodies = std::size_t{512} << 20;  // bytes, of all requests together
+constexpr std::size_t kConnections = 640;                    // in addition; a process often has 1024 descriptors
+constexpr std::size_t kMostBodies = std::size_t{512} << 20;  // bytes, in all requests together
 const std::string kTooLarge = "a body has at most " + std::to_string(kMostBodyBytes >> 20) + " MiB";
 
 std::string mediaType(const std::string& extension) {
@@ -70,7 +70,7 @@ std::string placeOf(const ServeOptions& asked, int port) {
     return (colons ? "[" + asked.address + "]" : asked.address) + ":" + std::to_string(port);
 }
 
-/// Why binding failed, and what to do. @param reason  of errno; 0: the address has no meaning
+/// Why binding failed, and what to do. @param reason  from errno; 0: the address is invalid
 std::string whyNotBound(const ServeOptions& asked, int reason) {
     const std::string free = "--listen " + placeOf(asked, 0) + " takes a free port";
     if (reason == EADDRINUSE) return "another program listens there; stop it, or name another port: " + free;
@@ -88,7 +88,7 @@ struct Server::Parts {
                 static_cast<std::uint64_t>(asked.cacheMiB) << 20),
           workers(asked) {
         http.set_payload_max_length(kMostBodyBytes);
-        // Not shared with another process, which httplib asks for by default.
+        // Does not share the address with another process, as httplib does by default.
         http.set_socket_options([](socket_t socket) {
             const int yes = 1;
             setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -180,7 +180,7 @@ struct Server::Parts {
     }
 
     using BodyHandler = std::function<void(const Request&, const UnnamedFile&, Response&)>;
-    /// The body as bytes, whatever type its client calls it.
+    /// Receives the body as bytes, whatever its content type.
     httplib::Server::HandlerWithContentReader withBody(BodyHandler handler) {
         return [this, handler = std::move(handler)](const Request& request, Response& response,
                                                     const httplib::ContentReader& read) {
@@ -259,7 +259,7 @@ struct Server::Parts {
         }
     }
 
-    /// As headers, of which proxies take some kilobytes.
+    /// As headers; proxies accept some kilobytes.
     static void addWarnings(const ServedPicture& picture, const PictureDescription& asked, Response& response) {
         constexpr std::size_t kMost = 2048;
         std::size_t bytes = 0;
@@ -293,7 +293,7 @@ struct Server::Parts {
         }
     }
 
-    /// Everything else that decides a picture's bytes.
+    /// Everything else that affects a picture's bytes.
     static const std::string& program() {
         static const std::string text = [] {
             std::ostringstream out;
@@ -305,7 +305,7 @@ struct Server::Parts {
 
     const ServeOptions& options;
     HttpServer http{kAnswering, kConnections};
-    std::atomic<std::size_t> bodies{0};  ///< bytes of bodies that requests hold
+    std::atomic<std::size_t> bodies{0};  ///< bytes of bodies held by requests
     Metrics metrics;
     PictureStore store;
     Uploads uploads;
@@ -340,7 +340,7 @@ void serveCommand(const ServeOptions& options) {
     stopped.set_value();
     if (ended.wait_for(kGrace) != std::future_status::ready) {
         sayNotice("stopped while pictures were still drawn");
-        std::_Exit(0);  // none of their files has a name
+        std::_Exit(0);  // their files have no names
     }
     listening.join();
     ended.get();

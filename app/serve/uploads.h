@@ -17,7 +17,7 @@ public:
 
     /// @returns its input name, "upload:9f0c..." @throws Problem
     std::string keep(const UnnamedFile& body);
-    /// Null: it is not stored.
+    /// Null: not stored.
     std::shared_ptr<const OpenedFile> find(const std::string& name) const;
 
 private:
@@ -29,7 +29,7 @@ private:
     static constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20;
     mutable std::mutex turn_;
     std::deque<Kept> kept_;
-    std::uint64_t bytes_ = 0;  ///< of all
+    std::uint64_t bytes_ = 0;  ///< of all uploads
 };
 
 }  // namespace nacre::app

@@ -19,7 +19,7 @@
 namespace nacre::app {
 namespace {
 
-/// A picture in its format. Lack of room may pass; the texts of other errors name the server's folders.
+/// A picture in its format. Lack of space may be temporary; the texts of other errors name the server's folders.
 std::string encoded(const Picture& picture, const PictureDescription& description) {
     try {
         return encodePicture(extensionOf(description.output), picture, formatOf(description));
@@ -31,7 +31,7 @@ std::string encoded(const Picture& picture, const PictureDescription& descriptio
     }
 }
 
-/// A drawing keeps its description, and must not keep the files open that its molecule was read from.
+/// A drawing keeps its description, but must not keep open the files of its molecule.
 PictureDescription withoutOpenFiles(PictureDescription description) {
     description.input.opened = nullptr;
     for (FurtherInput& further : description.input.further) further.opened = nullptr;
@@ -42,7 +42,7 @@ PictureDescription withoutOpenFiles(PictureDescription description) {
 
 class Workers::Worker {
 public:
-    /// @param devices  counts those that are made
+    /// @param devices  counts created renderers
     Worker(const DeviceOptions& device, std::atomic<std::uint64_t>& devices) : device_(device), devices_(devices) {
         makeCanvas();
     }
@@ -50,8 +50,8 @@ public:
     /// Whether it has the molecule of a request.
     bool has(const PictureRequest& request) const { return molecule_ && held_ == request.molecule; }
 
-    /// A device that is lost is replaced, and the picture drawn once more.
-    /// @param deadline  afterwards nobody waits for it: it ends between two steps
+    /// Replaces a lost device, and then draws the picture once more.
+    /// @param deadline  afterwards nobody waits for the picture: it ends between two steps
     ServedPicture draw(const PictureRequest& request, Clock::time_point deadline) {
         try {
             return drawOnce(request, deadline);
@@ -70,7 +70,7 @@ public:
         }
     }
 
-    /// Or could not be made.
+    /// The device may also have failed to open.
     bool isLost() const { return !canvas_ || canvas_->isLost(); }
 
     bool idle = false;  ///< waits for a task; under the workers' lock
@@ -116,9 +116,9 @@ private:
     std::atomic<std::uint64_t>& devices_;
     std::optional<Canvas> canvas_;
     std::optional<Molecule> molecule_;
-    std::shared_ptr<const DensityMap> map_;  ///< null: the input is none
+    std::shared_ptr<const DensityMap> map_;  ///< null: the input is no map
     std::string held_;                       ///< PictureRequest::molecule of both
-    bool asAsked_ = true;                    ///< no file of it changed between that request and its reading
+    bool asAsked_ = true;                    ///< none of its files changed between that request and its reading
     Drawing drawing_;
 };
 
@@ -193,9 +193,9 @@ ServedPicture Workers::result(const std::shared_ptr<Task>& task) {
     throw Problem(503, "the answer took longer than " + std::to_string(static_cast<int>(options_.seconds)) + " s");
 }
 
-/// A task for a worker: the first that waits for its molecule, else the first whose molecule no other idle one has.
+/// A task for a worker: the first that needs its molecule, else the first whose molecule no other idle worker has.
 std::optional<std::size_t> Workers::choice(const Worker& worker) const {
-    constexpr std::size_t kLookAhead = 8;  // farther ones wait their turn, so that none waits for ever
+    constexpr std::size_t kLookAhead = 8;  // farther ones wait their turn, so that none waits forever
     const std::size_t end = std::min(kLookAhead, tasks_.size());
     for (std::size_t i = 0; i < end; ++i)
         if (worker.has(tasks_[i]->request)) return i;
@@ -220,12 +220,12 @@ std::shared_ptr<Workers::Task> Workers::next(Worker& worker) {
     const auto at = tasks_.begin() + static_cast<std::ptrdiff_t>(*chosen);
     const std::shared_ptr<Task> task = *at;
     tasks_.erase(at);
-    if (!tasks_.empty()) wake_.notify_all();  // others may take tasks that they had left to this worker
+    if (!tasks_.empty()) wake_.notify_all();  // others may take tasks that they left to this worker
     return task;
 }
 
 void Workers::work(Worker& worker) {
-    static const std::exception_ptr noMemory = std::make_exception_ptr(Problem(503, "out of memory"));  // made in time
+    static const std::exception_ptr noMemory = std::make_exception_ptr(Problem(503, "out of memory"));  // preallocated
     while (const std::shared_ptr<Task> task = next(worker)) {
         {
             const std::lock_guard lock(turn_);

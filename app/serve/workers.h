@@ -1,6 +1,6 @@
 #pragma once
-// Drawing threads. Each has a canvas and keeps its last molecule and scene: a request with only another view costs one
-// frame, and goes to the worker that has its molecule if that is free.
+// Drawing threads. Each has a canvas and keeps its last molecule and scene: a request that only changes the view costs
+// one frame, and goes to the worker with its molecule if that is free.
 
 #include <atomic>
 #include <condition_variable>
@@ -27,7 +27,7 @@ struct ServedPicture {
     bool asAsked = true;  ///< no input changed between the request and its reading
 };
 
-/// The problem of an input that cannot be read. @param place  its file or identifier
+/// The problem response for an unreadable input. @param place  its file or identifier
 Problem unreadable(const std::exception& error, const std::string& place);
 
 class Workers {
@@ -43,11 +43,11 @@ public:
     /// @param newest  not empty: identifies the client. Its older waiting request gets 429
     ServedPicture draw(const PictureRequest& request, const std::string& newest = {});
 
-    /// Runs something else in its turn, within the same limits. @throws Problem as above
+    /// Runs other work in its turn, within the same limits. @throws Problem as above
     std::string run(std::function<std::string()> work);
 
     std::size_t waiting() const;
-    /// Made so far: one per worker, and another after a loss or when it holds too many pipelines.
+    /// Renderers created so far: one per worker, and another after a loss or when it holds too many pipelines.
     std::uint64_t devices() const { return devices_; }
 
 private:
@@ -57,7 +57,7 @@ private:
         std::string newest;
         std::promise<ServedPicture> promise;
         Clock::time_point deadline;  ///< when the client gives up
-        bool given = false;          ///< it did
+        bool given = false;          ///< the client gave up
     };
     class Worker;
 

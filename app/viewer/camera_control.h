@@ -1,6 +1,6 @@
 #pragma once
-// The camera under user control: gestures, keys, and aims at parts of the molecule, which may clip what is in front of
-// them.
+// The camera under user control: gestures, keys, and aims at parts of the molecule, which may clip whatever is in
+// front.
 
 #include "app/picture/aim.h"
 #include "app/viewer/commands.h"
@@ -16,7 +16,7 @@ public:
 
     /// @returns whether the gesture moves or stops the camera
     bool apply(const Gesture& gesture, double now);
-    /// See CameraMotion::hold. Follows a gesture `touched`.
+    /// See CameraMotion::hold. Call after a gesture `touched`.
     void hold(const glm::dquat& orientation, double zoom, double now);
     /// @returns whether it is a camera command
     bool run(ViewerCommand command, double now);
@@ -24,13 +24,13 @@ public:
     void aim(const Aim& aim, double now);
     /// As above for the current document. @param fly  animate
     void take(Aim aim, bool fly, double now);
-    /// A document that was opened shows its broadest side, as the command `orient` does.
+    /// Shows the broadest side of a newly opened document, like the command `orient`.
     void alignToAxes();
     /// Flies to the whole molecule.
     void fit(double now);
-    /// A new document or scene is there: applies an aim that waited for it. @param fly  animate
+    /// Call when a new document or scene is there: applies a waiting aim. @param fly  animate
     void arrived(bool fly, double now);
-    /// The view was replaced, and has its own clipping planes.
+    /// Call when the view was replaced by one with its own clipping planes.
     void forgetClip() { clipped_ = false; }
 
 private:
@@ -40,7 +40,7 @@ private:
     Stage& stage_;
     Frames& frames_;
     Reading& reading_;
-    bool clipped_ = false;  // by a close-up
+    bool clipped_ = false;  // a close-up set clipping planes
     Aim aim_;               // waits for the molecule being read
 };
 

@@ -8,9 +8,9 @@
 namespace nacre::app {
 namespace {
 
-/// Points an Å takes on the plane through the molecule's centre.
+/// Points per Å on the plane through the molecule's centre.
 double pointsPerAngstrom(const Camera& camera, double radius, const Viewport& viewport) {
-    constexpr std::uint32_t kUnit = 1000;  // of a square window; the scale goes with its side
+    constexpr std::uint32_t kUnit = 1000;  // of a square window; the scale is proportional to its side
     const View view = viewOf(camera, radius, kUnit, kUnit);
     return view.pixelsPerAngstrom * std::min(viewport.width, viewport.height) / kUnit;
 }
@@ -20,14 +20,14 @@ glm::dvec2 fromMiddle(glm::dvec2 at, const Viewport& viewport) {
     return {at.x - viewport.width / 2, viewport.height / 2 - at.y};
 }
 
-/// From 0 to 1 with no jolt at either end.
+/// From 0 to 1 with zero slope at both ends.
 double eased(double t) { return t * t * (3 - 2 * t); }
 
 }  // namespace
 
 void CameraMotion::set(const Camera& camera) {
     camera_ = camera;
-    // One rotation, so that it can be turned further.
+    // Stores one rotation, which can be rotated further.
     camera_.orientation = glm::normalize(glm::quat_cast(rotationMatrix(camera.rotationDegrees)) * camera.orientation);
     camera_.rotationDegrees = glm::dvec3(0);
     touch();
@@ -66,7 +66,7 @@ void CameraMotion::roll(double radians) {
 
 void CameraMotion::pan(glm::dvec2 points, double radius, const Viewport& viewport) {
     camera_.pan += glm::dvec2(points.x, -points.y) / pointsPerAngstrom(camera_, radius, viewport);
-    // At least the molecule's rim stays where it can be found again.
+    // Keeps at least the molecule's rim within reach.
     const double reach =
         radius + std::max(viewport.width, viewport.height) / 2 / pointsPerAngstrom(camera_, radius, viewport);
     camera_.pan = glm::clamp(camera_.pan, glm::dvec2(-reach), glm::dvec2(reach));
@@ -88,7 +88,7 @@ void CameraMotion::touch() {
 }
 
 void CameraMotion::release(double now) {
-    constexpr double kPause = 0.1;  // a pause before releasing means no inertia
+    constexpr double kPause = 0.1;  // a pause before release cancels inertia
     gliding_ = now - lastDrag_ < kPause && glm::length(velocity_) > kStillPointsPerSecond;
     lastAdvance_ = now;
 }
@@ -144,7 +144,7 @@ bool CameraMotion::advance(double now) {
         return true;
     }
     if (!gliding_) return false;
-    // The exact integral of an exponential decay: the same way whatever the steps.
+    // The exact integral of an exponential decay: independent of step size.
     const double keep = std::exp(-passed / kInertiaSeconds);
     turn(velocity_ * kInertiaSeconds * (1 - keep));
     velocity_ *= keep;

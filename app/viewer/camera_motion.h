@@ -27,9 +27,9 @@ public:
     const Camera& destination() const { return flight_ ? flight_->to : camera_; }
     void set(const Camera& camera);
 
-    /// Drags the front of the molecule: 1 degree per point. Sets the speed for inertia.
+    /// Rotates as if dragging the molecule's front: 1 degree per point. Sets the speed for inertia.
     void rotate(glm::dvec2 points, double now);
-    /// Turns and zooms about the centre, as a tracked hand does.
+    /// Rotates and zooms about the centre, like a tracked hand.
     void hold(const glm::dquat& orientation, double zoom);
     /// Turns the picture clockwise.
     void roll(double radians);
@@ -39,7 +39,7 @@ public:
 
     /// Stops all automatic motion.
     void touch();
-    /// The user lets go: a rotation continues with inertia.
+    /// Ends a drag: a rotation continues with inertia.
     void release(double now);
     /// Flies to the whole molecule, centred; keeps its orientation.
     void fit(double now);
@@ -55,7 +55,7 @@ public:
 
     /// Advances the camera to a time. @returns whether it moved
     bool advance(double now);
-    /// Whether it moves by itself.
+    /// Whether it moves without user input.
     bool moving() const { return autoRotation_ || rocking_ || flight_ || gliding_; }
 
 private:

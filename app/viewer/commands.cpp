@@ -100,7 +100,7 @@ std::span<const PointerBinding> pointerBindings() { return kPointer; }
 std::optional<ViewerCommand> commandOf(const KeyEvent& event) {
     const bool letter = event.key >= U'a' && event.key <= U'z';
     for (const Binding& b : kBindings) {
-        // Characters such as '?' need Shift on some layouts and not on others.
+        // Characters such as '?' need Shift on some layouts only.
         const bool shiftCounts = letter || event.key >= keyOf(SpecialKey::left);
         if (b.key.key == event.key && b.key.with.control == event.with.control &&
             (!shiftCounts || b.key.with.shift == event.with.shift))

@@ -1,5 +1,6 @@
 #pragma once
-// Commands for keys, panel and menus. One table has each command's keys and text, so that the help is always complete.
+// Commands for keys, panel and menus. One table contains each command's keys and text, so that the help is always
+// complete.
 
 #include <optional>
 #include <span>

@@ -47,7 +47,7 @@ struct Insets {
     friend bool operator==(const Insets&, const Insets&) = default;
 };
 
-/// A key in the keyboard layout: the character that it types without modifiers, or a SpecialKey.
+/// A key in the keyboard layout: its character without modifiers, or a SpecialKey.
 struct KeyEvent {
     char32_t key = 0;
     Modifiers with;

@@ -55,7 +55,7 @@ std::string styleText(Style style, const Drawn& drawn) {
     return text;
 }
 
-/// "Oxygen is red, nitrogen blue.", of the elements that are drawn.
+/// "Oxygen is red, nitrogen blue.", for the drawn elements.
 std::string elementsText(const std::set<int>& elements, bool carbons) {
     constexpr std::pair<int, const char*> kCommon[] = {{6, "carbon# grey"},
                                                        {8, "oxygen# red"},

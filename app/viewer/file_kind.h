@@ -6,16 +6,16 @@
 namespace nacre::app {
 
 enum class FileKind {
-    structure,   ///< also a download, a sample, and what no other kind is
+    structure,   ///< also a download, a sample, and any other input
     scene,       ///< MolViewSpec
     map,         ///< a density map
-    trajectory,  ///< positions alone
+    trajectory,  ///< only positions
     view         ///< a saved view, or a look
 };
-/// By its content; a scene by its name.
+/// By content; scenes by name.
 FileKind kindOf(const std::string& path);
 
-/// Whether a file list shows it: its name is one of a file that can be opened.
+/// Whether a file list shows it: its name is that of a file that can be opened.
 bool mayOpen(const std::string& name);
 
 }  // namespace nacre::app

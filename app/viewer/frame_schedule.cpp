@@ -7,8 +7,8 @@ namespace nacre::app {
 namespace {
 
 constexpr struct { double scale, meshError; } kLevels[] = {{1, 2}, {1, 8}, {0.85, 8}, {0.7, 8}, {0.55, 8}, {0.4, 8}};
-constexpr int kLevelOfMeshes = 1;  // no gain in scenes without meshes
-constexpr double kRoom = 0.9;      // share of the display's interval that a frame may take and not miss it
+constexpr int kLevelOfMeshes = 1;  // without effect in scenes without meshes
+constexpr double kRoom = 0.9;      // fraction of the display's interval that a frame may take without missing it
 
 }  // namespace
 
@@ -18,7 +18,7 @@ double ResolutionControl::scale() const {
 }
 double ResolutionControl::meshError() const { return kLevels[level_].meshError; }
 
-/// The next level in a direction; the same at the end.
+/// The next level in a direction; unchanged at the end.
 int ResolutionControl::nextLevel(int step) const {
     int next = level_ + step;
     if (next == kLevelOfMeshes && !meshes_) next += step;
@@ -37,7 +37,7 @@ void ResolutionControl::frameTook(double seconds, double device, double longest)
         --unsettled_;
         return;
     }
-    // GPU time shows how close the device is to missing a frame; wall-clock time shows only misses.
+    // GPU time shows how close the device is to missing a frame; wall-clock time only shows misses.
     const bool slow = device > 0 ? device > kRoom * longest : seconds > 1.5 * longest;
     slow_ = slow ? slow_ + 1 : 0;
     if (slow_ >= kPatience && nextLevel(1) != level_) return change(1);

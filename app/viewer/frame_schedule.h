@@ -1,6 +1,6 @@
 #pragma once
-// Decides when to draw, and what, to save energy. A moving picture is drawn at the display's rate, at a resolution that
-// keeps up; a still one is refined sample by sample; then nothing is drawn.
+// Decides when to draw, and what, to save energy. Moving pictures are drawn at the display's rate, at a resolution that
+// keeps up; still ones are refined sample by sample; then nothing is drawn.
 
 #include <cstdint>
 #include <limits>
@@ -33,7 +33,7 @@ public:
     void setHeat(double heat) { heat_ = heat; }
     static constexpr double kWarm = 0.8, kHotScale = 0.55;
     /// @param seconds   between two frames of a motion
-    /// @param device    GPU time in that; 0: unknown
+    /// @param device    GPU time of a frame; 0: unknown
     /// @param longest   allowed frame time: the display's interval, or more
     void frameTook(double seconds, double device, double longest);
     /// The picture stands still.
@@ -70,7 +70,7 @@ public:
         Draw draw = Draw::nothing;
         double scale = 1, meshError = 2;
         std::uint32_t sample = 0;                               ///< for `refine`: its index
-        double wake = std::numeric_limits<double>::infinity();  ///< when to ask again without further events
+        double wake = std::numeric_limits<double>::infinity();  ///< when to call again without further events
     };
     /// @param moving    the camera moves by itself or is dragged
     /// @param occlusion finished share of the ambient occlusion

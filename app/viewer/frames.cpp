@@ -18,7 +18,7 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kOutlinePoints = 2;  // width of the outline of marked atoms
 
-/// A small molecule in a style: a cartoon needs a backbone.
+/// A small molecule in a style: a cartoon requires a backbone.
 Representation standIn(RepresentationOptions look, Style style) {
     look.style = style;
     look.rules.clear();
@@ -29,7 +29,7 @@ Representation standIn(RepresentationOptions look, Style style) {
 
 bool isSize(PixelSize a, PixelSize b) { return a.width == b.width && a.height == b.height; }
 
-/// A view with room around it. @param corner  of the view in the whole, pixels
+/// A view with margins. @param corner  of the view in the whole, pixels
 View wholePart(View view, const glm::dvec2& corner, std::uint32_t width, std::uint32_t height) {
     const glm::dvec2 from = glm::dvec2(width, height) / 2.0, to = corner + glm::dvec2(view.width, view.height) / 2.0;
     view.pan += glm::dvec2(to.x - from.x, from.y - to.y) / view.pixelsPerAngstrom;
@@ -38,7 +38,7 @@ View wholePart(View view, const glm::dvec2& corner, std::uint32_t width, std::ui
     return view;
 }
 
-/// The atom that is seen at a point, or the nearest one within a reach; 0: none.
+/// The atom visible at a point, or the nearest one within a reach; 0: none.
 std::uint32_t nearestSeen(const std::vector<std::uint32_t>& atoms, PixelSize size, glm::dvec2 at, double reach) {
     std::uint32_t atom = 0;
     double nearest = reach * reach + 0.5;
@@ -104,7 +104,7 @@ std::vector<FreePart> Frames::freeParts() const {
     if (stereo.mode == Stereo::Mode::anaglyph)
         return {{eyeView(middle, stereo, Eye::left), freeCorner(), {0, 0}, window, OverlayEye::left},
                 {eyeView(middle, stereo, Eye::right), freeCorner(), {0, 0}, window, OverlayEye::right}};
-    // The eyes share what is free. Each part reaches as far beyond it as the larger of both has to.
+    // The eyes share the free area. Each part extends beyond it by the larger of both margins.
     const int axis = stereo.beside() ? 0 : 1;
     const int border = static_cast<int>(freeCorner()[axis]) +
                        (axis == 0 ? static_cast<int>(size.width) : static_cast<int>(size.height));
@@ -146,7 +146,7 @@ RenderSettings Frames::pictureSettings(PixelSize size) const {
     return s;
 }
 
-/// Settings that the device and its user decide.
+/// Settings determined by the device and its user.
 void Frames::setUp(RenderSettings& s) const {
     s.occlusion.bytes = options_.occlusionBytes;
     s.occlusion.cache = options_.occlusionCache;
@@ -223,8 +223,8 @@ std::string Frames::coarseness() const {
 }
 
 std::uint32_t Frames::refinedSamples() const {
-    constexpr std::uint32_t kThroughLens = 8;  // each through another point of it
-    if (debug_ != DebugView::none) return 1;   // numbers have no mean
+    constexpr std::uint32_t kThroughLens = 8;  // each through another point of the lens
+    if (debug_ != DebugView::none) return 1;   // numbers cannot be averaged
     const std::uint32_t n = stage_.view().effects.depthOfField.strength > 0 ? kThroughLens : options_.mostSamples;
     return n * n;
 }
@@ -243,7 +243,7 @@ bool Frames::put(Representation scene, void (Screen::*how)(Representation)) {
 }
 
 void Frames::setMarks(Highlights marks) {
-    constexpr double kSlow = 300;  // milliseconds of a frame: so long would the first mark in a view hold it up
+    constexpr double kSlow = 300;  // milliseconds per frame; the first mark in a view would delay it by that
     if (screen_.frameMilliseconds() > kSlow) marks.hovered = 0;
     if (marks == marks_) return;
     marks_ = std::move(marks);
@@ -251,8 +251,8 @@ void Frames::setMarks(Highlights marks) {
     stage_.schedule.overlayChanged();
 }
 
-/// Places the outline of the marked atoms, from what is seen in each pixel. That is drawn once for a view at rest;
-/// in motion with fewer pixels, and only if the device does it within a part of a frame.
+/// Computes the outline of the marked atoms from the atom in each pixel. A view at rest is drawn for that once; in
+/// motion, with fewer pixels, and only if the device needs a fraction of a frame for it.
 void Frames::findMarks(bool moving) {
     constexpr double kMostMilliseconds = 8;
     constexpr std::uint32_t kMovingStep = 2;
@@ -261,7 +261,7 @@ void Frames::findMarks(bool moving) {
     const bool fresh = seenAt_ == stage_.changes() && isSize(seenSize_, size);
     if (fresh && !marksDue_) return;
     const double pixels = static_cast<double>(size.width) * size.height;
-    // Two eyes would see it in two places.
+    // Two eyes would see it at different places.
     const bool shows = marks_.any() && stage_.shown() && sceneThere_ && !lost_ && !stage_.view().stereo.both() &&
                        (!moving || (seenMilliseconds_ > 0 && seenMilliseconds_ * pixels < kMostMilliseconds));
     if (!shows && shownMarks_.spans.empty() && !marksDue_) return;
@@ -277,7 +277,7 @@ void Frames::findMarks(bool moving) {
             seen_ = std::move(seen.atoms);
             seenMilliseconds_ = seen.milliseconds / pixels;
         } catch (const Error&) {
-            seen_.clear();  // the frame reports the same error, or is not affected
+            seen_.clear();  // the frame reports the same error, or is unaffected
             if (noticeLoss()) return;
         }
         seenSize_ = size;
@@ -301,7 +301,7 @@ void Frames::putScene(double now) {
 }
 
 void Frames::expectScene(const PictureDescription& coming) {
-    std::vector<Style> styles{Style::spacefill, Style::cartoon};  // of which takeDefaultLook() chooses
+    std::vector<Style> styles{Style::spacefill, Style::cartoon};  // takeDefaultLook() chooses one
     if (coming.look.style) styles = {*coming.look.style};
     if (styles == expected_) return;
     expected_ = styles;
@@ -315,13 +315,13 @@ void Frames::expectScene(const PictureDescription& coming) {
             screen_.expectScene(std::move(like), s, frame_);
         }
     } catch (const Error&) {
-        // The next read reports the same error, or is not affected.
+        // The next read reports the same error, or is unaffected.
     }
 }
 
 void Frames::advanceOcclusion(double now, bool moving) {
     try {
-        // At rest every update of the bake draws a frame, which should not cost more than the work that it shows.
+        // At rest, every update of the bake draws a frame, which should not cost more than the work that it shows.
         const double shown = std::clamp(2 * screen_.frameMilliseconds(), 50.0, 250.0);
         const OcclusionPace pace = moving ? OcclusionPace{options_.movingMilliseconds, 0, true}
                                           : OcclusionPace{options_.restingMilliseconds, shown, false};

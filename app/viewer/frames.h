@@ -17,7 +17,7 @@
 
 namespace nacre::app {
 
-/// Delays retries: longer after each consecutive failure.
+/// Delays retries, longer after each consecutive failure.
 class Retry {
 public:
     static constexpr double kFirstSeconds = 0.5, kLastSeconds = 8;
@@ -44,7 +44,7 @@ struct ViewerOptions {
     bool errorsStay = false;     ///< the shell shows Messages::failure() until it is dismissed
 };
 
-/// Where marked atoms are seen in the window.
+/// Where marked atoms are visible in the window.
 struct ShownMarks {
     std::vector<MarkSpan> spans;
     std::uint32_t step = 1;  ///< pixels of the window per pixel of the spans
@@ -54,8 +54,8 @@ struct ShownMarks {
 struct FreePart {
     View view;
     glm::dvec2 corner;      ///< in the window, pixels
-    glm::ivec2 from, size;  ///< with what is covered, and as large as the other eye's: may reach beyond the window
-    OverlayEye eye = OverlayEye::both;  ///< who sees what is drawn over it
+    glm::ivec2 from, size;  ///< including covered areas, and as large as the other eye's: may extend beyond the window
+    OverlayEye eye = OverlayEye::both;  ///< the eye that sees the overlay on it
 };
 
 class Frames {
@@ -67,12 +67,12 @@ public:
     void resize(PixelSize pixels, double pixelsPerPoint, double now);
     PixelSize size() const { return size_; }
     double pixelsPerPoint() const { return scale_; }
-    /// Area covered by the panel: the molecule is centred in the rest.
+    /// Sets the area covered by the panel: the molecule is centred in the rest.
     void setCovered(const Insets& pixels, double now);
-    /// The rest: its size and position, pixels.
+    /// Size of the free area, and its position, pixels.
     PixelSize freeSize() const;
     glm::dvec2 freeCorner() const { return {covered_.left, covered_.top}; }
-    /// The rest in points.
+    /// The free area in points.
     Viewport viewport() const { return {freeSize().width / scale_, freeSize().height / scale_}; }
     glm::dvec2 freeOrigin() const { return freeCorner() / scale_; }
 
@@ -81,7 +81,7 @@ public:
     RenderSettings settings() const;
     /// As above, centred in a picture of another size.
     RenderSettings pictureSettings(PixelSize size) const;
-    /// The rest, or what each eye sees of it: left, right.
+    /// The free area, or each eye's part of it: left, right.
     std::vector<FreePart> freeParts() const;
     /// The views of both eyes, if the picture has two.
     std::optional<std::array<WindowEye, 2>> eyes() const;
@@ -89,7 +89,7 @@ public:
     /// @param picture  its camera, size, shading and words
     /// @param marked  with the outline of the selected atoms, unless it has two eyes @throws Error
     Picture draw(Renderer& renderer, PictureDescription picture, bool marked = false);
-    /// Its settings, with the molecule beside the words if it is visible as a whole. @throws Error
+    /// Settings of such a picture; shifts the molecule clear of the words if it is fully visible. @throws Error
     const RenderSettings& compose(PictureDescription picture);
     /// Screen position of a point relative to the scene's centre. @param view  from settings() @returns points
     glm::dvec2 pointOf(const glm::dvec3& place, const View& view) const;
@@ -106,13 +106,13 @@ public:
     /// For software devices: a frame during motion may take this many seconds before the resolution drops, at least to
     /// a minimum fraction; the user is told.
     void keepSharp(double seconds, double leastScale);
-    /// Text about reduced resolution during motion, if the user is told.
+    /// Text about reduced resolution during motion; empty unless the user is to be told.
     std::string coarseness() const;
 
     // The scene
     // @returns whether it is on the screen: not if the device is lost; the next device gets it. @throws Error
     bool setScene(const Drawing& drawing) { return put(drawing.joinedScene(), &Screen::setScene); }
-    /// As above for the document's scene with moved atoms.
+    /// Like setScene(), for the document's scene with moved atoms.
     bool moveScene(const Representation& scene) {
         return !sceneThere_ || put(withMaps(scene, stage_.document.drawing.maps()), &Screen::moveScene);
     }
@@ -129,7 +129,7 @@ public:
         const PictureDescription& view = stage_.view();
         occlusion_ = view.occlusion.directions ? 0 : 1;
     }
-    /// Another document may need less memory: forgets the last failure.
+    /// Forgets the last failure: another document may need less memory.
     void retryOcclusion() { occlusionRetry_ = {}; }
 
     /// Draws, if there is something to draw.
@@ -137,13 +137,13 @@ public:
     /// @param overlay  called before a frame is drawn; may be empty
     /// @returns when to call again without further events; never: infinity
     double update(double now, bool playing, const std::function<const Overlay*()>& overlay);
-    /// The last update() showed a frame.
+    /// Whether the last update() showed a frame.
     bool drew() const { return drew_; }
     /// Waits for the queue and window image if a frame will be drawn.
     void await(double now);
-    /// The device was lost while drawing: make another screen, then call replaced().
+    /// Whether the device was lost while drawing: create another screen, then call replaced().
     bool lost() const { return lost_; }
-    /// The window's picture or the device is lost, or the screen draws on another one. Reports the loss.
+    /// Call if the window's picture or the device is lost, or the screen uses another one. Reports the loss.
     void replaced(double now);
 
 private:
@@ -173,12 +173,12 @@ private:
     bool sceneThere_ = true;  // the document's scene is on the screen
     Highlights marks_;
     ShownMarks shownMarks_;
-    std::vector<std::uint32_t> seen_;  // the atom in each pixel, of a picture of
+    std::vector<std::uint32_t> seen_;  // the atom in each pixel, of a picture with
     PixelSize seenSize_{0, 0};
-    std::uint64_t seenAt_ = 0;     // Stage::changes() then
+    std::uint64_t seenAt_ = 0;     // Stage::changes() at that time
     double seenMilliseconds_ = 0;  // per pixel
     bool marksDue_ = false;        // shownMarks_ are older than marks_
-    std::vector<Style> expected_;  // of the document last read or being read
+    std::vector<Style> expected_;  // of the document most recently read or being read
     Retry sceneRetry_, occlusionRetry_, frameRetry_;
     std::string loss_;  // of the device, until it is replaced
 };

@@ -43,7 +43,7 @@ void TouchGestures::move(const TouchEvent& event, std::vector<Gesture>& out) {
         if (three_) return;
         if (!wandered_ && glm::distance(event.at, finger.start) <= kSlop) return;
         finger.at = event.at;
-        // The distance before a drag was recognised is dropped: the picture must not jump.
+        // Drops the distance before a drag was recognised: the picture must not jump.
         if (wandered_) {
             out.push_back({Kind::rotate, event.at, event.at - before});
             dragging_ = true;
@@ -53,7 +53,7 @@ void TouchGestures::move(const TouchEvent& event, std::vector<Gesture>& out) {
     }
     finger.at = event.at;
     if (three_) return;
-    // Fingers that come down one after the other move nothing before it is known how many they are.
+    // Fingers that come down one after the other move nothing until their number is known.
     if (!pinching_ && glm::distance(event.at, finger.start) <= kSlop) return;
     pinching_ = true;
     const auto second = std::next(fingers_.begin());
@@ -120,7 +120,7 @@ using Kind = Gesture::Kind;
 
 std::vector<Gesture> MouseGestures::button(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now) {
     if (down) {
-        if (held_) return {};  // one button leads
+        if (held_) return {};  // only one button counts
         const Drag drag = button != MouseButton::left || with.shift ? Drag::pan
                           : with.control                            ? Drag::roll
                                                                     : Drag::rotate;

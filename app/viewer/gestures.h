@@ -27,7 +27,7 @@ struct Gesture {
     Kind kind{};
     glm::dvec2 at{};     ///< points
     glm::dvec2 by{};     ///< points
-    double scale = 1.0;  ///< times larger
+    double scale = 1.0;  ///< factor
     double turn = 0.0;   ///< radians, clockwise as seen
 };
 
@@ -66,7 +66,7 @@ private:
     bool dragging_ = false;  // something was rotated or transformed
     bool pressed_ = false;   // the long press was reported
     bool three_ = false;     // three fingers: only a swipe is possible
-    bool pinching_ = false;  // two fingers moved far enough from where they came down
+    bool pinching_ = false;  // two fingers moved far enough from their starting points
     std::optional<Tap> last_;
 };
 

@@ -25,7 +25,7 @@ void History::remember(const PictureDescription& now) {
 
 const PictureDescription* History::go(const PictureDescription& now, int step) {
     if (acted_) remember(now);
-    const std::size_t to = at_ + static_cast<std::size_t>(step);  // before the first: beyond all
+    const std::size_t to = at_ + static_cast<std::size_t>(step);  // before the first, the index exceeds all
     if (to >= views_.size()) return nullptr;
     acted_ = false;
     at_ = to;

@@ -13,7 +13,7 @@ public:
 
     /// Clears the history except for one view.
     void begin(const PictureDescription& view);
-    /// Call before an action: the current view becomes a step, unless it is the last one; clears the redo steps.
+    /// Call before an action: makes the current view a step, unless it is the last one; clears the redo steps.
     void remember(const PictureDescription& now);
     /// The current view may not be a step yet: it becomes one before the next undo.
     void acted() { acted_ = true; }

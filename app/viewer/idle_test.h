@@ -1,6 +1,6 @@
 #pragma once
-// Tests the paths of a device (engine/self_test.h) on a thread of its own while a window is idle. The next start uses
-// the result. For one thread.
+// Tests the paths of a device (engine/self_test.h) on a separate thread while a window is idle. The next start uses the
+// result. For one thread.
 
 #include <atomic>
 #include <thread>
@@ -14,13 +14,13 @@ class IdleTest {
 public:
     IdleTest() = default;
     IdleTest(const IdleTest&) = delete;
-    /// Stops, and waits.
+    /// Stops the test, and waits for its end.
     ~IdleTest();
 
-    /// Whether the device needs a test that does not run. Asks the disk until it needs none.
+    /// Whether the device needs a test and none is running. Reads the disk until no test is needed.
     bool wanted(const DeviceOptions& options, const DeviceInfo& device);
     void begin(const DeviceOptions& options, const DeviceInfo& device);
-    /// Asks it to stop; begin() continues with the path that was interrupted.
+    /// Stops the test early; begin() continues with the interrupted path.
     void stop() { stop_ = true; }
     bool running() const { return running_; }
 

@@ -19,7 +19,7 @@ constexpr std::uint64_t kLargestCache = 256u << 20, kLargestView = 1u << 20;
 
 void write(const std::string& path, const std::string& content) {
     if (path.empty()) return;
-    static std::mutex oneAtATime;  // as OutputFile wants it
+    static std::mutex oneAtATime;  // as OutputFile requires
     const std::lock_guard lock(oneAtATime);
     try {
         fs::create_directories(fs::path(path).parent_path());

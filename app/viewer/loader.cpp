@@ -15,7 +15,7 @@ namespace nacre::app {
 
 void Loader::start(Job job) {
     if (running_.valid())
-        next_ = std::move(job);  // instead of whatever else was waiting
+        next_ = std::move(job);  // replaces any waiting job
     else
         launch(std::move(job));
 }
@@ -40,7 +40,7 @@ void Loader::launch(Job job) {
     if (!mayStart(thread_, run)) run();
 }
 
-/// Copies the shown scene if only maps differ, so that a level's slider does not wait for it. Moving scenes are
+/// Copies the displayed scene if only maps differ, so that a level's slider does not wait for it. Moving scenes are
 /// rebuilt.
 void Loader::build(const PictureDescription& view, const Document& shown) {
     Job job{view, shown.molecule, false, shown.placed, shown.moves()};
@@ -98,7 +98,7 @@ std::optional<Document> Loader::take() {
 
 void Loader::throwFailure() {
     if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    std::promise<Document> again;  // the document, if there was no error, is put back
+    std::promise<Document> again;  // holds the document again, if there was no error
     std::future<Document> done = std::move(running_);
     running_ = again.get_future();
     try {

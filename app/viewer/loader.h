@@ -38,15 +38,15 @@ struct Sources {
     std::function<double()> progress = {};
     /// Makes read() throw soon, if possible. Thread-safe.
     std::function<void()> cancel = {};
-    /// The motion of a molecule's atoms according to the view; null: none. Its exceptions are those of loading. Empty:
-    /// never any.
+    /// The motion of a molecule's atoms in the view; null: none. Its exceptions are those of loading. If empty, atoms
+    /// never move.
     std::function<std::unique_ptr<Motion>(const std::shared_ptr<const Molecule>&, const PictureDescription&)> motion =
         {};
-    /// Downloads maps of a view that are not files; empty: not supported.
+    /// Downloads a view's maps that are not files; empty: not supported.
     std::function<void(const PictureDescription&)> maps = {};
 };
 
-/// The document shown. A running build shares the molecule.
+/// The displayed document. A running build shares the molecule.
 struct Document {
     PictureDescription view;                            ///< as requested
     std::shared_ptr<const Molecule> molecule;           ///< as read: unchanged while its file is shown
@@ -64,11 +64,11 @@ public:
     ~Loader();
     Loader(const Loader&) = delete;
 
-    /// Starts reading a file. Running work is finished and dropped.
+    /// Starts reading a file. The result of running work is dropped.
     void read(const PictureDescription& view) { start({view, nullptr}); }
-    /// As above for a first look: in its best style (takeDefaultLook()), if the view leaves that open.
+    /// As above for a first look: in the default style (takeDefaultLook()), unless the view sets one.
     void open(const PictureDescription& view) { start({view, nullptr, true}); }
-    /// Repeats the last reading, which failed.
+    /// Repeats the last read, which failed.
     void again() { start({last_, nullptr, lastFirst_}); }
     /// Rebuilds the current document for another view.
     void build(const PictureDescription& view, const Document& shown);
@@ -76,7 +76,7 @@ public:
     /// Cancels running and waiting work: take() never returns it.
     void cancel();
     double progress() const { return busy() && sources_.progress ? sources_.progress() : -1; }
-    /// The view last read or built.
+    /// The view most recently read or built.
     const PictureDescription& view() const { return last_; }
     /// The document when it is ready. @throws errors of reading or building
     std::optional<Document> take();
@@ -92,8 +92,8 @@ private:
         bool first = false;                           ///< first look
         std::shared_ptr<const Molecule> placed = {};  ///< its current positions
         bool moves = false;
-        Drawing shown{CameraBy::hand};     ///< whose scene stays, if it has one
-        std::optional<Bounds> frame = {};  ///< of the document before: hiding and restyling keep the camera
+        Drawing shown{CameraBy::hand};     ///< its scene is kept, if it has one
+        std::optional<Bounds> frame = {};  ///< of the previous document: hiding and restyling keep the camera
     };
     void start(Job job);
     void launch(Job job);

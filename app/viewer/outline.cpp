@@ -8,13 +8,13 @@
 namespace nacre::app {
 namespace {
 
-/// How strongly a kind of mark covers its inside, and the outline around it.
+/// Opacity of a kind of mark: inside, and of the outline.
 struct Strength {
     double inside, outline;
 };
 constexpr Strength kSelected{0.14, 1}, kHovered{0.08, 0.6};
 
-/// A pixel beside another one, as the outline covers it.
+/// A pixel near another one, with the outline's coverage there.
 struct Beside {
     int right, down;
     std::uint8_t alpha;
@@ -22,7 +22,7 @@ struct Beside {
 
 std::uint8_t alphaOf(double share) { return static_cast<std::uint8_t>(std::lround(255 * share)); }
 
-/// Pixels that an outline of a width reaches; its rim is anti-aliased.
+/// Pixels within reach of an outline; its rim is anti-aliased.
 std::vector<Beside> reachOf(double width, double strength) {
     const int most = static_cast<int>(std::ceil(width + 0.5));
     std::vector<Beside> reach;

@@ -1,5 +1,5 @@
 #pragma once
-// Marks of atoms over a picture: an outline around what is seen of them, and a light tint.
+// Marks of atoms over a picture: an outline around their visible part, and a light tint.
 
 #include <cstdint>
 #include <span>
@@ -17,7 +17,7 @@ struct Highlights {
     friend bool operator==(const Highlights&, const Highlights&) = default;
 };
 
-/// Pixels of a row that are covered alike.
+/// Neighbouring pixels of a row with equal coverage.
 struct MarkSpan {
     std::uint32_t x = 0, y = 0, width = 0;
     std::uint8_t alpha = 0;
@@ -27,7 +27,7 @@ struct MarkSpan {
 /// sRGB-coded, red in the lowest byte: a pink that no element or chain has.
 constexpr std::uint32_t kMarkColor = 0xa02dff;
 
-/// @param atoms  for each pixel, row by row, the atom that is seen there, from 1; 0: none
+/// @param atoms  for each pixel, row by row, the visible atom, from 1; 0: none
 /// @param width  of the outline, pixels
 std::vector<MarkSpan> outlineOf(std::span<const std::uint32_t> atoms, PixelSize size, const Highlights& marks,
                                 double width);

@@ -12,7 +12,7 @@
 namespace nacre::app {
 namespace {
 
-/// Words of a selection as its grammar has them (selection.h).
+/// Words of the selection grammar (selection.h).
 constexpr const char* kWords[] = {
     "all",        "altloc ", "and ",   "around ",   "backbone",  "byres ",     "chain ", "elem ",
     "entity ",    "helix",   "hetatm", "hydrogens", "id ",       "ion",        "ligand", "loop",
@@ -34,7 +34,7 @@ struct Group {
     std::vector<std::uint32_t> residues{};
 };
 
-/// Residues that a test takes, by the name that another function gives them.
+/// Groups the residues that match a test by the name from another function.
 template <typename Test, typename NameOf>
 std::vector<std::pair<std::string, Group>> groupsOf(const Molecule& m, Test test, NameOf nameOf) {
     std::vector<std::pair<std::string, Group>> groups;
@@ -58,7 +58,7 @@ std::string nameOf(const std::string& identifier, const std::map<std::string, st
     return found == names.end() ? identifier : found->second;
 }
 
-/// Words of a name, without signs: "HEMOGLOBIN (ALPHA CHAIN)" is three.
+/// Words of a name, without punctuation: "HEMOGLOBIN (ALPHA CHAIN)" has three.
 std::vector<std::string> wordsOf(const std::string& name) {
     std::vector<std::string> words(1);
     for (const char c : name) {
@@ -72,7 +72,7 @@ std::vector<std::string> wordsOf(const std::string& name) {
     return words;
 }
 
-/// The number of words that all names begin with, or end with; at least one word of each is left.
+/// Number of words shared by the beginnings, or ends, of all names; leaves at least one word of each.
 std::size_t sharedWords(const std::vector<std::vector<std::string>>& names, bool atEnd) {
     const auto word = [&](const std::vector<std::string>& name, std::size_t n) {
         return lowerCase(name[atEnd ? name.size() - 1 - n : n]);
@@ -86,7 +86,7 @@ std::size_t sharedWords(const std::vector<std::vector<std::string>>& names, bool
     return shared;
 }
 
-/// Labels parts; chains by what tells their names apart.
+/// Labels parts; chains by the distinguishing part of their names.
 /// @param from  the first of a molecule
 void labelParts(std::vector<Part>& parts, std::size_t from) {
     std::vector<std::vector<std::string>> names;
@@ -112,7 +112,7 @@ void labelParts(std::vector<Part>& parts, std::size_t from) {
 
 bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; }
 
-/// The parts of a molecule, and for each residue the one that it is in.
+/// The parts of a molecule, and the part of each residue.
 struct Parts {
     std::vector<Part> parts;
     std::vector<std::uint32_t> ofResidue;
@@ -125,7 +125,7 @@ struct Parts {
     }
 };
 
-/// Of a packed scene: its compartments, if there are several, and its entities.
+/// For a packed scene: its compartments, if there are several, and its entities.
 void addPackedParts(const Molecule& m, Parts& parts) {
     const auto groups = [&](const auto& nameOfEntity) {
         return groupsOf(
@@ -303,7 +303,7 @@ std::string meantSelection(const std::string& typed, const Molecule& molecule) {
         return (name.empty() || named) && (number.empty() || std::to_string(residue.number) == number) &&
                !(name.empty() && number.empty());
     };
-    // A component goes by its name in the file, "heme".
+    // Finds a component by its name in the file, "heme".
     for (const auto& [id, called] : molecule.file.componentNames)
         if (upperCase(called) == capital) return "resn " + quotedName(id);
     for (const Residue& residue : molecule.residues)
@@ -319,7 +319,7 @@ std::vector<std::string> completions(const std::string& typed, const Molecule& m
     std::size_t start = typed.size();
     while (start > 0 && isWordByte(typed[start - 1])) --start;
     const std::string head = typed.substr(0, start), word = typed.substr(start);
-    // Kind of completion that the previous word asks for: names of chains or of residues.
+    // Kind of completion after the previous word: names of chains or of residues.
     std::size_t end = head.find_last_not_of(' ');
     std::size_t begin = end == std::string::npos ? 0 : end + 1;
     while (begin > 0 && isWordByte(head[begin - 1])) --begin;

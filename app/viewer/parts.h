@@ -19,17 +19,17 @@ struct Part {
     std::size_t residues = 0, atoms = 0;
     std::uint32_t chain = 0;  ///< index into Molecule::chains, for a chain
     std::string input = {};   ///< name of its molecule, if there are several
-    /// Short enough for a row: "A  alpha" of "Chain A, Hemoglobin subunit alpha" beside a subunit beta.
+    /// Short enough for a row: "A  alpha" for "Chain A, Hemoglobin subunit alpha" if there is a subunit beta.
     std::string label = {};
-    std::string chainName = {}, title = {};  ///< of a chain: "A", and what the file calls it, if it does
+    std::string chainName = {}, title = {};  ///< of a chain: "A", and its name in the file, if any
 };
 
 constexpr std::size_t kMostParts = 200;
 
-/// Chains in file order, then ligands, ions and water; the whole molecule if it has none of these. Of a packed scene
-/// its compartments and entities. For several molecules likewise each. At most kMostParts.
+/// Chains in file order, then ligands, ions and water; the whole molecule if it has none of these. For a packed scene,
+/// its compartments and entities. For several molecules, the parts of each. At most kMostParts.
 /// @param inputs  names of the molecules, if there are several
-/// @param ofResidue  if given: for each residue its part, or kNoPart; of a packed scene its entity
+/// @param ofResidue  if not null: receives for each residue its part, or kNoPart; for a packed scene its entity
 std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::string>& inputs = {},
                           std::vector<std::uint32_t>* ofResidue = nullptr);
 constexpr std::uint32_t kNoPart = 0xffffffff;
@@ -41,12 +41,12 @@ struct PartLook {
     std::optional<Coloring> coloring;  ///< empty: same as molecule
 };
 PartLook lookOf(const PictureDescription& view, const Part& part);
-/// As a selection takes a name: plain, or in quotes.
+/// A name in the syntax of selections: plain, or in quotes.
 std::string quotedName(const std::string& name);
 /// Sets a part's look by rules for exactly its selection, after all others.
 void setLookOf(PictureDescription& view, const Part& part, const PartLook& look);
 
-/// Residues of a chain with letters: the polymer, in file order.
+/// Residues of a chain that have letters: the polymer, in file order.
 /// @param chain  index into Molecule::chains @returns indices into Molecule::residues
 std::vector<std::uint32_t> sequenceOf(const ResidueFacts& facts, std::uint32_t chain);
 /// 'X' for an unusual residue of a polymer.
@@ -55,8 +55,8 @@ char letterOf(const Residue& residue);
 std::string residuesText(const Molecule& molecule, std::uint32_t first, std::uint32_t last,
                          const std::string& input = {});
 
-/// The selection that a text which is none may mean: "heme" the component of that name, "Asp25", "D25" and "ASP" its
-/// residues, "25" a number, "A" a chain. Empty: none that is in the molecule.
+/// The probably intended selection for an invalid text: "heme" for the component of that name, "Asp25", "D25" and "ASP"
+/// for its residues, "25" for a number, "A" for a chain. Empty if the molecule has none.
 std::string meantSelection(const std::string& typed, const Molecule& molecule);
 
 /// Completions of a typed selection: keywords, names of chains and residues of the molecule.

@@ -12,17 +12,17 @@
 namespace nacre::app {
 namespace {
 
-/// An atom as words have it, behind what a scene file says of it.
+/// An atom's name in the format of words, after a scene file's tooltip.
 std::string hoverText(const Molecule& molecule, std::uint32_t atom) {
     const std::string tip = molecule.guide ? tooltipOf(*molecule.guide, atom) : std::string();
     return tip + (tip.empty() ? "" : "; ") + atomText(molecule, atom);
 }
 
 constexpr double kFingerPoints = 12;    // tolerance of a pick
-constexpr double kHoverPoints = 2;      // and a pointer that rests
+constexpr double kHoverPoints = 2;      // likewise for a resting pointer
 constexpr double kHoverSeconds = 0.08;  // time at rest before the atom under it is looked up
 
-/// A selection as it is typed: `/name` is one of several molecules. @throws std::invalid_argument
+/// A typed selection: `/name` is one of several molecules. @throws std::invalid_argument
 Selection selectionOf(const std::string& text, const PictureDescription& view) {
     Selection selection = parseSelection(text);
     if (view.input.several()) nameInputs(inputNames(inputOf(view)), selection);
@@ -99,7 +99,7 @@ void Picking::measure(Measuring what) {
     stage_.schedule.overlayChanged();
 }
 
-/// Off the molecule it means the whole, and if one residue is everything; on a dash the residues that it joins.
+/// Off the molecule, or if one residue is everything, aims at the whole; on a dash, at the residues that it joins.
 std::optional<Selection> Picking::doubleTap(glm::dvec2 at, double now) {
     picks_ = picksBefore_;
     stage_.schedule.overlayChanged();
@@ -147,8 +147,8 @@ void Picking::select(const std::string& text) {
     placeSelection();
 }
 
-/// Which atoms are marked for those that are chosen: each that something is drawn of. A residue of which a ribbon or a
-/// surface is drawn without them is marked where that is.
+/// The atoms to mark for a selection: those that are drawn. For a residue drawn only as a ribbon or a surface, marks
+/// the atoms that carry it.
 std::vector<bool> Picking::markedAtoms(const std::vector<bool>& chosen) const {
     const Molecule& m = *stage_.document.molecule;
     const std::vector<bool> seen = seenAtoms(stage_.document.drawing.scene(), m.atoms.size());
@@ -163,7 +163,7 @@ std::vector<bool> Picking::markedAtoms(const std::vector<bool>& chosen) const {
     return marked;
 }
 
-/// Marks the selected atoms in the current scene, and what a click would select.
+/// Marks the selected atoms in the current scene, and those that a click would select.
 void Picking::placeSelection() {
     selected_.error.clear();
     selected_.count = 0;

@@ -13,9 +13,9 @@ namespace nacre::app {
 /// Overlay data for a shell, in points from the window's top left.
 struct Annotations {
     std::vector<glm::dvec2> atoms;       ///< picked, in order; lines connect them
-    std::vector<glm::dvec2> otherAtoms;  ///< the same for the right eye, beside or below the left one
+    std::vector<glm::dvec2> otherAtoms;  ///< likewise for the right eye, beside or below the left one
     std::string atom;                    ///< description of the last one
-    std::string measurement;             ///< their measurement, or how many more atoms it needs
+    std::string measurement;             ///< their measurement, or the number of atoms still needed
     std::string message;                 ///< of the last command, or an error
     std::string error;                   ///< an error, until it is dismissed (ViewerOptions::errorsStay)
     std::string hover;                   ///< under the pointer
@@ -40,11 +40,11 @@ public:
 
     // Positions in points
     void tap(glm::dvec2 at, double now);
-    /// Its first tap was no pick. @returns the residue to aim at; empty: the whole molecule
+    /// Call if its first tap picked nothing. @returns the residue to aim at; empty: the whole molecule
     std::optional<Selection> doubleTap(glm::dvec2 at, double now);
-    /// Selects the residue there, and asks the shell for a menu of actions.
+    /// Selects the residue there, and requests a menu of actions from the shell.
     void ask(glm::dvec2 at, double now);
-    /// Where a menu was asked for since the last call; empty: nowhere.
+    /// Position of a menu requested since the last call; empty: none.
     std::optional<glm::dvec2> takeAsked() { return std::exchange(asked_, std::nullopt); }
     void pointerMoved(glm::dvec2 at, double now) { pointer_ = Pointer{at, now}; }
     /// The pointer left the picture.
@@ -62,7 +62,7 @@ public:
     const SelectedAtoms& selection() const { return selected_; }
     /// Clears the picked atoms.
     void drop() { picks_.clear(); }
-    /// The same atoms moved, or the style changed.
+    /// Call when the same atoms moved, or the style changed.
     void placeSelection();
 
     /// @returns when something is due; infinity: never

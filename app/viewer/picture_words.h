@@ -1,6 +1,6 @@
 #pragma once
-// Labels, measurements, legend and the like in a window. The explanation of a picture in words: its molecule, style and
-// colours.
+// Labels, measurements, legend and so on in a window. Also an explanation of a picture in words: its molecule, style
+// and colours.
 
 #include <string>
 
@@ -11,7 +11,7 @@
 
 namespace nacre::app {
 
-/// Em size of words in a window, points: as the panel's font of 15 points.
+/// Em size of words in a window, points: that of the panel's font of 15 points.
 constexpr double kWordPoints = 15 / 1.164;
 
 class PictureWords {
@@ -19,7 +19,7 @@ public:
     PictureWords(Stage& stage, const Frames& frames) : stage_(stage), frames_(frames) {}
 
     const PlacedWords& placed() const { return placed_; }
-    /// Finds the positions of the view's words. @returns whether all have one; reports the others
+    /// Finds the positions of the view's words. @returns whether all were found; reports the others
     bool place(double now);
     /// As above after atoms moved.
     void follow(double now) {
@@ -28,7 +28,7 @@ public:
     }
     /// Em size in the window, pixels.
     double size() const;
-    /// Follows the size of the window's text. @param percent  100: the usual one
+    /// Sets the scale of the window's text. @param percent  100: the default
     void setTextPercent(int percent) { textScale_ = percent / 100.0; }
 
 private:

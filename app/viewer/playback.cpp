@@ -81,7 +81,7 @@ void Playback::request(std::size_t frame, double now) {
 
 std::size_t Playback::framesPerModel() const { return morphs_ ? kMorphFrames : 1; }
 
-/// From an interpolated frame to the next model.
+/// Steps from an interpolated frame to the next model.
 void Playback::step(int step, double now) {
     stop();
     if (clock_.frames() < 2) return stage_.messages.say("it has only one model", now);
@@ -179,7 +179,7 @@ void Playback::restore(const PictureDescription& view) {
     lay(view.input.trajectory);
     const std::int64_t number = hasTrajectory() ? view.input.trajectory.frame : view.input.model;
     const std::size_t frame = static_cast<std::size_t>(std::max<std::int64_t>(number, 1) - 1) * framesPerModel();
-    // An interpolated frame counts as the model next to it.
+    // An interpolated frame counts as the nearest model.
     if (std::lround(place()) != number - 1) clock_.goTo(std::min(frame, clock_.frames() - 1));
     player_->want(clock_.frame());
 }
@@ -193,7 +193,7 @@ double Playback::advance(double now) {
         stop();
         stage_.messages.fail(error.what(), now);
     }
-    if (!waiting_) return kNotAgain;  // the player wakes
+    if (!waiting_) return kNotAgain;  // the player will wake it
     if (playing() && now < clock_.due()) return clock_.due();
     put(now);
     if (!playing()) return kNotAgain;
@@ -204,7 +204,7 @@ double Playback::advance(double now) {
     return kNotAgain;
 }
 
-/// Models that are read one by one.
+/// Reads the next model, if models are read one by one.
 double Playback::readNext(double now) {
     if (!playing() || reading_.loader().busy()) return kNotAgain;
     if (now < clock_.due()) return clock_.due();
@@ -215,7 +215,7 @@ double Playback::readNext(double now) {
     return kNotAgain;
 }
 
-/// The frame that waits, on the screen.
+/// Shows the waiting frame.
 void Playback::put(double now) {
     PlayedFrame played = *std::exchange(waiting_, std::nullopt);
     try {

@@ -88,7 +88,7 @@ void Player::run() {
         lock.lock();
         working_ = false;
         if (order != order_) continue;
-        if (scene != scene_ || newMotion_) {  // again, in the new way
+        if (scene != scene_ || newMotion_) {  // repeats it with the new settings
             wanted_ = frame;
             continue;
         }
@@ -181,7 +181,7 @@ void PlayClock::shown(std::size_t frame, double now) {
     if (order_ == PlayOrder::backAndForth && frame != frame_) back_ = frame < frame_;
     if (order_ == PlayOrder::once) back_ = false;
     frame_ = frame;
-    // One that was late does not make the next come sooner than they would.
+    // A late frame does not make the next one come sooner.
     const double interval = 1 / rate_;
     due_ = std::max(due_ + interval, now);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Makes frames of moving atoms on a worker thread: reads positions, fits them and builds streams while the window draws
-// the previous frame. The timing of frames and models is pure arithmetic, without a clock.
+// Prepares frames of moving atoms on a worker thread: reads positions, fits them and builds streams while the window
+// draws the previous frame. The timing of frames and models is pure arithmetic, without a clock.
 
 #include <condition_variable>
 #include <cstddef>
@@ -76,7 +76,7 @@ private:
 
 enum class PlayOrder {
     round,         ///< the first follows the last
-    backAndForth,  ///< backwards after the last
+    backAndForth,  ///< reverses after the last
     once,          ///< stops at the last
 };
 
@@ -86,9 +86,9 @@ public:
     static constexpr double kModelRate = 10, kTrajectoryRate = 30;  ///< initial frames per second
     static constexpr double kSlowest = 0.5, kFastest = 120;
 
-    /// For another molecule: stopped. @param frames  0: none  @param frame  from 0
+    /// Starts with another molecule, stopped. @param frames  0: none  @param frame  from 0
     void begin(std::size_t frames, std::size_t frame, double rate);
-    /// The same molecule has another number of frames, for example none while it has copies.
+    /// Changes the number of frames of the same molecule, for example to none while it has copies.
     void setFrames(std::size_t frames);
     std::size_t frames() const { return frames_; }
     /// The current frame, from 0.
@@ -109,7 +109,7 @@ public:
     double rate() const { return rate_; }
     /// @param rate  frames per second
     void setRate(double rate);
-    /// The next of some usual rates. @param way  1: faster, -1: slower
+    /// Changes to the next of some usual rates. @param way  1: faster, -1: slower
     void stepRate(int way);
     PlayOrder order() const { return order_; }
     void setOrder(PlayOrder order) { order_ = order; }

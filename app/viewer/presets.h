@@ -15,7 +15,7 @@ struct Preset {
 };
 
 std::span<const Preset> presets();
-/// Changes styles and colours; file and camera stay, but a pocket has an aim.
+/// Changes styles and colours; file and camera stay, except that a pocket has an aim.
 void applyPreset(const Preset& preset, PictureDescription& view);
 
 }  // namespace nacre::app

@@ -9,7 +9,7 @@
 namespace nacre::app {
 namespace {
 
-/// Which molecules a view is of, and where they come from.
+/// Copies the molecules of a view, and their sources.
 void takeInput(const PictureDescription& from, PictureDescription& to) {
     to.input = from.input;
     to.look.assembly = from.look.assembly;
@@ -17,8 +17,8 @@ void takeInput(const PictureDescription& from, PictureDescription& to) {
     to.mapsChanged();
 }
 
-/// The first maps of a structure: contours where the camera looks, and sticks in place of a cartoon that neither rules
-/// nor --style ask for, as model builders have them.
+/// The first maps of a structure: contours around the camera's focus, and sticks instead of a cartoon unless rules or
+/// --style request one, as model builders prefer.
 void lookAtDensity(PictureDescription& view) {
     if (view.maps.files.size() > 0 || view.maps.around || view.given.contains("map-around")) return;
     view.maps.aroundFocus = true;
@@ -36,7 +36,7 @@ Reading::Reading(Stage& stage, Sources sources, std::function<void()> wake)
     if (!view.input.path.empty()) request_.opens ? loader_.open(view) : loader_.read(view);
 }
 
-/// Files by what becomes of them.
+/// Files by their role.
 struct Reading::Files {
     std::vector<std::string> structures, maps, trajectories;
 
@@ -70,7 +70,7 @@ void Reading::addTrajectory(const std::string& path, double now) {
     restore(stage_.view(), true);
 }
 
-/// Adds what belongs to the current document. @returns whether that was all
+/// Adds files that belong to the current document. @returns whether these were all
 bool Reading::join(const Files& files, double now) {
     stage_.messages.dismissFailure();
     if (files.trajectories.size() > 1)
@@ -115,7 +115,7 @@ void Reading::add(const std::vector<std::string>& paths, double now) {
     if (join(files, now)) return;
     PictureDescription more = stage_.view();
     more.maps.files.insert(more.maps.files.end(), files.maps.begin(), files.maps.end());
-    more.input.model = 1;  // models of one are nothing to the others
+    more.input.model = 1;  // model numbers do not apply to the others
     more.input.trajectory = {};
     more.look.assembly.clear();
     more.camera.pan = {};

@@ -1,5 +1,5 @@
 #pragma once
-// Opening of documents: what is opened, added and read, the look in which it is built, and questions to the user.
+// Opening of documents: opens, adds and reads files, chooses the look of the result, and asks the user.
 
 #include <functional>
 #include <optional>
@@ -14,8 +14,8 @@ class Reading {
 public:
     Reading(Stage& stage, Sources sources, std::function<void()> wake);
 
-    /// Replaces the document; several files form one, as they would if added one by one. Maps and trajectories alone
-    /// join the document; a map without one is shown alone.
+    /// Replaces the document; several files form one, as if added one by one. Maps and trajectories without a structure
+    /// join the document; a map without a document is shown alone.
     void open(const std::vector<std::string>& paths, double now);
     void open(const std::string& path, double now) { open(std::vector{path}, now); }
     /// Adds to the document.
@@ -29,7 +29,7 @@ public:
     void build() { loader_.build(stage_.view(), stage_.document); }
     /// Cancels reading.
     void cancel(double now);
-    /// Whether the error that is shown is that of the last reading, which again() repeats.
+    /// Whether the displayed error is from the last read, which again() repeats.
     bool failed() const { return !failure_.empty() && failure_ == stage_.messages.failure(); }
     void again();
 
@@ -37,7 +37,7 @@ public:
     const Question* question() const { return question_ ? &*question_ : nullptr; }
     void answer(bool yes, double now);
 
-    /// For the initial file. @throws its error, if known by now
+    /// For the initial file. @throws its error, if already known
     void throwEarlyFailure() { loader_.throwFailure(); }
     /// Running work.
     const Loader& loader() const { return loader_; }
@@ -49,7 +49,7 @@ public:
         bool another = false;   ///< other molecules were read
         bool step = false;      ///< these are another model of the same file
         bool restored = false;  ///< it belongs to the current view
-        bool opened = false;    ///< as a first look, without a camera of its own
+        bool opened = false;    ///< a first look, without its own camera
     };
     /// The document when it is ready, to be shown.
     std::optional<Document> take(double now);
@@ -67,11 +67,11 @@ private:
     Loader loader_;
     std::optional<Question> question_;
     PictureDescription asked_;  // the view of question_
-    /// How to show the document that is being read.
+    /// How to show the document being read.
     struct Request {
         bool restores = false;  ///< it belongs to the current view
         bool opens = false;     ///< it gets a first look
-        bool placed = false;    ///< it is restored with a camera of its own
+        bool placed = false;    ///< it is restored with its own camera
     };
     Request request_;
     bool first_ = true;    // nothing was shown yet

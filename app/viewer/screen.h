@@ -6,7 +6,7 @@
 
 namespace nacre::app {
 
-/// The atom in each pixel of a view, and what finding them took.
+/// The atom in each pixel of a view, and the time to find them.
 struct SeenAtoms {
     std::vector<std::uint32_t> atoms;
     double milliseconds = 0;

@@ -19,7 +19,7 @@ constexpr std::uint64_t kFramesOfWarmUp = 3;  // live, refined, kept
 
 }  // namespace
 
-/// The current renderer, as the viewer sees it.
+/// The current renderer as the viewer's screen.
 class Session::OwnScreen : public Screen {
 public:
     explicit OwnScreen(Session& session) : session_(session) {}
@@ -40,7 +40,8 @@ public:
     void awaitFrame() override {
         if (Renderer* r = session_.renderer()) r->awaitFrame();
     }
-    /// The slower of host and device: lists of triangles cost the host more than pixels cost the device.
+    /// Time of the host or the device, whichever is slower: lists of triangles may cost the host more than pixels cost
+    /// the device.
     double frameMilliseconds() const override {
         const Renderer* r = session_.renderer();
         const double device = r ? r->stats().windowMilliseconds : 0;
@@ -79,7 +80,7 @@ FrameOutcome Session::OwnScreen::present(const RenderSettings& settings, const W
     if (!renderer) return FrameOutcome::hidden;
     if (session_.host_.present) return session_.host_.present(*renderer, settings);
     try {
-        // Time spent waiting is not the host's; and the window may have another size by now.
+        // Time spent waiting does not count for the host; and the window may have another size by now.
         const PixelSize window = renderer->windowSize();
         if (window.width == settings.view.width && window.height == settings.view.height) renderer->awaitFrame();
         const auto begin = std::chrono::steady_clock::now();

@@ -23,9 +23,9 @@ struct SessionHost {
     std::function<void(const std::vector<std::byte>&)> keepPipelines = {};  ///< called once, after warm-up
     std::function<void(Renderer&)> prepare = {};                            ///< each renderer, before it draws
     std::function<void(const std::string&)> lost = {};                      ///< receives what is known of a loss
-    /// Draws a frame, in place of the renderer's window.
+    /// Draws a frame, instead of the renderer's window.
     std::function<FrameOutcome(Renderer&, const RenderSettings&)> present = {};
-    /// The window may vanish before anyone is told: a failing frame releases it, and waits for another window.
+    /// The window may vanish before the session is told: a failing frame releases it, and waits for another window.
     bool windowMayGo = false;
 };
 
@@ -34,7 +34,7 @@ public:
     /// Without a renderer until open().
     Session(SessionHost host, Sources sources, const PictureDescription& first, const ViewerOptions& options,
             std::function<void()> wake);
-    /// Waits for a renderer in the making.
+    /// Waits for a renderer being created.
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -45,18 +45,18 @@ public:
     Renderer* renderer() { return renderer_.get(); }
     const Renderer* renderer() const { return renderer_.get(); }
 
-    /// For developers, in lines: the device, its path, and how its driver handles the frame.
+    /// Lines for developers: the device, its path, and how its driver handles the frame.
     std::string statistics() const;
 
-    /// For remote diagnosis: everything about the device and its frames, as JSON.
+    /// Everything about the device and its frames as JSON, for remote diagnosis.
     /// @param system  "Android 16, Example Phone"
     std::string report(const std::string& system) const;
 
-    /// Makes a renderer that shows the viewer's document. Closes the previous one first, since it has the window.
+    /// Creates a renderer that shows the viewer's document. First closes the previous one, which owns the window.
     /// @throws Error if there is no suitable device
     void open(double now);
     /// As above on another thread: the first start on a device takes seconds. Nothing is drawn until takeOpened();
-    /// calls `wake` when the result is there.
+    /// calls `wake` when the result is ready.
     void openAside();
     bool opening() const { return opening_.valid(); }
     /// Takes the result of openAside(), if ready. @returns whether it was. @throws as open()
@@ -65,7 +65,7 @@ public:
     /// Drops the renderer and everything on the device.
     void close();
 
-    /// Tests the device's paths from now on while the picture rests, or never. Initially it does.
+    /// Whether to test the device's paths while the picture rests. Initially on.
     void setIdleTests(bool on);
     /// Whether a test is running.
     bool testing() const { return idleTest_.running(); }
@@ -98,7 +98,7 @@ private:
     std::unique_ptr<OwnScreen> screen_;
     Viewer viewer_;
     bool pipelinesKept_ = false, idleTests_ = true;
-    std::uint64_t framesBefore_ = 0;  // shown when step() was last called
+    std::uint64_t framesBefore_ = 0;  // number of frames shown when step() was last called
     double frameAt_ = 0;              // time of the last frame
     IdleTest idleTest_;
     int losses_ = 0;        // recent ones

@@ -1,5 +1,5 @@
 #pragma once
-// State shared by the viewer's parts: the wanted view with the interactive camera, the document shown, and
+// State shared by the viewer's parts: the wanted view with the interactive camera, the displayed document, and
 // notifications of changes to both.
 
 #include "app/viewer/camera_motion.h"
@@ -42,7 +42,7 @@ public:
     }
     /// Whether there is a document.
     bool shown() const { return document.molecule != nullptr; }
-    /// A view with an absolute camera, for saving: drawing something else does not move it.
+    /// A view with an absolute camera, for saving: it does not depend on the drawn scene.
     PictureDescription placed(PictureDescription view) const {
         if (!shown()) return view;
         constexpr std::uint32_t kAnySize = 1000;
@@ -80,7 +80,7 @@ public:
     }
     /// When the last drag counts as finished.
     double handRests() const { return handMoved_ + kHandSeconds; }
-    /// The picture moves by itself or is dragged.
+    /// Whether the picture moves by itself or is dragged.
     bool moving(double now) const { return motion.moving() || now < handRests(); }
 
 private:

@@ -21,7 +21,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr double kOneTurn = 1;  // seconds within which steps of a wheel are one of the history
+constexpr double kOneTurn = 1;  // seconds within which steps of a wheel form one undo step
 
 std::string nameOf(const std::string& input) {
     return input.starts_with("sample:") ? input : std::filesystem::path(input).filename().string();
@@ -75,7 +75,7 @@ void Viewer::changeLevel(double steps, double now) {
     PictureDescription look = view();
     std::vector<MapLevel>& levels = look.maps.levels;
     levels.resize(std::max(levels.size(), map + 1));
-    // A level that was turned is not built yet: count from it.
+    // A changed level is not built yet: counts from it.
     const bool turned = levels[map].unit == MapLevel::Unit::sigma;
     const double sigma = turned ? levels[map].value : document()->drawing.maps().sigmas[map];
     levels[map] = {MapLevel::Unit::sigma, std::round((sigma + 0.1 * steps) * 10) / 10};
@@ -133,7 +133,7 @@ void Viewer::open(const std::vector<std::string>& paths, bool beside, double now
     }
 }
 
-/// Shows a saved view; one without a structure, or a look, changes what is open. @throws Error, UsageError
+/// Shows a saved view; one without a structure, or a look, changes the current scene. @throws Error, UsageError
 void Viewer::showFile(const std::string& path, double now) {
     PictureDescription to;
     applySavedView(path, to);
@@ -167,7 +167,7 @@ void Viewer::setLook(const PictureDescription& look, double now, bool continues)
     stage_.motion.setProjection(look.camera.projection);
     stage_.changed(now);
     const Facets parts = difference(before, view());
-    // Words that do not fit this molecule are refused.
+    // Words that do not apply to this molecule are refused.
     if (has(parts, Facet::annotation) && !words_.place(now)) wanted.words = before.words;
     // The document being read will be shown in this look.
     const Rebuild rebuild = rebuildFor(before, view(), CameraBy::hand);
@@ -201,13 +201,13 @@ void Viewer::restore(const PictureDescription& saved, double now, double seconds
     const bool file = !stage_.shown() || has(parts, Facet::input);
     const bool oneModel = to.input.model != kAllModels && document.view.input.model != kAllModels;
     const bool frame =
-        !file && document.moves() && oneModel && to.look.assembly == document.view.look.assembly;  // the player has it
+        !file && document.moves() && oneModel && to.look.assembly == document.view.look.assembly;  // by the player
     const bool another = file || (!frame && has(parts, Facet::frame));
     const Rebuild rebuild = rebuildFor(view(), to, CameraBy::hand);
     CameraMotion& motion = stage_.motion;
     Camera camera = motion.camera();
     stage_.wanted() = to;
-    if (!another || !to.camera.center) {  // else it takes the camera when it arrives
+    if (!another || !to.camera.center) {  // else it takes the camera on arrival
         camera.projection = to.camera.projection;
         camera.fovDegrees = to.camera.fovDegrees;
         motion.set(camera);
@@ -230,7 +230,7 @@ void Viewer::takeDocument(double now) {
     try {
         frames_.setScene(document->drawing);
     } catch (const Error& error) {
-        return stage_.messages.fail(error.what(), now);  // the document before stays
+        return stage_.messages.fail(error.what(), now);  // the previous document stays
     }
     const Reading::Arrival arrival = reading_.arrive(std::move(*document));
     if (arrival.another) {
@@ -257,7 +257,7 @@ void Viewer::takeDocument(double now) {
     if (arrival.another && has(difference(shown.view, view()), Facet::scene)) reading_.build();
 }
 
-/// Draws maps anew about what the camera looks at, once it rests there.
+/// Redraws maps around the camera's focus, once the camera rests.
 void Viewer::followFocus(double now) {
     constexpr double kFollows = 0.1;  // of their radius
     const PictureDescription& wanted = view();

@@ -50,24 +50,24 @@ public:
     void mouseMove(glm::dvec2 at, double now);
     void mouseButton(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now);
     void wheel(double steps, glm::dvec2 at, double now);
-    /// The contour level of the first map that has one, in steps of 0.1 sigma.
+    /// Changes the contour level of the first map that has one, in steps of 0.1 sigma.
     void changeLevel(double steps, double now);
-    /// One that the platform recognised itself: pinch and twist of a trackpad.
+    /// A gesture that the platform recognised: pinch and twist of a trackpad.
     void gesture(const Gesture& gesture, double now) { apply({gesture}, now); }
     void run(ViewerCommand command, double now);
     void pause();
     void resume(double now);
 
-    /// Opens files of any kind (file_kind.h): a saved view is shown, a look is given to what is open, everything else
-    /// is as in Reading. Reports what cannot be opened.
-    /// @param beside  adds structures to what is open
+    /// Opens files of any kind (file_kind.h): shows a saved view, applies a look to the current scene, and passes other
+    /// files to Reading. Reports files that cannot be opened.
+    /// @param beside  adds structures to the current scene
     void open(const std::vector<std::string>& paths, bool beside, double now);
     void open(const std::string& path, double now) { open(std::vector{path}, false, now); }
 
     // Current state
     const PictureDescription& view() const { return stage_.view(); }
-    /// As above, for a restart; empty if it could not be read. Where an earlier style decides the scale, the camera is
-    /// absolute.
+    /// As above, for a restart; empty if it could not be read. The camera is absolute if an earlier style determines
+    /// the scale.
     PictureDescription restartView() const {
         if (!stage_.shown() && !reading_.loader().busy() && !reading_.question()) return {};
         return stage_.document.drawing.reframed() ? stage_.placed(view()) : view();
@@ -114,11 +114,11 @@ private:
     CameraControl camera_;
     TouchGestures touches_;
     MouseGestures mouse_;
-    std::size_t preset_ = 0, look_ = 0;  // the last ones that were stepped to
+    std::size_t preset_ = 0, look_ = 0;  // indices most recently stepped to
     double levelTurned_ = -1e9;
     mutable std::uint64_t explained_ = 0;  // the scene's number
     mutable std::string explanation_;      // of that scene
-    std::uint64_t followed_ = 0;           // Stage::changes() at which maps were last where the camera looks
+    std::uint64_t followed_ = 0;           // Stage::changes() when maps last followed the camera's focus
 };
 
 }  // namespace nacre::app

@@ -13,7 +13,7 @@ namespace {
 struct OptionCommand {
     ViewerCommand command;
     const char* key;
-    const char* value = nullptr;  ///< that it takes; null: the next choice of its control
+    const char* value = nullptr;  ///< value to set; null: the next choice of its control
 };
 
 constexpr OptionCommand kOptionCommands[] = {{ViewerCommand::spacefill, "style", "spacefill"},
@@ -128,7 +128,7 @@ void Viewer::run(ViewerCommand command, double now) {
         case C::redo:
             return redo(now);
         default:
-            return;  // the shell's
+            return;  // handled by the shell
     }
 }
 

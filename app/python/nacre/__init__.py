@@ -57,7 +57,7 @@ class Movie:
         if self.type == "image/png":
             return {self.type: data}
         source = f"data:{self.type};base64,{data}"
-        if self.type.startswith("image/"):  # notebooks know no image/gif
+        if self.type.startswith("image/"):  # notebooks do not support image/gif
             return {"text/html": f'<img alt="movie" src="{source}">'}
         return {"text/html": f'<video autoplay loop muted controls src="{source}"></video>'}
 
@@ -219,7 +219,7 @@ class Structure:
             texts.append(text)
         done = 0
         while done < len(texts):
-            for picture, warnings in _nacre.render_all(self._core, texts[done:], colors):  # large ones: the first of them
+            for picture, warnings in _nacre.render_all(self._core, texts[done:], colors):  # large ones: only the first
                 done += 1
                 _tell(warnings, 4)
                 yield picture

@@ -24,7 +24,7 @@ class Layers(TypedDict):
     id: NDArray[np.uint32]
     occlusion: NDArray[np.float32]
 
-# What `nacre help keywords` writes.
+# Output of `nacre help keywords`.
 class Options(TypedDict, total=False):
     look: str | PathLike[str]
     thumbnail: str | float

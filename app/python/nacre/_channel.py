@@ -11,7 +11,7 @@ import contextvars
 import os
 import threading
 
-_MOST_VIEWS = 1000  # that answer
+_MOST_VIEWS = 1000  # that respond
 
 _NO_VIEW = 404, "application/problem+json", b'{"status": 404, "detail": "no such view: run its cell again"}'
 _SUPERSEDED = 204, "", b""
@@ -24,7 +24,7 @@ class Channel:
         self._views = {}
         self._changed = threading.Condition()
         self._queue = collections.deque()  # (view, path, answer), in order
-        self._moving = {}  # by token: the newest such request of a view in motion; the views take turns
+        self._moving = {}  # by token: the newest request of each view in motion; the views take turns
         self._thread, self._turn = None, False
 
     def add(self, token, view):
@@ -73,7 +73,7 @@ class Channel:
             view, path, answer = self._next()
             try:
                 answer(*view._answer(path))
-            except Exception:  # a channel that is closed
+            except Exception:  # a closed channel
                 pass
 
 

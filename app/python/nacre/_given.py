@@ -89,7 +89,7 @@ def as_mask(value):
 
 
 _JOINED_BY_COMMA = {"measure", "interactions", "interface", "map_around"}
-_ONE_TEXT = _JOINED_BY_COMMA - {"measure"}  # a tuple of texts is one value there, and a list of values elsewhere
+_ONE_TEXT = _JOINED_BY_COMMA - {"measure"}  # there, a tuple of texts is one value; elsewhere a list of values
 
 
 def selections(value, count, name):
@@ -161,7 +161,7 @@ def groups(views, options):
                 raise UsageError('"color" of a view: a scheme or a colour; arrays go with all views')
             if own and "color" in view:
                 raise UsageError('"color" of a view: the colours of all views are given')
-            if own and ("palette" in view or "color_limits" in view):  # other colours than the views before it
+            if own and ("palette" in view or "color_limits" in view):  # other colours than those of earlier views
                 yield group
                 group = []
                 yield [options | dict(view)]

@@ -60,7 +60,7 @@ def from_mdanalysis(atoms):
     def column(name):
         try:
             return numpy.asarray(getattr(atoms, name))
-        except Exception:  # MDAnalysis' NoDataError, which is not everywhere the same class
+        except Exception:  # MDAnalysis' NoDataError, whose class varies
             return None
 
     unknown = [""] * len(atoms)
@@ -84,7 +84,7 @@ def from_mdanalysis(atoms):
         shown = trajectory.frame
         trajectory[number]
         places = atoms.positions
-        trajectory[shown]  # the caller's universe stays at its frame
+        trajectory[shown]  # the caller's universe keeps its frame
         return places
 
     return Columns(os.path.basename(str(atoms.universe.filename or "MDAnalysis")), arguments, len(trajectory), positions)
@@ -180,7 +180,7 @@ def from_biopython(entity):
     if not isinstance(entity, Entity):
         raise UsageError(f"from_biopython() takes a Structure, a Model or a Chain of Bio.PDB, not {kind(entity)}")
     if entity.get_level() == "S":
-        # Biopython writes models 0 and 1 as one, whose atoms would be there twice.
+        # Biopython writes models 0 and 1 as one, with duplicate atoms.
         models, entity = entity.get_list(), copy.copy(entity)
         entity.child_list = [copy.copy(model) for model in models]
         for number, model in enumerate(entity.child_list, 1):

@@ -9,7 +9,7 @@ import secrets
 import threading
 import urllib.parse
 
-_MOST_VIEWS = 64  # that answer
+_MOST_VIEWS = 64  # that respond
 
 
 class _Handler(http.server.BaseHTTPRequestHandler):
@@ -21,7 +21,7 @@ class _Handler(http.server.BaseHTTPRequestHandler):
 
     def do_GET(self):
         _, token, *rest = self.path.split("/", 2)
-        # A page elsewhere that calls a name of its own 127.0.0.1 sends that name.
+        # A foreign page whose name resolves to 127.0.0.1 sends that name.
         host = self.headers.get("Host", "").rsplit(":", 1)[0]
         view = self.server.view(token) if host in ("127.0.0.1", "localhost") else None
         if view is None or len(rest) != 1:
@@ -60,7 +60,7 @@ class _Server(http.server.ThreadingHTTPServer):
         return token
 
     def handle_error(self, request, client_address):
-        pass  # a browser that went away
+        pass  # the browser disconnected
 
 
 _lock, _running = threading.Lock(), None

@@ -18,8 +18,8 @@ _FOLDER = os.path.dirname(__file__)
 _FIELDS = ("style", "color", "look", "show", "label")
 _CAMERA = ("orientation", "zoom", "pan", "clip")
 _KINDS = {"jpg": (".jpg", "image/jpeg"), "webp": (".webp", "image/webp"), "png": (".png", "image/png")}
-_MOST_FRAMES = 64  # that a view keeps, with their scenes
-_turn = threading.Lock()  # of the frames of all views
+_MOST_FRAMES = 64  # kept by a view, with their scenes
+_turn = threading.Lock()  # guards the frames of all views
 
 
 class View:
@@ -104,8 +104,8 @@ class View:
         query = urllib.parse.parse_qs(place.query)
         try:
             if place.path == "":
-                # A notebook that loads the page anew, as JupyterLab does with cells that come back into sight, shows
-                # what was seen last, whatever its cell says.
+                # If a notebook reloads the page, as JupyterLab does with cells that scroll back into sight, it shows
+                # the last state, whatever its cell contains.
                 body = f'<body class="cell" data-query="{html.escape(self._query, quote=True)}">'
                 return 200, "text/html; charset=utf-8", _read("page.html").replace("<body>", body, 1).encode()
             if place.path == "options":

@@ -116,7 +116,7 @@ function showView(root, view, asker) {
       }};
     try {
       const answer = await asker.ask(view, "");
-      if (!answer.ok) return;  // another kernel, which has no such view
+      if (!answer.ok) return;  // another kernel without this view
       page.srcdoc = await answer.text();
       root.append(page);
     } catch (error) { /* no kernel: the picture stands */ }
