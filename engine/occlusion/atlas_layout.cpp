@@ -11,7 +11,8 @@ struct PatchSize {
     std::uint32_t edge, around, along;
 };
 // Finest to coarsest, in steps of at most 1.5. A bond is a fifth as wide as an atom, so it has half the texels around
-// it and few along it. All four texels of an octahedral map of 2 x 2 are the same direction: one value follows 3 x 3.
+// it and few along it. The step after 3 x 3 is one value: all four texels of a 2 x 2 octahedral map are the same
+// direction.
 constexpr PatchSize kSizes[] = {{32, 24, 24}, {28, 24, 17}, {24, 20, 14}, {20, 16, 12}, {17, 12, 11}, {14, 12, 9},
                                 {12, 12, 7},  {10, 12, 6},  {9, 12, 5},   {8, 8, 6},    {7, 8, 5},    {6, 8, 4},
                                 {5, 8, 3},    {4, 8, 2},    {3, 4, 3},    {1, 4, 2}};
@@ -29,7 +30,7 @@ OcclusionLayout layoutFor(const PatchSize& size, std::size_t spheres, std::size_
     layout.sphereCount = static_cast<std::uint32_t>(spheres);
     layout.cylinderCount = static_cast<std::uint32_t>(cylinders);
     layout.vertexCount = static_cast<std::uint32_t>(vertices);
-    // Nearly square, and a multiple of both patch widths: rows begin with a whole word of four.
+    // Nearly square, and a multiple of both patch widths: rows begin with a whole word of four texels.
     const std::uint32_t step = std::lcm(size.edge, size.around);
     const double side = std::sqrt(static_cast<double>(std::max<std::uint64_t>(layout.texelCount(), 1)));
     layout.width = std::min(roundUp(static_cast<std::uint64_t>(side), step), maxSize / step * step);
@@ -59,7 +60,7 @@ std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t c
 }
 
 bool holdsItsPatches(const OcclusionLayout& l, std::uint32_t mostSide) {
-    const std::uint32_t most = std::min(mostSide, 1u << 16);  // limit of an address's bits
+    const std::uint32_t most = std::min(mostSide, 1u << 16);  // limit of the address bits
     if (l.width == 0 || l.width > most || l.height > most || l.sphereRows > l.height ||
         l.cylinderRows > l.height - l.sphereRows)
         return false;

@@ -19,12 +19,12 @@ struct OcclusionLayout {
     /// Patches per atlas row.
     std::uint32_t spherePatches() const { return width / sphereEdge; }
     std::uint32_t cylinderPatches() const { return width / around; }
-    /// Texels of all spheres, rounded up to whole words of four.
+    /// Texels of all spheres, rounded up to whole words of four texels.
     std::uint64_t sphereTexels() const { return (std::uint64_t{sphereCount} * sphereEdge * sphereEdge + 3) & ~3ull; }
     std::uint64_t cylinderTexels() const { return std::uint64_t{cylinderCount} * around * along; }
     /// Texels of spheres and cylinders.
     std::uint64_t patchTexels() const { return sphereTexels() + cylinderTexels(); }
-    /// Mesh vertices have no patches but two adjacent texels each: outer and inner side.
+    /// Mesh vertices have no patches but two adjacent texels each: for the outer and the inner side.
     std::uint64_t texelCount() const { return patchTexels() + 2 * std::uint64_t{vertexCount}; }
 };
 
@@ -34,7 +34,7 @@ std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t c
                                               std::uint32_t maxSize);
 
 /// Whether all patches lie within the atlas, sphere patches above cylinder patches, with at most `mostSide` texels per
-/// side. Always true for the layouts above; check it for stored layouts.
+/// side. True for the layouts above; check stored layouts.
 bool holdsItsPatches(const OcclusionLayout& layout, std::uint32_t mostSide);
 
 }  // namespace nacre

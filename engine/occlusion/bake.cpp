@@ -131,8 +131,8 @@ void Bake::release() {
     firstOfSphere_.clear();
 }
 
-/// Patches as shaders of software devices read them: rows of words of four texels. The last texel repeats the first one
-/// of the next word (shaders/common/color.glsl). Sphere patches first, then cylinder patches.
+/// Patches in the form that shaders of software devices read: rows of words of four texels, sphere patches first. The
+/// last texel of a word repeats the first one of the next word (shaders/common/color.glsl).
 void Bake::makeCells(std::span<const std::uint8_t> texels) {
     const OcclusionLayout& l = layout_;
     if (!device_.caps().tiles.shade || l.sphereEdge < 2) return;
@@ -164,9 +164,9 @@ void Bake::makeCells(std::span<const std::uint8_t> texels) {
                     2 * std::size_t{l.vertexCount});
 }
 
-/// Removes texels that no direction has lit so far from the list, and moves the others up.
+/// Removes texels that no direction has lit so far from the list, and compacts it.
 void Bake::dropDeepTexels() {
-    sums_.invalidate();  // the host alone writes the other two
+    sums_.invalidate();  // only the host writes the other two
     auto* list = reinterpret_cast<std::uint32_t*>(list_.mapped);
     auto* sums = reinterpret_cast<glm::vec2*>(sums_.mapped);
     std::vector<std::uint32_t> keptBefore(texelCount_ + 1);

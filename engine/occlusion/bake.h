@@ -16,7 +16,7 @@
 
 namespace nacre::occlusion {
 
-/// Maximum work of one submission. A unit is one texel tested for one direction.
+/// Maximum work of one submission. One unit: one texel tested for one direction.
 struct Allowance {
     std::uint32_t directions = DepthMaps::kMostPerBatch;
     double units = std::numeric_limits<double>::infinity();
@@ -24,7 +24,8 @@ struct Allowance {
 
 class Bake {
 public:
-    /// Prepares a bake. Before the first direction the atlas is fully open. Scene and representation outlive the bake.
+    /// Prepares a bake. Before the first direction the atlas is fully open. Scene and representation must outlive the
+    /// bake.
     /// @throws Error as prepareBake
     Bake(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
          const BakeOptions& options)
@@ -32,15 +33,15 @@ public:
     Bake(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
          const BakeOptions& options, BakePreparation&& preparation);
 
-    /// A finished bake, from the stored result of one with the same options and representation.
+    /// A finished bake from a stored result. The options and representation must be those of the stored bake.
     Bake(const gpu::Device& device, gpu::Executor& executor, const passes::SceneBuffers& scene,
          const Representation& representation, const BakeOptions& options, const FinishedOcclusion& finished);
 
-    /// Renders the depth maps of the next directions (at most one batch) and adds them up. Where models do not occlude
-    /// each other, takes the model with the fewest directions so far.
+    /// Renders the depth maps of the next directions (at most one batch) and adds them up. If models do not occlude
+    /// each other, selects the model with the fewest directions so far.
     /// @param most  maximum of directions
     void step(gpu::Executor& executor, std::uint32_t most = DepthMaps::kMostPerBatch);
-    /// Sums -> atlas, for the directions done so far.
+    /// Converts the sums of the directions done so far to the atlas.
     void finish(gpu::Executor& executor);
 
     /// Compiles the pipelines of the next steps on the worker thread, if there is one.
@@ -48,20 +49,20 @@ public:
     void wantPipelines(gpu::Executor& executor, const Allowance& least, const Allowance& most) const;
 
     // For callers that submit the work themselves, in small parts. Declares the next part: as many directions as
-    // allowed or, if not even one is, some of its primitives or texels. Run it, then call sliceDone() before any other
-    // call.
-    // @returns its units; 0: nothing is left
+    // allowed or, if not even one is allowed, some of its primitives or texels. Run it, then call sliceDone() before
+    // any other call.
+    // @returns units of work; 0: nothing is left
     double declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance);
     /// Call when the declared part has run.
     void sliceDone();
     /// Units of the smallest remaining part.
     double leastUnits() const;
-    /// Whether all begun directions are added up.
+    /// Whether all started directions are added up.
     bool betweenSteps() const { return !work_; }
     void declareFinish(graph::Graph& g, gpu::Imports& imports);
 
     const gpu::Image& atlas() const { return atlas_; }
-    /// Whether the atlas holds a result, counting submitted work as done.
+    /// Whether the atlas holds a result. Submitted work counts as done.
     bool shows() const { return atlasDefined_; }
     /// A view of the finished atlas, if shaders interpolate it themselves and it fits the budget; else null.
     vk::BufferView cells() const { return *cellTexels_; }
@@ -78,11 +79,11 @@ public:
     std::size_t texels() const { return texelCount_; }
     /// Work of the bake: texels x directions.
     std::uint64_t asked() const { return asked_; }
-    /// The atlas texels as finish() wrote them. Only before release().
+    /// The atlas texels that finish() wrote. Call before release().
     std::vector<std::uint8_t> atlasTexels() const;
-    /// Drops everything except the atlas. No more steps can follow.
+    /// Drops everything except the atlas. No steps can follow.
     void release();
-    /// For each sphere whether any direction saw any of it; known after release().
+    /// For each sphere, whether any direction saw any of it. Available after release().
     const std::vector<bool>& seenSpheres() const { return seenSpheres_; }
 
 private:
@@ -111,16 +112,16 @@ private:
     void makeBuffers(const OpenTexels& open);
     layout::OcclusionConstants constants() const;
     Accumulation accumulation(OcclusionCopies::Run::Of of, std::uint32_t batch) const;
-    /// Pixels between the taps of sticks; 0: one tap. Sticks cast thin shadows, which a single tap misses. Four taps
-    /// cover the space between neighbouring directions, which is larger with fewer directions.
+    /// Pixels between the taps of sticks; 0: one tap. A single tap misses the thin shadows of sticks. Four taps cover
+    /// the space between neighbouring directions, which is larger with fewer directions.
     float spreadOfTaps() const;
-    /// The same for cartoons, which are as thin.
+    /// As spreadOfTaps(), for cartoons, which are as thin.
     float spreadOfVertices() const;
     float widestTaps() const;
     void dropDeepTexels();
     void makeCells(std::span<const std::uint8_t> texels);
     /// @param first, end  of the model's texels
-    /// @param maps  null: heights of the tile path
+    /// @param maps  null: the heights of the tile path
     void recordAccumulation(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t batch,
                             std::uint32_t model, std::size_t first, std::size_t end);
     vk::DescriptorSet accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t group);
@@ -133,7 +134,7 @@ private:
     DepthMaps maps_;
     OcclusionLayout layout_;
     OcclusionCopies copies_;
-    std::size_t texelCount_ = 0, wordCount_ = 0;  // in the list, in the atlas
+    std::size_t texelCount_ = 0, wordCount_ = 0;  // list entries; atlas words
     std::vector<std::uint32_t> firstOfSphere_;
     std::vector<bool> seenSpheres_;
     std::vector<int> doneOf_;  // directions per model

@@ -1,4 +1,4 @@
-// A scene's bake beside a window's frames: submitted in slices, without waiting.
+// A bake beside a window's frames: submitted in slices, without waiting.
 #include <utility>
 
 #include "engine/occlusion/scene_occlusion.h"
@@ -8,7 +8,7 @@ namespace nacre::occlusion {
 void SceneOcclusion::prepareBeside(const OcclusionSettings& settings, bool hurry) {
     if (isOutdated()) {
         if (const auto* finished = std::get_if<Finished>(&state_)) {
-            // Shown until the next bake is done; the previous one was dropped.
+            // Shown until the next bake is done. The one before it was dropped.
             before_ = finished->bake;
             state_.emplace<Idle>();
         } else if (hurry && before_) {
@@ -24,10 +24,10 @@ double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const Oc
     cancelOnError([&] {
         prepareBeside(settings, !pace.mustFit);
         if (const auto* preparing = std::get_if<Preparing>(&state_)) {
-            constexpr double kAny = 1e300;  // the host's limit of listed primitives does not apply
+            constexpr double kAny = 1e300;  // finite: the host's limit of listed primitives applies
             if (preparing->result.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
                 make(allowed(pace.sliceMilliseconds), {DepthMaps::kMostPerBatch, kAny});
-            return;  // the next call begins with it
+            return;  // the next call starts the bake
         }
         if (executor_.makesPipelines()) return;
         if (submission_ && submission_->pending()) {
@@ -71,7 +71,8 @@ void SceneOcclusion::submit(Baking& baking, const OcclusionPace& pace) {
         record(g, imports, &submission_->timer());
     });
     if (!showing) return;
-    // Frames submitted from here on see the update. The bake counts as shown once the device has finished it.
+    // Frames submitted from here on see the update. A complete bake counts as shown only after the device has finished
+    // it.
     if (!bake.complete()) baking.shown = share;
     baking.unshown = 0;
     stats_.occlusion.done = bake.directionsDone();
@@ -92,7 +93,7 @@ void SceneOcclusion::collect(Baking& baking) {
     }
 }
 
-/// Waits for submissions beside frames.
+/// Waits for work submitted beside frames.
 void SceneOcclusion::finishFlight() {
     if (!submission_ || !submission_->pending()) return;
     submission_->wait();

@@ -16,7 +16,7 @@ namespace {
 
 using Type = vk::DescriptorType;
 constexpr std::uint32_t kGroup = 64;            // local_size_x
-constexpr std::uint32_t kGroupsPerRow = 32768;  // of a dispatch; the floor allows 65,535
+constexpr std::uint32_t kGroupsPerRow = 32768;  // of a dispatch; Vulkan guarantees 65,535
 
 void bind(const gpu::Device& device, vk::DescriptorSet set, std::uint32_t binding, Type type, vk::Buffer buffer,
           vk::DeviceSize offset = 0, vk::DeviceSize size = VK_WHOLE_SIZE) {
@@ -63,7 +63,7 @@ layout::OcclusionConstants Bake::constants() const {
 }
 
 float Bake::spreadOfTaps() const {
-    // A few sticks among full atoms must not make those cost four times as much.
+    // A few sticks among full atoms must not make the bake four times as expensive.
     if (2 * std::uint64_t{layout_.cylinderCount} <= layout_.sphereCount) return 0;
     return widestTaps();
 }
@@ -71,7 +71,7 @@ float Bake::spreadOfTaps() const {
 float Bake::widestTaps() const { return static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5)); }
 
 float Bake::spreadOfVertices() const {
-    // For a cartoon of 4HHB (62,000 vertices) they reduce the RMS error from 0.042 to 0.037. Surfaces have few thin
+    // Four taps reduce the RMS error of 4HHB's cartoon (62,000 vertices) from 0.042 to 0.037. Surfaces have few thin
     // parts and many vertices.
     constexpr std::uint32_t kMost = 200'000;
     return layout_.vertexCount <= kMost ? widestTaps() : spreadOfTaps();
@@ -87,8 +87,8 @@ Accumulation Bake::accumulation(OcclusionCopies::Run::Of of, std::uint32_t batch
                                   : spheres,
             batch, maps_.encoded(), maps_.tiles() != nullptr, narrow_, maps_.across(batch),
             vertices ? spreadOfVertices() : spreadOfTaps(),
-            // Neighbouring vertices of a mesh sample the map too: two taps instead of four raise the RMS error of
-            // 4HHB's cartoon by 0.001.
+            // Neighbouring vertices of a mesh sample the map too, so two taps suffice: they raise the RMS error of
+            // 4HHB's cartoon by 0.001 against four.
             vertices ? 2u : 4u};
 }
 
@@ -102,7 +102,7 @@ void Bake::wantPipelines(gpu::Executor& executor, const Allowance& least, const 
                 if (run.count > 0) c.pipelines.want(accumulationPipeline(c, accumulation(run.of, batch)));
         c.pipelines.want(finishPipeline(c));
     });
-    // Last, so that a caller that waits for the bake can compile the first pipelines itself meanwhile.
+    // Last: a caller that waits for the bake can compile the first pipelines itself meanwhile.
     maps_.wantPipelines(executor, !drawnAtOnce(first, least));
 }
 
@@ -160,8 +160,8 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
     }
 }
 
-/// The directions of a batch for each group of copies. Each moves the tested copy to its position first. Missing
-/// directions are zero. Units: map pixels; rows run downwards.
+/// Writes the directions of a batch for each group of copies. Each direction first moves the tested copy to its
+/// position. Missing directions are zero. Units: map pixels; rows run downwards.
 /// @param first  index of the batch's first direction
 void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
     auto* group = batchDirections_.mapped;
@@ -206,7 +206,7 @@ void Bake::declareFinish(graph::Graph& g, gpu::Imports& imports) {
                                       {layout_.width, layout_.height, 1});
         c.commands.copyBufferToImage(c.buffer(bytes), c.image(atlas), vk::ImageLayout::eTransferDstOptimal, all);
     });
-    g.output(bytes);  // stored by the host
+    g.output(bytes);  // the host stores them
     imports.bind(sums, sums_);
     imports.bind(bytes, bytes_);
     imports.bind(atlas, atlas_);

@@ -11,16 +11,16 @@
 namespace nacre::occlusion {
 namespace {
 
-constexpr std::uint64_t kBytesPerTexel = 2;     // of the atlas: the texel, and the byte that is copied into it
+constexpr std::uint64_t kBytesPerTexel = 2;     // of the atlas: the texel, and the byte copied into it
 constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
 
-/// Per vertex: its texel, and two list entries, whose words are a quarter as many.
+/// Per vertex: its texel, two list entries, and their words (four entries each).
 constexpr std::uint64_t kBytesPerVertex = kBytesPerTexel + 2 * kBytesPerOpen + sizeof(AtlasWord) / 2 + 1;
 
 /// Width of an atlas for the usual memory: on every device.
 constexpr std::uint32_t kUsualSide = 4096;
 
-/// Maximum of texels regardless of memory: time is proportional to them. With few directions noise outweighs the
+/// Maximum number of texels regardless of memory: time is proportional to it. With few directions, noise outweighs the
 /// benefit of finer patches.
 std::uint64_t mostTexels(std::uint64_t primitives, int directions) {
     const double share = std::clamp(directions / 128.0, 0.5, 4.0);
@@ -29,8 +29,8 @@ std::uint64_t mostTexels(std::uint64_t primitives, int directions) {
 
 /// Largest useful patch width for the resolution of the depth maps, texels.
 double finestEdge(const Representation& r, double pixel) {
-    // Patches 32 texels wide suit kPixelsPerSphere. Coarser maps (ligands among meshes) carry less than the area ratio
-    // suggests: 12 texels suit 1.7 pixels.
+    // Patches 32 texels wide suit kPixelsPerSphere. Coarser maps (ligands among meshes) suit coarser patches than the
+    // area ratio suggests: 12 texels for 1.7 pixels.
     constexpr double kFullRadius = 2.7, kFullEdge = 32, kLeastEdge = 12;
     double sum = 0, weights = 0;
     for (const Sphere& s : r.spheres) {
@@ -51,11 +51,11 @@ Error tooLittleMemory(const Representation& r, std::uint64_t patches, std::uint3
                      std::to_string(budget >> 20) + " MB (raise --occlusion-memory, or render with --occlusion off)");
 }
 
-/// The finest patches that fit into this device memory.
+/// The finest patches that fit into the given device memory.
 struct Patches {
     OcclusionLayout layout;
     OpenTexels open;
-    std::uint64_t bytes = 0;  ///< of the layout; if none fits, of the coarsest
+    std::uint64_t bytes = 0;  ///< of this layout; if none fits, of the coarsest layout
     bool fit = false;
 };
 
@@ -109,8 +109,8 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
                         " spheres in its copies, more than a bake can tell apart (render with --occlusion off)");
     const std::uint64_t budget = options.budgetBytes;
     const std::uint64_t ofVertices = representation.meshVertices.size() * kBytesPerVertex;
-    // One map may take half of what vertices leave. Beside it stand the finest patches that fit, and maps of the same
-    // batch take the rest. A map shrinks where not even the coarsest patches fit.
+    // One map may take half of the memory that vertices leave. Patches are the finest that fit beside it; more maps per
+    // batch use the rest. The map shrinks if not even the coarsest patches fit.
     const std::uint64_t half = (budget - std::min(ofVertices, budget)) / 2;
     const PrimitiveTree tree(representation);
     BakePreparation result;

@@ -23,8 +23,8 @@ struct BakeOptions {
     std::optional<ViewDirection> viewDirection = {};  ///< of the only view that shows the bake
 };
 
-/// The prepared data. Layout, texels and width of the maps depend on the scene and the options, not on the path; on the
-/// device only where its images are too small for the atlas of more than the usual memory.
+/// The prepared data. Layout, texels and map width depend on the scene and the options, not on the path. They depend on
+/// the device only if its images are too small for an atlas of more than the usual memory.
 struct BakePreparation {
     DepthMapSizes maps;
     OcclusionLayout layout;

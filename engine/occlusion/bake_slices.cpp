@@ -1,4 +1,4 @@
-// How a bake is cut into submissions: whole directions, or parts of one.
+// Splits a bake into submissions: whole directions, or parts of one.
 #include <algorithm>
 #include <cmath>
 
@@ -7,13 +7,13 @@
 namespace nacre::occlusion {
 namespace {
 
-// Cost of drawing a primitive on a map, in units: about forty vertices and fragments, against one texture read with
-// arithmetic.
+// Cost of drawing a primitive on a map, in units: about forty vertices and fragments, compared with one texture read
+// and its arithmetic.
 constexpr double kUnitsOfInstance = 20;
 // Minimum size of a part: each submission has a fixed cost.
 constexpr std::uint64_t kLeastInstances = 256;
 constexpr std::size_t kLeastTexels = 8192;
-// Limit of primitives that the host lists beside frames: 20 to 40 ns each, which the device's clock does not measure.
+// Limit of primitives that the host lists beside frames: 20 to 40 ns each, which GPU timestamps do not measure.
 constexpr std::uint64_t kMostListed = 65536;
 // After this many directions, texels that no light reached are dropped: they stay dark.
 constexpr int kTellsDeepTexels = 32;
@@ -36,7 +36,7 @@ std::uint64_t Bake::mostInstances(const Allowance& allowance) const {
     return maps_.tiles() && std::isfinite(allowance.units) ? std::min(most, kMostListed) : most;
 }
 
-/// Directions that have not begun; zero if all have.
+/// The next directions to start; their count is 0 if all have started.
 Bake::Work Bake::nextWork(const Allowance& allowance) const {
     const auto behind = std::min_element(doneOf_.begin(), doneOf_.end());
     Work work;
@@ -48,10 +48,10 @@ Bake::Work Bake::nextWork(const Allowance& allowance) const {
     const std::uint32_t left = static_cast<std::uint32_t>(directions()) - static_cast<std::uint32_t>(work.first);
     const double fit = std::clamp(allowance.units / std::max(each, 1.0), 1.0, double{DepthMaps::kMostPerBatch});
     work.count = std::min({left, allowance.directions, maps_.perBatch(), static_cast<std::uint32_t>(fit)});
-    // The next smaller batch size whose maps are drawn at once.
+    // The next smaller batch size whose maps can be drawn at once.
     const std::uint64_t most = mostInstances(allowance);
     while (work.count > 1 && work.count * work.instances > most) work.count = work.count > 4 ? 4 : 1;
-    // Independent of how directions are split: deep texels are dropped after the same direction, so the sums are equal.
+    // Deep texels are dropped after the same direction in every split, so the sums do not depend on it.
     if (work.first < kTellsDeepTexels)
         work.count = std::min(work.count, static_cast<std::uint32_t>(kTellsDeepTexels - work.first));
     // Shaders expect pairs of opposite directions in a batch of several.
@@ -86,7 +86,7 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
         if (drawn.heights) pass.reads(*drawn.heights);
         pass.writes(sums).record([=, this, maps = drawn.image, model = w.model, first = w.asked, end = w.askedThen](
                                      gpu::PassContext& c) { recordAccumulation(c, maps, batch, model, first, end); });
-        g.output(sums);  // the host drops deep texels by them
+        g.output(sums);  // the host reads them to drop deep texels
     };
     const std::uint64_t most = mostInstances(allowance);
     if (w.drawn == 0 && drawnAtOnce(w, allowance)) {
@@ -95,7 +95,7 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
         accumulate(maps_.declare(g, imports, frames, batch, w.model));
         return std::max(unitsOf(w), 1.0);
     }
-    // Parts of one direction: all primitives are drawn first, then all texels tested.
+    // Parts of one direction: first draws all primitives, then tests all texels.
     if (w.drawn < w.instances) {
         const auto fit =
             static_cast<std::uint64_t>(std::min(allowance.units / kUnitsOfInstance, static_cast<double>(most)));

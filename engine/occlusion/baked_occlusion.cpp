@@ -31,7 +31,7 @@ float BakedOcclusion::texel(std::uint64_t x, std::uint64_t y) const {
     return static_cast<float>(texels[y * width + x]) / 255.0f;
 }
 
-/// Bilinear between four texels; u and v go from the first texel to the last.
+/// Interpolates linearly between four texels; u and v run from the first to the last texel.
 float BakedOcclusion::patch(std::uint64_t left, std::uint64_t top, float u, float v, std::uint32_t w,
                             std::uint32_t h) const {
     const auto cell = [](float at, std::uint32_t texelsAcross) {

@@ -13,9 +13,9 @@
 namespace nacre {
 namespace {
 
-constexpr std::string_view kPrefix = "occlusion-";  // of files
+constexpr std::string_view kPrefix = "occlusion-";  // of file names
 
-/// File layout: this header, the atlas, a bit for each sphere, and a hash over the file name and everything before it.
+/// File layout: this header, the atlas, one bit per sphere, and a hash of the file name and everything before it.
 struct Header {
     char magic[8] = {'N', 'A', 'C', 'R', 'E', 'O', 'C', 'C'};
     std::uint32_t version = kOcclusionVersion;
@@ -42,7 +42,7 @@ public:
         static_assert(std::has_unique_object_representations_v<T>);
         return add(&value, sizeof value);
     }
-    /// 16 bytes in the order that XXH128 prints them.
+    /// 16 bytes, in the order of printed XXH128 hashes.
     XXH128_canonical_t result() const {
         XXH128_canonical_t canonical;
         XXH128_canonicalFromHash(&canonical, XXH3_128bits_digest(state_.get()));

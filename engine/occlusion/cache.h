@@ -1,5 +1,5 @@
 #pragma once
-// Finished occlusion bakes on disk, keyed by the content that decides them.
+// Finished occlusion bakes on disk, keyed by a hash of their inputs.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-/// Increase it with every change of a bake's result: patch sizes, directions, open texels, shaders.
+/// Increase it whenever the result of bakes changes: patch sizes, directions, open texels, shaders.
 constexpr std::uint32_t kOcclusionVersion = 9;
 /// Maximum size of the cache.
 constexpr std::uint64_t kOcclusionCacheBytes = 512ull << 20;
@@ -19,9 +19,9 @@ constexpr std::uint64_t kOcclusionCacheBytes = 512ull << 20;
 /// @param folder  empty: no cache
 DiskCache occlusionCache(const std::string& folder);
 
-/// File name of a bake: a hash (XXH3, 128 bits) of the spheres and cylinders, of `how`, and of the engine's bake
-/// version. Colours and atom numbers do not count.
-/// @param how  everything else that decides a texel: directions, budget, path, device, driver
+/// File name of a bake: a hash (XXH3, 128 bits) of the spheres and cylinders, of `how`, and of kOcclusionVersion.
+/// Colours and atom numbers do not count.
+/// @param how  everything else that affects texels: directions, budget, path, device, driver
 std::string occlusionCacheName(const Representation& representation, std::string_view how);
 
 /// The stored bake of this name. Empty if it is missing or damaged, or does not fit the representation or the device's

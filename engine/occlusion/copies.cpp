@@ -23,14 +23,14 @@ struct Kind {
     float step = 1;
 };
 
-/// Vertices of a mesh that share their copies and their model.
+/// Vertices of a mesh with the same copies and model.
 struct VertexRun {
     std::uint32_t first, end;
     std::uint32_t list, model;
     float step;
 };
 
-/// Vertices of consecutive triangles. No two meshes share vertices.
+/// Runs of vertices by consecutive triangles. No two meshes share vertices.
 std::vector<VertexRun> vertexRuns(const Representation& r) {
     std::vector<VertexRun> runs;
     auto copies = r.copies.triangles.begin();
@@ -56,7 +56,7 @@ public:
     Runs(std::span<const std::uint32_t> texels, std::vector<OcclusionCopies::Run>& runs)
         : texels_(texels), runs_(runs) {}
 
-    /// @param groups  whether each list of copies has a group of its own
+    /// @param groups  whether each list of copies has its own group
     void add(const Kind& kind, bool groups) {
         if (!groups) return addModels(kind, 0, kind.count, 0);
         for (const PrimitiveRun& run : kind.copies) addModels(kind, run.first, run.first + run.count, run.list);

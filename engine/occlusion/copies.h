@@ -14,17 +14,17 @@
 namespace nacre {
 
 struct OcclusionCopies {
-    /// List entries of texels that belong to the same copies.
+    /// Consecutive list entries of texels that belong to the same copies.
     struct Run {
         enum class Of : std::uint8_t { spheres, cylinders, vertices };
         std::size_t first = 0, count = 0;
         Of of = Of::spheres;
         std::uint32_t group = 0;
         std::uint32_t model = 0;
-        float step = 1;  ///< of vertices
+        float step = 1;  ///< for vertices
     };
-    /// Copies that successive directions use in turn, so that a patch shows their mean. Where all primitives have the
-    /// same copies, symmetry-equivalent ones are left out: of a capsid's sixty, one remains.
+    /// Copies that successive directions use in turn, so that a patch shows their mean. If all primitives have the same
+    /// copies, symmetry-equivalent ones are left out: one of a capsid's sixty remains.
     std::vector<std::vector<glm::dmat4x3>> groups;
     std::vector<Run> runs;  ///< by model within each list of copies
 };

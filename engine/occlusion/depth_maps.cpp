@@ -14,18 +14,19 @@
 namespace nacre::occlusion {
 namespace {
 
-// Pixels across the radius of a sphere or cylinder. Finer maps make no difference beside the patches' own error.
+// Pixels across the radius of a sphere or cylinder. With finer maps the error of the patches dominates.
 constexpr double kPixelsPerSphere = 2.7, kPixelsPerCylinder = 1.5;
-// Per Å and atom of a mesh. The RMS error of 4HHB's cartoon is 0.037 with 2.5 and with 4, and larger with 2.
+// Pixels per Å and atom of a mesh. The RMS error of 4HHB's cartoon is 0.037 with 2.5 and with 4, and larger with 2.
 constexpr double kPixelsOfMesh = 2.5;
-// A mesh covers more pixels per atom than sticks and balls do. For a cartoon with some sticks the map suits both: finer
+// A mesh covers more pixels per atom than sticks and balls do. One resolution suits a cartoon with some sticks: finer
 // maps for the haem sticks of 4HHB (5 % of the primitives) would not improve the ribbons.
 constexpr double kShareOfMesh = 16;
-// Beyond this number of triangles in all copies, maps have fewer pixels per Å, down to a minimum share. The cartoon of
-// 1TQN in 27 cells has 19 million triangles: a pixel is 0.6 instead of 0.4 Å, with an error of 0.19 instead of 0.095 Å.
+// Above this number of triangles in all copies, maps have fewer pixels per Å, down to a minimum share. For example, the
+// cartoon of 1TQN in 27 cells has 19 million triangles: a pixel is 0.6 instead of 0.4 Å, and the error 0.19 instead of
+// 0.095 Å.
 constexpr double kManyTriangles = 8e6, kLeastShare = 0.4;
 constexpr double kSmallest = 128, kLargest = 2048;
-constexpr std::uint64_t kMostBytesPerPixel = 4 + 8;  // of encoded depth in RGBA16F, and the hardware's
+constexpr std::uint64_t kMostBytesPerPixel = 4 + 8;  // encoded depth in RGBA16F, and the depth buffer
 // Primitives per draw of the tile path: their lists take about 30 bytes each on the host.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
 /// Render target states between the graphs of a direction drawn in parts.
@@ -35,7 +36,7 @@ std::uint32_t bytesPerPixel(OcclusionMaps path, const graph::EncodedFormat& enco
         case OcclusionMaps::encoded:
             return 4 + graph::bytesPerTexel(encoded.format);
         case OcclusionMaps::tiles:
-            return 8;  // a height, and the same again for lists
+            return 8;  // a height, and as much for lists
         default:
             return 4;
     }
@@ -68,7 +69,7 @@ std::vector<passes::PlacedCopies::Call> between(const std::vector<passes::Placed
     return parts;
 }
 
-/// Resolution of meshes in many copies: a share, since a picture of all copies shows each small.
+/// Share of the resolution for meshes in many copies: a picture of all copies shows each one small.
 double shareOfPixels(const Representation& r) {
     double triangles = 0;
     for (const PrimitiveRun& run : r.copies.triangles)
@@ -76,7 +77,7 @@ double shareOfPixels(const Representation& r) {
     return std::clamp(std::sqrt(kManyTriangles / std::max(triangles, 1.0)), kLeastShare, 1.0);
 }
 
-/// Average of the pixels per Å that the primitives ask for.
+/// Mean pixels per Å that the primitives need.
 double wantedResolution(const Representation& r) {
     double sum = 0;
     for (const Sphere& s : r.spheres) sum += kPixelsPerSphere / s.radius;
@@ -160,7 +161,7 @@ View DepthMaps::view(const glm::dmat3& frame) const {
     return view;
 }
 
-/// Map i of a batch.
+/// The constants of map i of a batch.
 layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const {
     const std::uint32_t x = i % across * pixels(), y = i / across * pixels();
     return passes::viewConstants(view(frame), x + pixels() / 2.0, y + pixels() / 2.0);
@@ -169,7 +170,7 @@ layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_
 /// Draws of one map of a model.
 passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model, MapPart part) const {
     const View seen = view(frame);
-    // Only the finest level states the model of each triangle.
+    // Only the finest level has the model of each triangle.
     const double error = runs_.size() > 1 ? 0 : errorInSpace(seen, DepthMapSizes::kMeshError);
     passes::PlacedCopies all = passes::placeCopies(representation_, seen, nullptr, 0, error);
     // Translucent primitives do not occlude.
@@ -187,7 +188,7 @@ passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t mo
     return all;
 }
 
-/// Instances whose vertex outputs a render pass has room for, whatever their kinds.
+/// Number of instances of any kind whose vertex outputs fit into a render pass.
 std::uint64_t DepthMaps::instancesThatFit() const {
     const graph::GeometryCaps& caps = device_.caps().plan.geometry;
     if (caps.mostVertexBytes == 0) return ~std::uint64_t{0};
@@ -277,7 +278,7 @@ DepthMaps::Images DepthMaps::addPartImages(graph::Graph& g, bool begins) const {
 void DepthMaps::wantPipelines(gpu::Executor& executor, bool parts) const {
     if (tiles_) return executor.prepare([this](gpu::PipelineContext& c) { tiles_->wantPipelines(c); });
     const glm::dmat3 frame(1);
-    // Render passes are compatible if the preceding and following passes agree.
+    // Passes before and after must agree, so that render passes are compatible.
     const auto prepare = [&](std::uint32_t model, MapPart part, const auto& add) {
         graph::Graph g("occlusion ahead");
         Images images = add(g);

@@ -1,5 +1,6 @@
 #pragma once
-// Depth maps of the molecule from a batch of directions, side by side in one image, by the path that suits the device.
+// Depth maps of the molecule from a batch of directions, side by side in one image, drawn with the path that suits the
+// device.
 
 #include <glm/mat3x3.hpp>
 #include <memory>
@@ -18,20 +19,20 @@
 
 namespace nacre::occlusion {
 
-/// Size of the maps, and their number per batch. Thread-safe.
+/// Size and number per batch of the maps. Thread-safe.
 struct DepthMapSizes {
     std::uint32_t pixels = 8, perBatch = 1;
     std::uint64_t bytes = 0, mostPrimitives = 1;  ///< per batch; per draw of the tile path
-    /// Allowed error of the mesh levels drawn on maps, pixels: the depth test has a slack of one.
+    /// Allowed error of meshes drawn on maps, pixels. The depth test has a slack of one pixel.
     static constexpr double kMeshError = 0.5;
     DepthMapSizes() = default;
-    /// As many maps per batch as the device memory allows.
+    /// Fits as many maps per batch as the device memory allows.
     DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path, std::uint32_t pixels,
                   std::uint64_t room);
-    /// Width of a map, for the scene and the memory of one map. The same on every path and device, since it decides
-    /// what texels read. @param detail  maximum width of a sphere's patch, texels
+    /// Width of a map, for the scene and the memory of one map. It affects the texels, so it is the same on every path
+    /// and device. @param detail  maximum width of a sphere's patch, texels
     static std::uint32_t pixelsFor(const Representation& representation, std::uint64_t room, std::uint32_t detail);
-    /// Device memory of one map, on the path that needs most.
+    /// Device memory of one map, on the path that needs the most.
     static std::uint64_t mostBytes(std::uint32_t pixels);
 };
 
@@ -40,7 +41,7 @@ struct MapPart {
     std::uint64_t first = 0, end = ~std::uint64_t{0};
 };
 
-/// The maps of a batch in a graph: an image, or for `tiles` heights in a buffer.
+/// The maps of a batch in a graph: an image, or heights in a buffer for `tiles`.
 struct DrawnMaps {
     std::optional<graph::Image> image;
     std::optional<graph::Buffer> heights;
@@ -51,8 +52,8 @@ public:
     static constexpr std::uint32_t kMostPerBatch = 16;
 
     /// @param path  not `automatic`
-    /// @param representation  outlives this
-    /// @param sizes  of no bytes: nothing is drawn
+    /// @param representation  must outlive this
+    /// @param sizes  if its bytes are 0, nothing is drawn
     /// @param occluders  prepared meshes
     DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
               OcclusionMaps path, const DepthMapSizes& sizes, OccluderMeshes occluders = {});
@@ -62,17 +63,17 @@ public:
     std::uint32_t pixels() const { return sizes_.pixels; }
     std::uint64_t bytes() const { return sizes_.bytes; }
 
-    /// Number of models that do not occlude each other and have maps of their own; 1: every map shows everything.
+    /// Number of models that do not occlude each other and have separate maps; 1: every map shows everything.
     std::uint32_t models() const { return static_cast<std::uint32_t>(runs_.size()); }
 
     /// Maximum number of instances per draw, over all maps.
     std::uint64_t mostInstances() const { return mostInstances_; }
-    /// The heights of `tiles`, instead of images; else null.
+    /// The heights for `tiles`, instead of images; else null.
     const TileMaps* tiles() const { return tiles_.get(); }
     /// Number of maps per row of a batch.
     std::uint32_t across(std::uint32_t batch) const { return mapsAcross(tiles_ ? perBatch() : batch); }
 
-    /// Instances of a model's primitives, all copies: drawn on each map.
+    /// Instances of a model's primitives in all copies, drawn on each map.
     std::uint64_t instances(std::uint32_t model) const;
 
     /// Declares the passes that draw a batch of a model: one map per rotation in `frames`, at most `batch` (1, 4 or
@@ -80,12 +81,12 @@ public:
     /// @param frames  kept until the graph has run
     DrawnMaps declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames, std::uint32_t batch,
                       std::uint32_t model);
-    /// Draws one map in parts, each part in a graph of its own, from the first instance to the last.
+    /// Draws one map in parts, from the first instance to the last. Each part is a graph.
     void declarePart(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frame, std::uint32_t model,
                      std::uint64_t first, std::uint64_t end);
     /// The finished map, for later graphs.
     DrawnMaps drawnParts(graph::Graph& g, gpu::Imports& imports) const;
-    /// Compiles the pipelines ahead. @param parts  maps will be drawn in parts
+    /// Compiles the pipelines ahead. @param parts  whether maps will be drawn in parts
     void wantPipelines(gpu::Executor& executor, bool parts) const;
     /// Whether the maps hold encoded depth, not depth itself.
     bool encoded() const { return path_ == OcclusionMaps::encoded; }
@@ -99,7 +100,7 @@ private:
     struct Runs {
         std::vector<ModelRun> spheres, cylinders, triangles;
     };
-    /// Render targets. No colour: the depth buffer is the map.
+    /// Render targets. Without a colour target, the depth buffer is the map.
     struct Images {
         graph::Image depth;
         std::optional<graph::Image> maps;
@@ -108,7 +109,7 @@ private:
     Images addPartImages(graph::Graph& g, bool begins) const;
     passes::PlacedCopies placed(const glm::dmat3& frame, std::uint32_t model, MapPart part = {}) const;
     layout::ViewConstants constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const;
-    /// Draws each map of a batch in a pass of its own.
+    /// Draws each map of a batch in a separate pass.
     graph::Work eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model, MapPart part,
                         const passes::GeometryPass& pass) const;
     double radiusPixels() const { return meanRadius_ * pixels() / (2.0 * radius_); }

@@ -21,7 +21,7 @@ std::vector<glm::dvec3> fibonacciHemisphere(int count) {
     return points;
 }
 
-/// Farthest-point order: repeatedly picks the axis farthest from all axes before it.
+/// Sorts the axes: each is the one farthest from all axes before it.
 void spreadPrefixes(std::vector<glm::dvec3>& axes) {
     std::vector<double> nearest(axes.size(), 0.0);  // cosine of the angle to the axes placed so far
     for (std::size_t placed = 1; placed < axes.size(); ++placed) {

@@ -7,7 +7,7 @@
 
 namespace nacre {
 
-/// The stored result of a finished bake. Drawing with it is bit-identical to drawing with the bake.
+/// The stored result of a finished bake. Pictures are bit-identical to those drawn with the bake.
 struct FinishedOcclusion {
     OcclusionLayout layout;
     std::vector<std::uint8_t> atlas;  ///< layout.width x layout.height texels

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kNothing = -1e30f;
 
-/// Minimum of each value and its two neighbours. @param step  distance of neighbours
+/// Minimum of each value and its neighbours, `around` on either side. @param step  distance of neighbours
 void takeLeast(std::vector<float>& values, std::size_t line, std::size_t lines, std::size_t step, std::size_t nextLine,
                int around) {
     std::vector<float> before(line);

@@ -1,5 +1,5 @@
 #pragma once
-// Finds mesh triangles that are hidden from an infinitely distant viewer, with a depth map drawn by the host.
+// Finds mesh triangles that are hidden from an infinitely distant viewer, with a depth map drawn on the host.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -13,12 +13,12 @@ namespace nacre::occlusion {
 class HiddenTriangles {
 public:
     HiddenTriangles() = default;
-    /// @param meshes  opaque @param towards  the viewer; unit @param radius  of the scene, Å
+    /// @param meshes  opaque @param towards  unit vector to the viewer @param radius  of the scene, Å
     /// @param pixels  width of the map; matches the resolution of the meshes
     HiddenTriangles(const OccluderMeshes& meshes, const glm::dvec3& towards, double radius, std::uint32_t pixels);
 
-    /// Whether something covers the triangle, and a border around it, clearly nearer than it: by more than the meshes'
-    /// error. False without meshes.
+    /// Whether something covers the triangle and a border around it, and is nearer by more than the meshes' error.
+    /// False without meshes.
     bool hides(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) const;
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
-// Draws triangles on depth maps by the host, where maps are in its memory. Triangles of a cartoon or surface are
-// smaller than a map's pixel: drawing them costs less than listing them for tiles.
+// Draws triangles on depth maps in host memory. Triangles of a cartoon or surface are smaller than a map pixel: drawing
+// them costs less than listing them for tiles.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -15,15 +15,15 @@ namespace nacre::occlusion {
 
 class MeshHeights {
 public:
-    /// Draws triangles: keeps the larger height per pixel. A pixel's centre meets a triangle as in
-    /// shaders/common/hit.glsl, edges and both sides included, with the same arithmetic but in pixels.
-    /// @param rows  three: to the map's view
+    /// Draws triangles: keeps the larger height per pixel. Tests pixel centres as shaders/common/hit.glsl does,
+    /// including edges and both sides, with the same arithmetic but in pixels.
+    /// @param rows  three rows of the transformation to the map's view
     /// @param first, end  of the mesh's triangles
     void draw(const OccluderMesh& mesh, std::size_t first, std::size_t end, const glm::vec4* rows,
               const HeightMap& map);
 
 private:
-    std::vector<glm::vec4> corners_;  // of vertices: pixel of the map and height
+    std::vector<glm::vec4> corners_;  // of vertices: map pixel and height
 };
 
 }  // namespace nacre::occlusion

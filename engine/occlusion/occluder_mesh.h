@@ -18,12 +18,12 @@ struct OccluderMesh {
     bool closed = false;                ///< back faces can be skipped
 };
 
-/// Triangles numbered as by drawnTriangle(). Vertices in one cell with similar normals become one, at their mean, where
+/// Triangles are numbered as by drawnTriangle(). Vertices in one cell with similar normals are merged to their mean, if
 /// that leaves at most half of the triangles.
 /// @param pixel  of the map, Å
 OccluderMesh occluderMesh(const Representation& representation, std::uint32_t first, std::uint32_t count, float pixel);
 
-/// The occluder meshes of a representation, each made once.
+/// The occluder meshes of a representation, each created once.
 class OccluderMeshes {
 public:
     OccluderMeshes() = default;

@@ -39,7 +39,7 @@ constexpr std::array<Step, 24> nearSteps() {
 }
 constexpr std::array<Step, 24> kNearSteps = nearSteps();
 
-/// The bits of a row, shifted by some places.
+/// The bits of a row, shifted by `places`.
 std::uint64_t ahead(std::uint64_t bits, int places) { return places >= 0 ? bits >> places : bits << -places; }
 
 template <typename Work>
@@ -84,9 +84,9 @@ void OpenPatch::surround() {
     }
 }
 
-/// Sources of a row's texels: an open texel is its own source. For others, the nearest open texel, preferably with
-/// another open one behind it, which is the second source (else both are the same). All texels of the row try a step at
-/// once.
+/// Finds the sources of a row's texels. An open texel is its own source. Others use the nearest open texel, preferably
+/// one with another open texel behind it, which is the second source (else both are the same). Each step tests all
+/// texels of the row at once.
 /// @returns a bit for each texel that has a source
 std::uint64_t OpenPatch::findSources(std::size_t y) {
     const auto at = [&](std::size_t x, const Step& step, int times) {

@@ -19,7 +19,7 @@ public:
     /// @param entry  relative to the patch's first entry
     void open(std::uint32_t texel, std::uint16_t entry);
 
-    /// Appends the words that have a source, or completes those that the patch on the left began.
+    /// Appends the words that have a source, and completes words that the patch to the left began.
     /// @param address  of the patch's first texel @param width  of the atlas
     void addWords(std::uint32_t address, std::uint32_t width, std::uint32_t base, std::vector<AtlasWord>& words);
 
@@ -39,7 +39,7 @@ private:
     std::vector<std::uint64_t> openInRow_;   // a bit for each entry of surrounded_
     std::size_t row_ = 0;                    // of surrounded_
     AtlasWord::Source sources_[kMostEdge];   // of a row
-    std::size_t lastOfRow_[kMostEdge] = {};  // the last word that was appended for each row
+    std::size_t lastOfRow_[kMostEdge] = {};  // the last word appended for each row
 };
 
 }  // namespace nacre

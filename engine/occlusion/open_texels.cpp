@@ -18,10 +18,10 @@
 namespace nacre {
 namespace {
 
-/// Å: inside by more than rounding, so that coinciding surfaces stay open.
+/// Å. Larger than rounding errors, so that coinciding surfaces stay open.
 constexpr float kDeep = 1e-3f;
-/// Maximum number of neighbours per primitive; normal matter has about forty. A texel inside a further one counts as
-/// open, which costs work but changes no light: no direction reaches it.
+/// Maximum number of neighbours per primitive; normal matter has about forty. A texel inside another neighbour counts
+/// as open. This costs work but changes no light: no direction reaches it.
 constexpr std::size_t kMostNeighbours = 512;
 
 bool inside(const Sphere& s, const glm::vec3& p) {
@@ -139,7 +139,7 @@ private:
                                         : inside(r_.cylinders[item - r_.spheres.size()], p);
     }
     bool buried(const glm::vec3& p) {
-        // The neighbour that buried the last texel mostly buries this one: test it first.
+        // The neighbour that buried the last texel usually buries this one: test it first.
         if (last_ < around_.size() && holds(around_[last_], p)) return true;
         for (std::size_t i = 0; i < around_.size(); ++i)
             if (holds(around_[i], p)) return last_ = i, true;
@@ -202,7 +202,7 @@ void openSpheres(OpenTexels& all, std::uint32_t count) {
     all.sphereTexels = count;
 }
 
-/// A sample takes every n-th primitive.
+/// The sample contains every n-th primitive.
 std::uint32_t sampledEach(std::size_t count) {
     constexpr std::size_t kSample = 500;
     return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count / kSample));
@@ -219,7 +219,7 @@ void append(OpenTexels& all, const OpenTexels& part) {
     }
 }
 
-/// A vertex has its own texels, four per word; no other value can replace them.
+/// Vertices have two texels each, four texels per word; no other value can replace theirs.
 void addVertices(OpenTexels& all, const OcclusionLayout& layout) {
     const std::uint64_t top = std::uint64_t{layout.sphereRows} + layout.cylinderRows;
     const auto first = static_cast<std::uint32_t>(layout.patchTexels());

@@ -15,14 +15,14 @@ namespace nacre {
 struct AtlasWord {
     static constexpr std::uint16_t kNone = 0xffff;
     struct Source {
-        /// Entry of OpenTexels::texels that gives the value, minus `base`. An open texel is its own source; a buried
-        /// one takes the nearest open texel of its patch, at most two texels away; kNone if there is none.
+        /// Entry of OpenTexels::texels that gives the value, minus `base`. An open texel is its own source. A buried
+        /// one uses the nearest open texel of its patch, at most two texels away; kNone if there is none.
         std::uint16_t entry = kNone;
         /// For a buried texel: the open texel twice as far in the same direction; else the same as `entry`.
         std::uint16_t beyond = kNone;
     };
     std::uint32_t address = 0;  ///< atlas texel, row-major, / 4
-    std::uint32_t base = 0;     ///< first entry of the patch, or of the left one of two that share the word
+    std::uint32_t base = 0;     ///< first entry of the patch; of the left patch, if two share the word
     Source sources[4];
 };
 
@@ -36,13 +36,13 @@ struct OpenTexels {
     std::vector<std::uint32_t> firstOfSphere;
 };
 
-/// Linear in the number of primitives, however dense; uses every core.
-/// @param stop  when requested, returns early and incomplete
+/// Linear in the number of primitives at any density; uses every core.
+/// @param stop  when requested, returns early with an incomplete result
 OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree,
                       const std::stop_token& stop = {});
 
 /// Updates the words after entries were dropped.
-/// @param keptBefore  per entry, the number of kept entries before it; last: their total
+/// @param keptBefore  for each entry, the number of kept entries before it; last: their total
 void followKept(std::span<AtlasWord> words, std::span<const std::uint32_t> keptBefore);
 
 /// Whether openShare() would visit every texel, as openTexels() does.

@@ -36,8 +36,8 @@ const gpu::Layout& finishLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"occlusion finish layout", kThreeBuffers, kCompute, sizeof(std::uint32_t)});
 }
 
-/// Stages that ask maps of depth; narrow directions come in pairs except for cylinders, where pairs would need more
-/// registers than Mali has.
+/// The accumulation shader of a kind of texels that samples depth maps. Narrow directions come in pairs, except for
+/// cylinders: pairs would need more registers than Mali has.
 #define NACRE_ACCUMULATION(of) (narrow ? shaders::occlusionAccumulate##of##Narrow : shaders::occlusionAccumulate##of)
 
 bool asksByPairs(const Accumulation& accumulation) {

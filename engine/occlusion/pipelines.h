@@ -1,5 +1,5 @@
 #pragma once
-// Compute passes of occlusion bakes. Their pipelines depend only on the number of directions of a bake.
+// Compute passes of occlusion bakes. Their pipelines depend only on the number of directions.
 
 #include <cstdint>
 
@@ -23,12 +23,12 @@ struct Accumulation {
     bool narrow = false;       ///< directions are layout::NarrowDirections
     std::uint32_t across = 1;  ///< maps per row
     float spread = 0;          ///< distance of the taps per texel, pixels; 0: one tap
-    std::uint32_t taps = 4;    ///< 2 or 4, where spread
+    std::uint32_t taps = 4;    ///< 2 or 4, if `spread` is not 0
 };
 
 /// Storage buffers: shapes, directions (uniform), texels, sums; and the depth maps as an image or as heights.
 const gpu::Layout& accumulationLayout(gpu::PipelineContext& context, bool heights);
-/// Whether an invocation handles two texels of a list.
+/// Whether one invocation handles two texels of a list.
 bool asksByPairs(const Accumulation& accumulation);
 gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const Accumulation& accumulation);
 /// Storage buffers: sums, words, bytes.

@@ -23,7 +23,7 @@ public:
     template <typename Visit>
     void near(std::uint32_t self, Visit&& visit) const {
         const Ball mine = balls_[self];
-        std::array<std::uint32_t, 64> waiting;  // a tree over 2^32 balls is 30 levels deep
+        std::array<std::uint32_t, 64> waiting;  // a tree of 2^32 balls is 30 levels deep
         std::size_t count = 0;
         waiting[count++] = roots_.empty() ? 0 : roots_[self];
         while (count > 0) {
@@ -45,15 +45,15 @@ public:
     }
 
 private:
-    /// Bounding sphere of a primitive: Å.
+    /// Bounding sphere of a primitive, Å.
     struct Ball {
         glm::vec3 center{};
         float radius = 0;
     };
     struct Node {
-        glm::vec3 low, high;       ///< of the bounding spheres in it
+        glm::vec3 low, high;       ///< of its bounding spheres
         std::uint32_t begin, end;  ///< range in items_
-        std::uint32_t right;       ///< the second child; the first is the next node. 0: a leaf
+        std::uint32_t right;       ///< index of the second child; the first child is the next node. 0: a leaf
     };
 
     static bool apart(const Node& node, const Ball& ball) {

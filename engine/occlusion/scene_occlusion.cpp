@@ -7,8 +7,8 @@
 namespace nacre::occlusion {
 namespace {
 
-/// Milliseconds per submission while a caller waits: longer ones make phones stutter, and some stop submissions of
-/// seconds.
+/// Milliseconds per submission while a caller waits. Longer ones make phones stutter, and some phones abort submissions
+/// that take seconds.
 constexpr double kWaitedMilliseconds = 30;
 
 /// Minimum value while a molecule moves: surfaces exposed since the bake are dark, not black.
@@ -35,7 +35,7 @@ std::uint64_t countUnseen(const std::vector<bool>& seen) {
     return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), false));
 }
 
-/// Everything besides the shapes that decides a texel's value.
+/// Everything except the shapes that affects texels.
 std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
     return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
            std::to_string(options.detail) + " texels, " + nameOf(options.path) + ", " +
@@ -159,7 +159,7 @@ void SceneOcclusion::make(const Allowance& least, const Allowance& most) {
     stats_.occlusion.neverSeen = countUnseen(bake->seenSpheres());
 }
 
-/// Once everything is shown: frees data that only baking needs, and stores bakes that took long enough.
+/// After everything is shown: frees data needed only for baking, and stores bakes that took long enough.
 void SceneOcclusion::wrapUp() {
     const std::shared_ptr<Bake> bake = there();
     executor_.forget("occlusion");
@@ -232,7 +232,7 @@ double SceneOcclusion::share() const {
     return bake ? static_cast<double>(bake->mapsDone()) / static_cast<double>(bake->mapsInAll()) : 1;
 }
 
-/// Work that the device finishes in this time. Software devices have no watchdog.
+/// Work that the device can complete in this time. Software devices have no watchdog.
 Allowance SceneOcclusion::allowed(double milliseconds) const {
     return {DepthMaps::kMostPerBatch, milliseconds * unitsPerMillisecond_};
 }
@@ -250,8 +250,8 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
     gpu::Imports imports;
     const double units = bake.declareSlice(g, imports, allowance);
     const graph::Plan plan = graph::compile(g, device_.caps().plan);
-    // Measured on the host, the first submission would include the driver's compilation. Software devices drain each
-    // pass for a timestamp and execute synchronously, so the host's clock is right there.
+    // Uses timestamps: the host's clock would include the driver's compilation in the first submission. Software
+    // devices wait after each pass for a timestamp and execute synchronously, so they use the host's clock.
     const bool timed = device_.caps().asynchronous;
     if (timed && !timer_) timer_ = std::make_unique<gpu::Timer>(device_);
     device_.submitAndWait(

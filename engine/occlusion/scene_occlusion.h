@@ -26,35 +26,35 @@ struct SceneToBake {
 
 class SceneOcclusion {
 public:
-    /// Both outlive this.
+    /// Both must outlive this.
     SceneOcclusion(const gpu::Device& device, gpu::Executor& executor) : device_(device), executor_(executor) {}
     ~SceneOcclusion() { drop(); }
 
-    /// The maps of OcclusionMaps::automatic. Call before the first bake.
+    /// Sets the maps that OcclusionMaps::automatic means. Call before the first bake.
     void setAutomaticMaps(OcclusionMaps maps) { automaticMaps_ = maps; }
 
     /// Waits for submitted work, and drops all bakes.
     void setScene(SceneToBake scene);
-    /// The same primitives at other positions. The old bake is shown until a new one is done.
+    /// Sets the same primitives at other positions. The old bake is shown until a new one is done.
     void moveScene(SceneToBake scene);
 
     /// Whether a thread reads the scene's representation.
     bool readsScene() const { return is<Preparing>(); }
 
     /// Starts the requested bake unless it exists or there is nothing to bake. A bake from the cache is done at once.
-    /// @param viewDirection  of the only view that shows the bake, if there is one
+    /// @param viewDirection  if a single view shows the bake
     void begin(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection = {});
     /// Works on the current bake for about `milliseconds`, at least one direction.
     void advance(double milliseconds);
-    /// Starts and completes the bake.
+    /// Starts the requested bake, and completes it.
     void finish(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection = {});
-    /// As above, always with a new bake. @returns its results
+    /// As finish(), always with a new bake. @returns its results
     BakedOcclusion baked(const OcclusionSettings& settings);
-    /// Renderer::advanceOcclusion beside frames. @returns the share that is shown
+    /// As Renderer::advanceOcclusion, beside frames. @returns the share that is shown
     double advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace);
     /// Null: nothing was requested, or there is nothing to bake.
     const Bake* bake() const { return there().get(); }
-    /// The atlas as shown.
+    /// The shown atlas.
     passes::Atlas atlas() const;
     /// Options in force, and statistics.
     const BakeStats& stats() const { return stats_; }
@@ -62,7 +62,7 @@ public:
     double share() const;
 
 private:
-    /// Advances the bake. On failure drops it, since its direction count may be wrong; the next one starts over.
+    /// Advances the bake. On failure drops it, since its number of directions may be wrong; the next call starts over.
     template <typename Work>
     void cancelOnError(Work&& work) {
         try {
@@ -115,7 +115,8 @@ private:
     using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, std::optional<ViewDirection>>;
     /// Starts preparing the requested bake unless it exists, is being prepared, or there is nothing to bake.
     void prepare(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection = {});
-    /// The same beside frames, for a moving scene: a running bake continues, and the last finished one stays visible.
+    /// As prepare(), beside frames, for a moving scene: a running bake continues, and the last finished one stays
+    /// visible.
     /// @param hurry  drop a running bake of earlier positions
     void prepareBeside(const OcclusionSettings& settings, bool hurry);
     /// Whether a bake of earlier positions exists or is being prepared.
@@ -140,7 +141,7 @@ private:
     bool moved_ = false;
     std::variant<Idle, Preparing, Baking, Finished> state_;
     std::shared_ptr<Bake> before_;  // finished bake of earlier positions, shown until the current one is done
-    Wanted wanted_{};               // request of the bake, or of before_
+    Wanted wanted_{};               // the request that led to the bake, or to before_
     BakeOptions options_;           // the request, resolved
     OcclusionMaps automaticMaps_ = OcclusionMaps::fragdepth;
     DiskCache cache_;        // off: do not cache the bake
@@ -150,7 +151,7 @@ private:
 
     double unitsPerMillisecond_ = 10'000;          // recent speed of the device; starts low enough for any phone
     std::unique_ptr<gpu::Submission> submission_;  // beside frames
-    std::unique_ptr<gpu::Timer> timer_;            // for work that is waited for
+    std::unique_ptr<gpu::Timer> timer_;            // for submissions that are waited for
 };
 
 }  // namespace nacre::occlusion

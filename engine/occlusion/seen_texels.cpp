@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-/// Marks texels of a sphere's patch at the corners of cells that hold a normal towards the viewer.
+/// Marks the texels at the corners of those cells of a sphere's patch that hold a normal towards the viewer.
 std::vector<bool> seenOfSphere(std::uint32_t edge, const glm::dvec3& towards) {
     // An unnormalised octahedral normal is linear in the patch coordinates except at folds. Between points at this
     // distance, its component towards the viewer changes by at most 2 per coordinate.
@@ -39,8 +39,8 @@ std::vector<bool> seenOfSphere(std::uint32_t edge, const glm::dvec3& towards) {
     return seen;
 }
 
-/// Marks a vertex texel, outer or inner, if a triangle shows that side. A triangle seen edge-on, or too thin for a
-/// pixel's rounding, may show either.
+/// Marks a vertex texel, outer or inner, if a triangle shows that side. A triangle seen edge-on, or too thin for pixel
+/// rounding, may show either side.
 std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representation& r, const ViewDirection& from,
                                  const occlusion::HiddenTriangles& hidden) {
     constexpr float kFlat = 0.1f;
@@ -65,7 +65,7 @@ std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representa
     return seen;
 }
 
-/// Four bits per word.
+/// One word per four texels, one bit each.
 std::vector<std::uint8_t> wordsOf(const std::vector<bool>& texels) {
     std::vector<std::uint8_t> words((texels.size() + 3) / 4, 0);
     for (std::size_t i = 0; i < texels.size(); ++i)

@@ -1,5 +1,5 @@
 #pragma once
-// Selects the texels of the occlusion atlas that one picture can show: a single picture needs no others.
+// Selects the texels of the occlusion atlas that a single picture can show.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -19,13 +19,13 @@ struct ViewDirection {
     }
 };
 
-/// View direction of these settings, if the bake serves this picture alone and every visible surface faces one way.
+/// The view direction, if these settings use the bake for one picture and every visible surface faces one way.
 std::optional<ViewDirection> onlyViewDirection(const RenderSettings& settings);
 
-/// Drops sphere and mesh texels that face away from the viewer, texels of hidden triangles, and texels that no other
-/// takes its value from. Cylinder texels stay. Values of the remaining texels do not change.
+/// Drops sphere and mesh texels that face away from the viewer, texels of hidden triangles, and texels that are no
+/// other texel's source. Cylinder texels stay. Values of the remaining texels do not change.
 /// @param representation  without copies
-/// @param hidden  for that viewer
+/// @param hidden  triangles hidden from that viewer
 void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& representation,
               const ViewDirection& viewDirection, const occlusion::HiddenTriangles& hidden = {});
 

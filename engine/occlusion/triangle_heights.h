@@ -1,5 +1,5 @@
 #pragma once
-// Triangles that one thread draws on a depth map: by as many lanes as the processor has.
+// Draws triangles on a depth map in one thread, with as many lanes as the processor has.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace nacre::occlusion {
 
-/// One depth map among others: heights, Å, row by row from the top.
+/// One of several depth maps: heights, Å, row by row from the top.
 struct HeightMap {
-    float* heights = nullptr;  ///< of its first pixel
+    float* heights = nullptr;  ///< of the map's first pixel
     std::uint32_t pitch = 0;   ///< pixels per row of the buffer
     std::uint32_t pixels = 0;  ///< width, at least 4
-    float perAngstrom = 1;     ///< pixels
+    float perAngstrom = 1;     ///< pixels per Å
 };
 
-/// Keeps the larger height per pixel. @param corners  of all vertices: pixel of the map, height, and a word of room
-/// @param fronts  only triangles that are seen from their fronts
+/// Keeps the larger height per pixel. @param corners  of all vertices: map pixel, height, and an unused word
+/// @param fronts  draw only front faces
 using DrawTriangles = void (*)(const glm::vec4* corners, const glm::uvec3* triangles, std::size_t count, bool fronts,
                                const HeightMap& map);
 
@@ -27,7 +27,7 @@ struct TriangleLanes {
     DrawTriangles draw = nullptr;
 };
 
-/// Lane counts that this processor can use, ascending: 4, then 8. All draw the same bits.
+/// Lane counts that this processor can use, ascending: 4, then 8. All give bit-identical heights.
 std::span<const TriangleLanes> triangleLanes();
 
 }  // namespace nacre::occlusion
