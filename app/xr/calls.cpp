@@ -15,7 +15,7 @@ constexpr const char* kTask = "cannot show in a headset";
 /// The loader's entry point. Its name has stayed the same since OpenXR 1.0.
 PFN_xrGetInstanceProcAddr entryPoint() {
     static const PFN_xrGetInstanceProcAddr entry = [] {
-        setenv("XR_LOADER_DEBUG", "none", 0);  // its errors are ours to report
+        setenv("XR_LOADER_DEBUG", "none", 0);  // errors are reported by this application
         void* const library =
             dlopen("libopenxr_loader.so.1", RTLD_NOW | RTLD_LOCAL);  // never unloaded, nor are runtimes
         if (!library) throw Error(kTask, "OpenXR", "its loader is not installed (Debian: libopenxr-loader1)");

@@ -1,5 +1,5 @@
 #pragma once
-// OpenXR's functions, by its loader, which is loaded when a headset is asked for.
+// OpenXR functions. The loader is loaded when a headset is first used.
 
 #include <string>
 
@@ -14,7 +14,7 @@
 
 namespace nacre::app {
 
-/// A call that failed.
+/// A failed call.
 class XrFailure : public Error {
 public:
     XrFailure(const std::string& call, XrResult result);
@@ -65,7 +65,7 @@ struct XrCalls {
 /// An instance with XR_KHR_vulkan_enable2. @throws Error without loader, runtime or that extension
 XrInstance makeXrInstance();
 
-/// A zeroed structure of OpenXR with its type set.
+/// A zeroed OpenXR structure with its type set.
 template <typename Structure>
 Structure typed(XrStructureType type) {
     Structure structure{};

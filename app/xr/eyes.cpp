@@ -9,26 +9,26 @@
 namespace nacre::app {
 namespace {
 
-constexpr double kSame = 1e-6;  // runtimes state poses in floats
+constexpr double kSame = 1e-6;  // runtimes give poses as floats
 
-/// A point of the room as an eye sees it.
+/// A point of the room in the eye's coordinates.
 glm::dvec3 seenBy(const Pose& eye, const glm::dvec3& point) {
     return glm::conjugate(eye.orientation) * (point - eye.position);
 }
 
-/// Distance of the centre along the axis at which all of a ball, with some room, is in front of the eye.
+/// Minimum depth of the centre for which a ball, with a margin, is entirely in front of the eye.
 double leastDepth(const Placement& p) { return (1.02 * p.radius + 1.5) * p.metresPerAngstrom; }
 
 bool mayShow(const Placement& p, const EyePose& eye) {
     const glm::dvec3 c = seenBy(eye, p.center);
     const double radius = p.radius * p.metresPerAngstrom;
-    const auto beyond = [&](double across, double tangent) {  // the plane through the eye and an edge
+    const auto beyond = [&](double across, double tangent) {  // beyond the plane through the eye and an edge
         return (across + c.z * tangent) / std::sqrt(1 + tangent * tangent) > radius;
     };
     return !beyond(c.x, eye.right) && !beyond(-c.x, -eye.left) && !beyond(c.y, eye.up) && !beyond(-c.y, -eye.down);
 }
 
-/// Whether eyes look in parallel and are side by side. If so, gives them poses that say that exactly.
+/// Whether the eyes look in parallel and are side by side. If so, makes their poses exactly parallel.
 bool straighten(std::array<EyePose, 2>& eyes) {
     auto& [left, right] = eyes;
     const glm::dvec3 between = seenBy(left, right.position);
@@ -39,7 +39,7 @@ bool straighten(std::array<EyePose, 2>& eyes) {
     return true;
 }
 
-/// Makes an interval longer about its middle. @returns the middle
+/// Sets an interval to this length about its middle. @returns the middle
 double widen(double& low, double& high, double length) {
     const double middle = (low + high) / 2;
     low = middle - length / 2, high = middle + length / 2;
@@ -51,7 +51,7 @@ double widen(double& low, double& high, double length) {
 Placement keepInFront(Placement& placement, const std::array<EyePose, 2>& eyes) {
     const auto shows = [&](const EyePose& eye) { return mayShow(placement, eye); };
     if (std::ranges::none_of(eyes, shows)) {
-        constexpr double kFarBeside = 1000;  // times as far as ahead
+        constexpr double kFarBeside = 1000;  // relative to the depth
         Placement beside = placement;
         const double depth = 2 * leastDepth(placement);
         beside.center = eyes[0].position + eyes[0].orientation * glm::dvec3(kFarBeside * depth, 0, -depth);
@@ -66,7 +66,7 @@ Placement keepInFront(Placement& placement, const std::array<EyePose, 2>& eyes) 
 
 EyeViews viewsOf(const Placement& placement, std::array<EyePose, 2> eyes, std::uint32_t width, std::uint32_t height) {
     const bool parallel = straighten(eyes);
-    double pixels = INFINITY;  // per tangent
+    double pixels = INFINITY;  // per unit of tangent
     for (const EyePose& eye : eyes)
         pixels = std::min({pixels, width / (eye.right - eye.left), height / (eye.up - eye.down)});
     EyeViews seen{{}, eyes};
@@ -74,7 +74,7 @@ EyeViews viewsOf(const Placement& placement, std::array<EyePose, 2> eyes, std::u
         EyePose& eye = seen.eyes[i];
         const double across = widen(eye.left, eye.right, width / pixels), up = widen(eye.down, eye.up, height / pixels);
         glm::dvec3 center = seenBy(eye, placement.center) / placement.metresPerAngstrom;
-        if (parallel && i > 0) {  // rounding alone differs
+        if (parallel && i > 0) {  // the difference is only rounding
             center.y = seen.views[0].shift.y;
             center.z = -seen.views[0].eyeDistance;
         }

@@ -29,7 +29,7 @@ XrFovf fovOf(const EyePose& eye) {
     return {angle(eye.left), angle(eye.right), angle(eye.up), angle(eye.down)};
 }
 
-/// A call of XR_KHR_vulkan_enable2, which has two results.
+/// Checks both results of a call of XR_KHR_vulkan_enable2.
 void checkVulkan(XrResult result, VkResult vulkan, const char* call) {
     checkXr(result, call);
     if (vulkan != VK_SUCCESS)
@@ -89,7 +89,7 @@ void Headset::makeActions() {
     grip_ = make("hand", "Hand", XR_ACTION_TYPE_POSE_INPUT);
     hold_ = make("hold", "Hold the molecule", XR_ACTION_TYPE_BOOLEAN_INPUT);
     menuAction_ = make("reset", "Reset the view", XR_ACTION_TYPE_BOOLEAN_INPUT);
-    // Runtimes bind other controllers by the simple one.
+    // Runtimes map other controllers to the simple one.
     std::vector<XrActionSuggestedBinding> bindings;
     using Input = std::pair<XrAction, const char*>;
     for (const char* hand : {"/user/hand/left", "/user/hand/right"})
@@ -211,7 +211,7 @@ void Headset::makeSwapchain() {
 }
 
 void Headset::end() noexcept {
-    if (session_ != XR_NULL_HANDLE) xr_.destroySession(session_);  // with its spaces and its swapchain
+    if (session_ != XR_NULL_HANDLE) xr_.destroySession(session_);  // also destroys its spaces and its swapchain
     session_ = XR_NULL_HANDLE;
     running_ = focused_ = lost_ = false;
 }
@@ -224,7 +224,7 @@ void Headset::handleEvents() {
             throw Error("the headset failed", "OpenXR", "the runtime ends");
         if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
         const auto& changed = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
-        if (changed.session != session_) continue;  // of a former one
+        if (changed.session != session_) continue;  // of an earlier session
         focused_ = changed.state == XR_SESSION_STATE_FOCUSED;
         switch (changed.state) {
             case XR_SESSION_STATE_READY: {
@@ -251,7 +251,7 @@ void Headset::handleEvents() {
 }
 
 void Headset::leave() {
-    // Not running: nobody will tell us to stop.
+    // If it is not running, the runtime sends no stop event.
     if (!running_ || XR_FAILED(xr_.requestExitSession(session_))) over_ = true;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A headset by OpenXR: its session, poses, hands, and the images that it lends.
+// A headset through OpenXR: its session, poses, hands and swapchain images.
 
 #include <array>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace nacre::app {
 
-/// A hand that is tracked, and what its buttons do. Buttons and poses of both hands where there are two.
+/// A tracked hand and its trigger.
 struct Hand {
     Pose pose;
     bool holds = false;  ///< trigger
@@ -20,46 +20,46 @@ struct Hand {
 
 class Headset {
 public:
-    /// @throws Error without loader, runtime, its Vulkan extension or headset
+    /// @throws Error without loader, runtime, XR_KHR_vulkan_enable2 or headset
     Headset();
     ~Headset();
     Headset(const Headset&) = delete;
 
-    /// For the device of a renderer. It must live from before begin() until after end().
+    /// For the renderer's device. The device must live from before begin() until after end().
     HeadsetSource source();
-    /// Makes a session with the device that source() made last. @throws Error
+    /// Starts a session with the last device that source() created. @throws Error
     void begin();
-    /// Ends the session, if there is one. Call before its device goes.
+    /// Ends the session, if there is one. Call before the device is destroyed.
     void end() noexcept;
 
-    /// Follows the runtime's wishes. @throws Error
+    /// Handles the runtime's events. @throws Error
     void handleEvents();
     /// Whether the runtime wants frames.
     bool running() const { return running_; }
-    /// Whether user or runtime ended it.
+    /// Whether the user or the runtime ended the session.
     bool over() const { return over_; }
-    /// The session is lost, or about to be: end it. The next one may succeed.
+    /// Whether the session is lost or about to be. Call end(); the next session may succeed.
     bool lost() const { return lost_; }
-    /// Asks for the end.
+    /// Requests the end of the session.
     void leave();
 
     /// A frame of the display.
     struct Frame {
-        XrTime time = 0;  ///< when it will be seen
+        XrTime time = 0;  ///< time of display
         bool shows = false;
     };
-    /// Waits until the next frame may begin, and begins it.
+    /// Waits until the next frame can start, and starts it.
     Frame beginFrame();
-    /// Both eyes at a frame's time, left and right; none while the head is not tracked.
+    /// Left and right eye at a frame's time; none while the head is not tracked.
     std::optional<std::array<EyePose, 2>> eyes(const Frame& frame);
-    /// The hand that holds, of two the one that held before, else any that is tracked.
+    /// The hand that holds; of two, the one that held before. If none holds, any tracked hand.
     std::optional<Hand> hand(const Frame& frame);
-    /// Whether the menu button went down since the last call of hand().
+    /// Whether the last call of hand() found the menu button newly pressed.
     bool menu() const { return menu_; }
-    /// The next image, to be drawn into until give().
+    /// Acquires the next image. Draw into it until give().
     HeadsetImage take();
     void give();
-    /// @param shown  what the last image shows; none: nothing is shown
+    /// @param shown  the eyes drawn in the last image; none: nothing is shown
     void endFrame(const Frame& frame, const std::optional<std::array<EyePose, 2>>& shown);
 
     std::uint32_t width() const { return width_; }

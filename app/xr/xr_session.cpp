@@ -12,7 +12,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr PixelSize kPicture{1000, 1000};  // of which the viewer thinks that it is drawn
+constexpr PixelSize kPicture{1000, 1000};  // size of the picture that the viewer assumes
 
 PictureDescription firstView(PictureDescription first) {
     first.aim = {};  // the viewer receives the aim separately
@@ -66,7 +66,7 @@ SessionHost HeadsetSession::host() {
     return host;
 }
 
-/// A session of the headset, with a device of its own.
+/// Opens a headset session with a new device.
 void HeadsetSession::open() {
     headset_.end();
     session_.open(now());
@@ -129,7 +129,7 @@ void HeadsetSession::follow(const std::optional<Hand>& hand, const std::array<Ey
         return;
     }
     if (!grip_) {
-        viewer().gesture({Gesture::Kind::touched}, now());  // undo returns to here
+        viewer().gesture({Gesture::Kind::touched}, now());  // undo returns to this state
         const Camera& camera = viewer().view().camera;
         grip_.emplace(hand->pose, (eyes[0].position + eyes[1].position) / 2.0, camera.orientation, camera.zoom);
     }
@@ -137,7 +137,7 @@ void HeadsetSession::follow(const std::optional<Hand>& hand, const std::array<Ey
 }
 
 FrameOutcome HeadsetSession::present(Renderer& renderer, const RenderSettings& settings) {
-    if (!eyes_) return FrameOutcome::shown;  // nothing, until the head is tracked again
+    if (!eyes_) return FrameOutcome::shown;  // nothing until the head is tracked again
     const View& seen = settings.view;
     placement_.rotation = seen.rotation;
     placement_.radius = seen.radius;
@@ -145,7 +145,7 @@ FrameOutcome HeadsetSession::present(Renderer& renderer, const RenderSettings& s
     const EyeViews drawn = viewsOf(keepInFront(placement_, *eyes_), *eyes_, headset_.width(), headset_.height());
     RenderSettings both = settings;
     both.view = drawn.views[0];
-    both.effects.depthOfField.strength = 0;  // eyes have their own
+    both.effects.depthOfField.strength = 0;  // the user's eyes focus themselves
     const HeadsetImage image = headset_.take();
     FrameOutcome outcome{};
     try {
@@ -159,7 +159,7 @@ FrameOutcome HeadsetSession::present(Renderer& renderer, const RenderSettings& s
     return outcome;
 }
 
-/// Messages of the viewer, which the headset does not show.
+/// Prints new messages of the viewer, which the headset does not show.
 void HeadsetSession::tell() {
     const std::string& message = viewer().messages().message();
     if (message != told_ && !message.empty()) sayNote(message);

@@ -1,5 +1,5 @@
 #pragma once
-// The headset's shell: poses and hands around the viewer.
+// The headset's shell: passes poses and hands to the viewer.
 
 #include <functional>
 #include <optional>
@@ -11,17 +11,17 @@ namespace nacre::app {
 
 class HeadsetSession {
 public:
-    /// The molecule is put so far ahead of where the head is at first, and its picture's shorter side is so long.
+    /// The molecule's initial distance in front of the head, and the length of the shorter side of its picture.
     static constexpr double kMetresAhead = 0.8, kMetresAcross = 0.5;
     static constexpr int kMostLosses = 3;
 
-    /// @throws Error, also that of a molecule that cannot be read, if known by then
+    /// @throws Error, also for a molecule that cannot be read, if already known
     explicit HeadsetSession(const PictureDescription& first);
     ~HeadsetSession();
 
-    /// Until user or runtime end it, or somebody asks.
+    /// Runs until the user or the runtime ends the session, or `asked` returns true.
     void loop(const std::function<bool()>& asked = {});
-    /// One frame of the headset, or a rest where it wants none. @returns whether there is more to come. @throws Error
+    /// Draws one frame, or sleeps briefly while the headset wants none. @returns whether to continue @throws Error
     bool step();
 
     Viewer& viewer() { return session_.viewer(); }
@@ -41,10 +41,10 @@ private:
     Session session_;
     Placement placement_;
     std::optional<Grip> grip_;
-    std::optional<std::array<EyePose, 2>> eyes_;   // of the frame that is drawn
-    std::optional<std::array<EyePose, 2>> shown_;  // by its image
+    std::optional<std::array<EyePose, 2>> eyes_;   // of the current frame
+    std::optional<std::array<EyePose, 2>> shown_;  // in its image
     std::string told_;
-    int losses_ = 0;  // since a frame was shown
+    int losses_ = 0;  // since the last shown frame
 };
 
 }  // namespace nacre::app

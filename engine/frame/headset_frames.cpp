@@ -6,11 +6,11 @@
 namespace nacre {
 namespace {
 
-/// Of the runtime's images, before and after a frame.
+/// State of the runtime's images before and after a frame.
 constexpr graph::State kLentState{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, 0,
                                   VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
 
-/// One frame draws both: they differ by what View::other says.
+/// Whether one frame can draw both eyes: the views differ only by what View::other states.
 bool lookInParallel(const View& a, const View& b) {
     return a.projection == Projection::perspective && a.projection == b.projection && a.rotation == b.rotation &&
            a.eyeDistance == b.eyeDistance && a.pixelsPerAngstrom == b.pixelsPerAngstrom && a.radius == b.radius &&

@@ -1,5 +1,5 @@
 #pragma once
-// Frames for a headset: both eyes into the layers of an image that its runtime lends.
+// Frames for a headset: draws both eyes into the layers of an image of its runtime.
 
 #include <array>
 #include <list>
@@ -12,7 +12,7 @@ namespace nacre {
 
 class HeadsetFrames {
 public:
-    /// All arguments outlive this.
+    /// All arguments must outlive this.
     HeadsetFrames(const gpu::Device& device, gpu::Executor& executor, SceneFrames& frames);
     ~HeadsetFrames() { device_.settle(); }
 

@@ -23,8 +23,8 @@ glm::dvec2 lensPoint(std::uint32_t samples, std::uint32_t i) {
     return std::sqrt((k + 0.5) / samples) * glm::dvec2(std::cos(k * kGoldenAngle), std::sin(k * kGoldenAngle));
 }
 
-/// The view through sample i of a number of samples, arranged in rows as those of a picture. Each of many is far from
-/// the previous ones. With a lens, each is seen through another point of it: that blurs, and costs no pass.
+/// The view through sample i of a number of samples, in rows as in a picture. If there are many, each is far from the
+/// previous ones. With a lens, each sample sees through another lens point, which blurs at no extra cost.
 View throughSampleOf(const RenderSettings& settings, View view, std::uint32_t samples, std::uint32_t i) {
     if (hasLens(settings) && samples > 1) view = throughLens(settings, view, lensPoint(samples, i));
     if (samples >= RenderSettings::kEdgeSamples) i = i * 5 % samples;
@@ -34,7 +34,7 @@ View throughSampleOf(const RenderSettings& settings, View view, std::uint32_t sa
     return view;
 }
 
-/// A part of an upright window in its image.
+/// The rectangle of an upright window's part in its image.
 vk::Rect2D turned(const vk::Rect2D& r, graph::Extent upright, int quarterTurns) {
     const auto [x, y] = std::pair(r.offset.x, r.offset.y);
     const auto right = static_cast<std::int32_t>(upright.width - r.extent.width) - x;
@@ -85,7 +85,7 @@ bool WindowFrames::coded() const {
 /// pipelines.
 VkFormat WindowFrames::pictureFormat() const { return coded() ? VK_FORMAT_R8G8B8A8_SRGB : swapchain_.format(); }
 
-/// Brings swapchain and kept picture to the window's size. @returns whether there is anything to draw into
+/// Adapts swapchain and kept picture to the window's size. @returns whether there is anything to draw into
 bool WindowFrames::resize(graph::Extent wanted) {
     if (!swapchain_.stale() && swapchain_.ready() && swapchain_.upright() == wanted) return true;
     if (swapchain_.retires()) {
@@ -185,7 +185,7 @@ void WindowFrames::declareEnding(Frame& frame, const FrameShape& shape) {
     if (shape.overlay) addOverlay(g, frame.targets.back(), ending == Ending::window ? frame.samples : none);
 }
 
-/// The image that sums samples, of the window's size.
+/// Creates the image of sample sums, of the window's size.
 void WindowFrames::makeSum() {
     const graph::ImageDesc desc{kSumFormat, swapchain_.extent()};
     if (sum_.desc == desc) return;
@@ -195,8 +195,8 @@ void WindowFrames::makeSum() {
                           false, "sum of samples");
 }
 
-/// The scene as the frame shows it, and the frame's shape.
-/// @param radiusBefore  as FrameInputs has it
+/// Prepares the scene for the frame, and the frame's shape.
+/// @param radiusBefore  as in FrameInputs
 PreparedFrame WindowFrames::prepare(const RenderSettings& settings, const passes::Atlas& atlas,
                                     const WindowFrame& frame, std::optional<double> radiusBefore,
                                     std::optional<std::size_t> eye) {
@@ -306,7 +306,7 @@ void WindowFrames::drawEyes(gpu::FrameSlot& slot, const RenderSettings& settings
     summed_ = live ? 1 : frame.sample + 1;
 }
 
-/// Draws the frame into the image that the slot has.
+/// Draws the frame into the slot's image.
 void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                           const WindowFrame& frame) {
     WindowFrame shown = frame;
@@ -322,7 +322,7 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, 
     device_.log().begin();
     slot.commands.reset();
     slot.commands.begin();
-    // Resolution and bake are paced by live frames alone. Over Metal each stamp is an encoder of its own.
+    // Only live frames pace resolution and bake. Over Metal each timestamp needs an encoder.
     slot.timed = frame.quality == Quality::live;
     if (slot.timed) slot.timer.begin(*slot.commands);
     if (eyes) {
@@ -353,20 +353,20 @@ FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes:
         if (frame.quality == Quality::refined && frame.sample > 0 && there != frame.sample)
             return FrameOutcome::resized;
         gpu::FrameSlot& slot = ring_.next();
-        // An attempt that failed may have left the slot with an image.
+        // A failed attempt may have left an image in the slot.
         if (!slot.image) slot.image = swapchain_.acquire(*slot.acquired);
         if (!slot.image) continue;
         const std::uint32_t index = *slot.image;
-        if (frame.quality != Quality::kept) summed_ = 0;  // after a failure half way the state is unknown
+        if (frame.quality != Quality::kept) summed_ = 0;  // after a failure midway the state is unknown
         submit(slot, settings, atlas, frame);
         if (frame.quality == Quality::refined) summed_ = frame.sample + 1;
-        if (frame.quality == Quality::live && frame.eyes) summed_ = 0;  // the sum shows them
+        if (frame.quality == Quality::live && frame.eyes) summed_ = 0;  // the sum holds the eyes
         swapchain_.present(index);
         if (!std::exchange(preparedOthers_, true)) prepareOthers();
         if (std::exchange(restWanted_, false)) prepareRest(settings, atlas, frame);
         return FrameOutcome::shown;
     }
-    return FrameOutcome::resized;  // faster than it can be followed: again at the next frame
+    return FrameOutcome::resized;  // the window resizes too fast: try again at the next frame
 }
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// Frames for a window: the screen frame into the swapchain's image, directly or from another resolution, with the
+// Frames for a window: draws the scene into the swapchain's image, directly or from another resolution, with the
 // application's overlay on top.
 
 #include <optional>
@@ -15,16 +15,16 @@ namespace nacre {
 
 class WindowFrames {
 public:
-    /// @param frames  outlives this
+    /// @param frames  must outlive this
     WindowFrames(const gpu::Device& device, gpu::Executor& executor, SceneFrames& frames, const SurfaceSource& source);
     ~WindowFrames() { device_.settle(); }
 
-    /// @param settings  with the view of the upright window. A view of another size is not drawn: FrameOutcome::resized
+    /// @param settings  with the view of the upright window. Views of another size are not drawn: FrameOutcome::resized
     FrameOutcome present(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame);
-    /// Has the pipelines for the scene made ahead, for any size of its spheres. Draws nothing, and does nothing before
+    /// Has the pipelines for the scene created ahead, for any size of its spheres. Draws nothing. Does nothing before
     /// the first frame.
     void prepareScene(const RenderSettings& settings, const WindowFrame& frame);
-    /// Waits until another frame can start and, if possible, until it has a window image, so that the caller can decide
+    /// Waits until another frame can start and, if possible, until it has a window image. The caller can then decide
     /// the frame's contents as late as possible.
     void await();
     /// GPU time of a recent frame, milliseconds; 0: unknown.
