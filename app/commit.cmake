@@ -1,6 +1,6 @@
-# Writes HEADER with the commit of SOURCE; leaves it alone where nothing changed.
+# Writes the commit of SOURCE to HEADER, if it changed.
 cmake_minimum_required(VERSION 3.25)
-# Git distrusts a tree that another user owns; whoever builds that tree's code may as well ask for its commit.
+# Git distrusts trees of other users. Who builds such a tree's code already trusts it.
 execute_process(COMMAND git -c safe.directory=* -C ${SOURCE} describe --always --dirty --abbrev=12 --exclude=*
                 OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(NOT commit)

@@ -1,16 +1,16 @@
 # Compiles every stage at build time, validates it, and embeds it as words.
-# nacre_shader(NAME SOURCE [DEFINE...]) makes the header NAME.h with `const std::uint32_t NAME[]`; the engine's own are declared
-# in "shaders.h" and defined in shaders.cpp, so that no other file reads their words.
-# Stages begin with #version 440: for 450, glslang builds its symbols anew in each run, which took half of its time.
+# nacre_shader(NAME SOURCE [DEFINE...]) makes the header NAME.h with `const std::uint32_t NAME[]`. The engine's shaders are
+# declared in "shaders.h" and defined in shaders.cpp, so that no other file includes their words.
+# Stages start with #version 440: for 450, glslang rebuilds its symbols in each run, which took half of its time.
 set(NACRE_SHADER_DIR ${CMAKE_BINARY_DIR}/shaders)
 file(MAKE_DIRECTORY ${NACRE_SHADER_DIR})
 set(NACRE_SHADER_EMBED ${CMAKE_SOURCE_DIR}/shaders/embed.sh)
 set(NACRE_SHADER_HEADERS)
 set(NACRE_SHADER_NAMES)
 # Optimises stages that read texel buffers, as on software devices: calls are inlined and variables become values here,
-# not by Mesa in each process. Phones' compilers do better without: Adreno's vertex shader of plates has 27 instructions
-# without, 37 with it. Blocks are not merged, as -O would: the validation layer (1.3.239) makes invalid loops of them
-# where it instruments shaders.
+# not by Mesa in each process. Phones' compilers do better without it: Adreno's vertex shader of plates has 27
+# instructions without, 37 with it. Blocks are not merged, unlike with -O: when the validation layer (1.3.239)
+# instruments shaders, it turns merged blocks into invalid loops.
 set(NACRE_SHADER_PASSES
     --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions --private-to-local
     --scalar-replacement=100 --convert-local-access-chains --eliminate-local-single-store --ssa-rewrite
@@ -42,8 +42,8 @@ function(nacre_shader name source)
     set(NACRE_SHADER_NAMES ${NACRE_SHADER_NAMES} ${name} PARENT_SCOPE)
 endfunction()
 
-# An optimised stage that shades has two variants: as it is, and counting its fragments. Other stages are changed for
-# that where they are used (engine/gpu/counting_shader.h).
+# An optimised stage that shades has two variants: without and with counting of its fragments. Other stages are changed
+# at run time to count (engine/gpu/counting_shader.h).
 function(nacre_counted name source)
     nacre_shader(${name} ${source} ${ARGN})
     if("TEXELS" IN_LIST ARGN)
@@ -53,7 +53,7 @@ function(nacre_counted name source)
     set(NACRE_SHADER_NAMES ${NACRE_SHADER_NAMES} PARENT_SCOPE)
 endfunction()
 
-# A stage of frames that may draw two views at once has two variants: gl_ViewIndex needs a capability.
+# Stages of frames that can draw two views at once have a variant for that: gl_ViewIndex needs a capability.
 function(nacre_eyes name source)
     nacre_shader(${name} ${source} ${ARGN})
     nacre_shader(${name}Eyes ${source} ${ARGN} EYES)
@@ -62,7 +62,7 @@ function(nacre_eyes name source)
     set(NACRE_SHADERS_OF_EYES ${NACRE_SHADERS_OF_EYES} ${name} PARENT_SCOPE)
 endfunction()
 
-# The source of the nearest depth for shading. Sets path_defines, such as INPUT;SETTLE for InputSettle.
+# Sources of the nearest depth for shading. The macro sets path_defines, such as INPUT;SETTLE for InputSettle.
 set(paths Input Sampled Fragdepth Ordered InputSettle SampledSettle)
 macro(nacre_path_defines path)
     string(REPLACE Settle ";Settle" path_defines ${path})

@@ -1,6 +1,6 @@
 // The Android app: `./gradlew assembleRelease` in this folder, with VCPKG_ROOT set (see third_party/README.md).
-// `./gradlew assembleDebug -PvalidationLayers=FOLDER` packs Khronos' validation layer as well: FOLDER is what
-// android-binaries-*.zip of github.com/KhronosGroup/Vulkan-ValidationLayers holds, with a folder for each ABI.
+// `./gradlew assembleDebug -PvalidationLayers=FOLDER` also packs Khronos' validation layer: FOLDER is the unpacked
+// android-binaries-*.zip of github.com/KhronosGroup/Vulkan-ValidationLayers, with a folder for each ABI.
 plugins {
     id("com.android.application") version "8.10.1"
 }
@@ -44,7 +44,7 @@ android {
     }
     packaging {
         jniLibs {
-            useLegacyPackaging = false  // stored and aligned: mapped from the APK as they are
+            useLegacyPackaging = false  // libraries are stored aligned, and mapped from the APK
         }
     }
     sourceSets {

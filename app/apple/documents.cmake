@@ -1,10 +1,10 @@
-# The files that the programs open: from one table
+# File types that the programs open, from one table:
 #   NACRE_IMPORTED_TYPES, NACRE_DOCUMENT_TYPES   as Apple's property lists state them
 #   NACRE_MIME_TYPES, NACRE_MIME_INFO            as freedesktop's files do
-# Imported, since others own the formats: an app that exports a type of the same name has precedence.
+# Imported, because others own the formats: an app that exports a type of the same name has precedence.
 
-# name | type | conforms to | endings, as engine/molecule/formats/format_table.cpp has them, after the MIME type
-# (chemical/x-) of Rzepa et al. 1998, if there is one
+# name | type | conforms to | MIME type (chemical/x-) of Rzepa et al. 1998, if there is one, and extensions, as in
+# engine/molecule/formats/format_table.cpp
 set(formats
     "PDB structure|org.wwpdb.pdb|public.plain-text|pdb:pdb,ent"
     "mmCIF structure|org.wwpdb.mmcif|public.plain-text|cif:cif mmcif:mmcif,mcif"

@@ -1,4 +1,4 @@
-# Nacre.app for macOS: the desktop's window, started by the Finder. The command line program stands beside it.
+# Nacre.app for macOS: the desktop's window, started by the Finder. The command line program is next to it.
 # NACRE_MOLTENVK: folder of MoltenVK's dylib and its MoltenVK_icd.json, to be part of the app; without it the app
 # uses the Vulkan that is installed.
 enable_language(OBJCXX)

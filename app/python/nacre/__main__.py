@@ -12,7 +12,7 @@ def _program():
     package = importlib.util.find_spec("nacre")
     inside = os.path.join(os.path.dirname(package.origin), "nacre") if package and package.origin else ""
     if os.access(inside, os.X_OK):
-        return inside  # under its own name, next to which it finds its driver
+        return inside  # by its path: it finds its driver next to it
     along = shutil.which("nacre")
     return along if along and not os.path.samefile(along, __file__) else None
 

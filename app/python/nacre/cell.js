@@ -1,9 +1,9 @@
-// A view in the cell of a notebook: asks the kernel for the page and its pictures over the kernel's own channel, comm
-// messages of the target "nacre". What shows nothing leaves the cell's picture as it is.
-//   to the kernel    {n, view, path}, path as of an HTTP request: "", "picture?zoom=2"
-//   to the page      {n, status, type}, and the answer's body as the buffer
+// A view in the cell of a notebook: requests the page and its pictures from the kernel over the kernel's channel, as comm
+// messages of the target "nacre". If that fails, the cell's picture stays.
+//   to the kernel    {n, view, path}, path as in an HTTP request: "", "picture?zoom=2"
+//   to the page      {n, status, type}, and the response's body as the buffer
 
-/** The notebook's way to the kernel: {send(data)}; calls receive(data, buffers) and closed(). One for each page. */
+/** Opens the notebook's channel to the kernel: {send(data)}; calls receive(data, buffers) and closed(). One per page. */
 async function openChannel(kernel, receive, closed) {
   const colab = globalThis.google && google.colab && google.colab.kernel;
   if (colab && colab.comms) {
@@ -22,10 +22,10 @@ async function openChannel(kernel, receive, closed) {
   return openSocket(kernel, receive, closed);
 }
 
-/** Random; crypto.randomUUID() is for https alone. */
+/** A random ID; crypto.randomUUID() needs https. */
 const newId = () => Array.from(crypto.getRandomValues(new Uint8Array(16)), byte => byte.toString(16).padStart(2, "0")).join("");
 
-/** JupyterLab and Notebook 7 tell scripts of outputs nothing of the kernel: its channels by Jupyter Server's web socket. */
+/** For JupyterLab and Notebook 7, which hide the kernel from scripts of outputs: uses Jupyter Server's web socket. */
 async function openSocket(kernel, receive, closed) {
   const config = JSON.parse(document.getElementById("jupyter-config-data").textContent);
   const session = newId(), comm = newId();
@@ -57,7 +57,7 @@ async function openSocket(kernel, receive, closed) {
   return {send: data => message("comm_msg", {data})};
 }
 
-/** Answers of a channel to those who ask. */
+/** Sends requests over a channel, and returns their responses. */
 class Asker {
   constructor(open) {
     this.waiting = new Map();
@@ -85,7 +85,7 @@ class Asker {
   }
 }
 
-/** Notebook 6 keeps in its file what its outputs were given: there, the last picture. */
+/** Notebook 6 stores the outputs as they were given: replaces their picture with the last one. */
 function keepPicture(id, data) {
   if (!globalThis.Jupyter || !Jupyter.notebook) return;
   for (const cell of Jupyter.notebook.get_cells())
@@ -97,7 +97,7 @@ function keepPicture(id, data) {
     }
 }
 
-/** Puts the page over the picture of an element that comes into sight. */
+/** Puts the page over an element's picture when the element becomes visible. */
 function showView(root, view, asker) {
   const image = root.querySelector("img");
   let page = null;
@@ -119,7 +119,7 @@ function showView(root, view, asker) {
       if (!answer.ok) return;  // another kernel without this view
       page.srcdoc = await answer.text();
       root.append(page);
-    } catch (error) { /* no kernel: the picture stands */ }
+    } catch (error) { /* no kernel: the picture stays */ }
   }
   new IntersectionObserver((entries, observer) => {
     if (!page && entries.some(entry => entry.isIntersecting)) { observer.disconnect(); wake(); }

@@ -32,17 +32,17 @@ import java.net.URL;
 import java.nio.charset.StandardCharsets;
 
 /**
- * What native code cannot do by itself: have a document picked and a text typed, share a picture, tell a screen reader what
- * is there, know of the display and of what the system lays over the window.
+ * System functions for native code: picks documents, asks for text, shares pictures, describes controls to screen readers,
+ * and reports the display and system bars.
  */
 public final class NacreActivity extends NativeActivity
         implements DisplayManager.DisplayListener, Choreographer.FrameCallback {
     private static final int PICKED = 1, PATIENCE = 30_000; // milliseconds
     private PanelNodes nodes;
-    private Back back; // registered while Back is the app's
+    private Back back; // registered while the app handles Back
     private boolean animated, awaited;
 
-    // Native code registers these when the activity is created. `app` is the value from attach(); 0: it is gone.
+    // Native code registers these when the activity is created. `app` is the value from attach(); 0: the app has ended.
     static native void opened(long app, Uri document);
     static native void failed(long app, String why);
     static native String controls(long app);
@@ -73,7 +73,7 @@ public final class NacreActivity extends NativeActivity
         tellTextScale(getResources().getConfiguration());
     }
 
-    /** Another document, while this activity is there: it is the only one. */
+    /** Opens another document in this activity: there is only one instance. */
     @Override
     protected void onNewIntent(Intent intent) {
         super.onNewIntent(intent);
@@ -82,14 +82,14 @@ public final class NacreActivity extends NativeActivity
         if (app != 0 && document != null) opened(app, document);
     }
 
-    /** What another app hands over, to be opened or as shared; null: nothing. */
+    /** The document that another app opens with or shares to this one; null: none. */
     private static Uri documentOf(Intent intent) {
         if (intent.getData() != null) return intent.getData();
         Object shared = intent.getParcelableExtra(Intent.EXTRA_STREAM);
         return shared instanceof Uri ? (Uri) shared : null;
     }
 
-    /** The window is hidden, or the app may be ended for its memory: onLowMemory is not called from API level 34 on. */
+    /** Called if the window is hidden or memory is low. From API level 34 on, onLowMemory is not called. */
     @Override
     public void onTrimMemory(int level) {
         super.onTrimMemory(level);
@@ -106,9 +106,9 @@ public final class NacreActivity extends NativeActivity
         return app;
     }
 
-    // --- Back, while anything covers the picture. Up to Android 12 it is a key.
+    // --- Back, while something covers the picture. Up to Android 12 it is a key.
 
-    /** In a class of its own, which older systems do not look at. */
+    /** A separate class, which older systems do not load. */
     private static final class Back implements OnBackInvokedCallback {
         private final NacreActivity activity;
 
@@ -128,7 +128,7 @@ public final class NacreActivity extends NativeActivity
         }
     }
 
-    // --- the window, which the system's bars cover in part, and the size of text
+    // --- the window, partly covered by system bars, and the text size
 
     private void tellInsets(WindowInsets insets) {
         if (app == 0) return;
@@ -163,7 +163,7 @@ public final class NacreActivity extends NativeActivity
         return own != null ? own : displays().getDisplay(Display.DEFAULT_DISPLAY);
     }
 
-    /** The rate of the moment, and the best of the same size. */
+    /** Reports the current refresh rate, and the highest one at this resolution. */
     @Override
     public void onDisplayChanged(int id) {
         Display display = display();
@@ -200,7 +200,7 @@ public final class NacreActivity extends NativeActivity
         });
     }
 
-    /** From now on native code hears of each picture that the display begins, or no more. */
+    /** Starts or stops calls of tick() for each frame of the display. */
     void animate(boolean on) {
         runOnUiThread(() -> {
             animated = on;
@@ -225,7 +225,7 @@ public final class NacreActivity extends NativeActivity
         runOnUiThread(() -> getSystemService(ClipboardManager.class).setPrimaryClip(ClipData.newPlainText("Nacre", text)));
     }
 
-    /** Says why nothing can be drawn. The activity ends with the answer. */
+    /** Shows why nothing can be drawn, and ends the activity when the dialog is closed. */
     void giveUp(String why) {
         runOnUiThread(() -> {
             if (isFinishing() || isDestroyed()) return;
@@ -234,7 +234,7 @@ public final class NacreActivity extends NativeActivity
         });
     }
 
-    /** A finger explores by touch. Pixels of the window. On the main thread. */
+    /** Handles explore by touch. Pixels of the window. On the main thread. */
     void explore(float x, float y, boolean inside) {
         if (nodes != null) nodes.explore(x, y, inside);
     }
@@ -252,7 +252,7 @@ public final class NacreActivity extends NativeActivity
         });
     }
 
-    /** Gets an address, and gives what comes to native code until that has enough. On a thread of native code's own. */
+    /** Downloads an address, and passes the data to native code until that has enough. Called on a native thread. */
     void fetch(String url, long transfer) throws IOException {
         HttpURLConnection connection = (HttpURLConnection) new URL(url).openConnection();
         try {
@@ -272,7 +272,7 @@ public final class NacreActivity extends NativeActivity
         }
     }
 
-    /** The system's keyboard, for a field that native code draws: a line of text in a dialog. */
+    /** Asks for a line of text in a dialog, for a field that native code draws. */
     void askText(String name, String text) {
         runOnUiThread(() -> {
             EditText field = new EditText(this);

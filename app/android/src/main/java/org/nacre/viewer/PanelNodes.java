@@ -11,7 +11,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** Controls of the panel as a screen reader's nodes: the panel itself is drawn by native code. */
+/** Controls of the panel as nodes for screen readers. Native code draws the panel. */
 final class PanelNodes extends AccessibilityNodeProvider {
     private static final String FIELD = "\t", LINE = "\n";
     private static final int ROLE = 0, NAME = 1, VALUE = 2, ENABLED = 3, LEFT = 4, TOP = 5, RIGHT = 6, BOTTOM = 7;
@@ -35,7 +35,7 @@ final class PanelNodes extends AccessibilityNodeProvider {
         });
     }
 
-    /** The table anew: a control a line. Those of one name are told apart by their order. */
+    /** Reads the table of controls, one per line. Their order distinguishes controls of the same name. */
     private void read() {
         String text = activity.app() == 0 ? "" : NacreActivity.controls(activity.app());
         controls.clear();
@@ -58,7 +58,7 @@ final class PanelNodes extends AccessibilityNodeProvider {
         return Integer.parseInt(control[field]);
     }
 
-    /** The smallest control at a place: the picture lies below all others. */
+    /** The smallest control at a place: the picture is below all others. */
     private int idAt(float x, float y) {
         int found = NONE;
         long least = Long.MAX_VALUE;
@@ -74,7 +74,7 @@ final class PanelNodes extends AccessibilityNodeProvider {
         return found;
     }
 
-    /** A finger explores by touch: the reader says what it comes to. Pixels of the window. */
+    /** Handles explore by touch: the reader announces the control under the finger. Pixels of the window. */
     void explore(float x, float y, boolean inside) {
         read();
         int before = hovered;
@@ -143,7 +143,7 @@ final class PanelNodes extends AccessibilityNodeProvider {
         return !role.equals("text") && !role.equals("status") && !role.equals("image") && !role.equals("slider");
     }
 
-    /** Readers know what to say of these. */
+    /** Classes that screen readers know. */
     private static String classOf(String role) {
         switch (role) {
             case "switch":

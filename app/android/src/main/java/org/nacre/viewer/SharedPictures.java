@@ -11,7 +11,7 @@ import android.os.ParcelFileDescriptor;
 import java.io.File;
 import java.io.FileNotFoundException;
 
-/** Hands the picture or view that is shared to the app that the user chose, and nothing else to nobody else. */
+/** Gives a shared picture or view to the app that the user chose, and nothing else. */
 public final class SharedPictures extends ContentProvider {
     static String typeOf(String name) {
         return name.endsWith(".png") ? "image/png" : "application/json";
@@ -28,7 +28,7 @@ public final class SharedPictures extends ContentProvider {
                 .build();
     }
 
-    /** A name alone leads nowhere but into the folder. */
+    /** The file of this name in the folder; other paths are refused. */
     private File fileOf(Uri uri) throws FileNotFoundException {
         String name = uri.getLastPathSegment();
         File file = name == null || name.contains("/") || name.startsWith(".") ? null : new File(folder(getContext()), name);
