@@ -141,13 +141,14 @@ struct Renderer::Impl {
         stats.meshLevels = counts.meshLevels;
         stats.copyLevels = counts.copyLevels;
         stats.lists = counts.lists;
+        stats.pipelines = executor.pipelines();
+        stats.pipelinesPending = executor.makesPipelines();
     }
 
     void notePicture() {
         noteBake();
         static_cast<PictureStats&>(stats) = pictures.stats();
         noteFrame(pictures.counts());
-        stats.pipelines = executor.pipelines();
     }
 
     /// Draws with complete occlusion, if the settings ask for occlusion.

@@ -161,6 +161,7 @@ struct FrameStats : PictureStats, BakeStats {
     std::uint64_t copies = 1;                ///< copies of an assembly
     TileCounts lists;                        ///< of the last frame
     std::uint64_t pipelines = 0;             ///< made so far, which the renderer keeps
+    bool pipelinesPending = false;           ///< whether a worker thread compiles pipelines of later frames
     std::uint64_t windowFrames = 0;          ///< submitted to the window so far
     double windowMilliseconds = 0;           ///< recent device time per frame; 0: unknown
 };

@@ -1,11 +1,13 @@
 #version 440
 // A picture at another resolution: the mean of n x n texels in linear light, or, if the picture is not a whole
-// multiple of the target, bilinear.
+// multiple of the target, bilinear. With INPUT: the same pixel of an earlier subpass.
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 #include "common/srgb.glsl"
 
-#ifdef EYES
+#if defined(INPUT)
+layout(input_attachment_index = 0, set = 0, binding = 0) uniform subpassInput picture;
+#elif defined(EYES)
 layout(set = 0, binding = 0) uniform sampler2DArray picture;
 #else
 layout(set = 0, binding = 0) uniform sampler2D picture;
@@ -28,6 +30,9 @@ ivec3 AT(ivec2 texel) { return ivec3(texel, int(blue.w)); }
 #endif
 
 void main() {
+#ifdef INPUT
+    vec3 sum = subpassLoad(picture).rgb;
+#else
     vec3 sum = vec3(0.0);
     vec2 place = gl_FragCoord.xy - vec2(red.w, green.w);
     if (kSamples > 0) {
@@ -38,6 +43,7 @@ void main() {
     } else {
         sum = textureLod(picture, AT(place * scale.xy), 0.0).rgb;
     }
+#endif
     sum = vec3(dot(red.rgb, sum), dot(green.rgb, sum), dot(blue.rgb, sum)) * scale.z;
     color = vec4(kCoded ? srgbFromLinear(sum) : sum, 1.0);
 }

@@ -13,6 +13,7 @@
 #include "engine/device_caps.h"
 #include "engine/error.h"
 #include "engine/frame/effects/lens/lens.h"
+#include "engine/frame/window_end.h"
 
 namespace nacre::app {
 namespace {
@@ -78,6 +79,23 @@ PlannedFrame framePlanned(const RenderSettings& settings, Part part, const Scene
     for (const graph::Image target : planned.frame.targets) planned.frame.graph.output(target);
     planned.plan = graph::compile(planned.frame.graph, caps.plan);
     return planned;
+}
+
+/// A frame of a window at rest, behind the first.
+RestPlan restOf(const RenderSettings& settings, const SceneFacts& scene, const graph::FrameCaps& caps) {
+    static constexpr ScreenTarget kColor{"colour", VK_FORMAT_R8G8B8A8_SRGB, passes::Output::color, "impostor colour"};
+    FrameShape shape;
+    shape.choice = choose({settings.ofFrame(), Part::sample, Ending::nextSample}, scene, caps);
+    shape.extent = shape.window = {settings.view.width, settings.view.height};
+    shape.targets = {&kColor, 1};
+    Frame frame = declareFrame(shape);
+    WindowEnd{kColor.format}.declare(frame, shape);
+    const graph::Plan plan = graph::compile(frame.graph, caps.plan);
+    graph::PlanCaps alone = caps.plan;
+    alone.merge = false;
+    RestPlan rest{0, graph::tileBytesPerPixel(plan), plan.total, graph::compile(frame.graph, alone).total};
+    for (const graph::Step& step : plan.steps) rest.renderPasses += step.kind == graph::PassKind::graphics;
+    return rest;
 }
 
 /// Samples per pixel of a picture where colours change.
@@ -197,6 +215,7 @@ PlanReport planReport(const PlanOptions& options) {
     report.extent = {settings.view.width, settings.view.height};
     report.motion = motion;
     report.samples = samplesOf(planned.choice);
+    if (!settings.view.other && settings.debug == DebugView::none) report.rest = restOf(settings, facts, caps);
     report.costs = costsOf(options, settings, facts, caps, motion);
     report.frame = std::move(planned.frame);
     report.plan = std::move(planned.plan);

@@ -1,6 +1,7 @@
 #pragma once
 // `nacre plan`: the screen frame planned for a GPU, compared with the same frame unmerged and the paper's arrangement.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,12 @@ struct EffectCost {
     std::int64_t tileBytes;           ///< per pixel
 };
 
+/// A window at rest: each of its frames adds a sample per pixel to a sum, and shows it.
+struct RestPlan {
+    std::uint32_t renderPasses = 0, tileBytesPerPixel = 0;
+    graph::Traffic traffic, unmerged;
+};
+
 struct PlanReport {
     std::string caps;  ///< name of the capability set or device
     graph::PlanCaps plannedWith;
@@ -36,6 +43,7 @@ struct PlanReport {
     graph::Graph paperGraph{""};
     graph::Plan paper;
     MotionSamples motion{};                    ///< of a window's frames in motion
+    std::optional<RestPlan> rest{};            ///< none for two eyes
     std::uint32_t samples = 1;                 ///< per pixel of a picture where colours change
     std::vector<PassGeometry> geometry{};      ///< of the input's scene
     std::vector<std::uint64_t> vertexBytes{};  ///< of its render passes that draw primitives

@@ -115,6 +115,14 @@ Json costsJson(const PlanReport& report) {
     return list;
 }
 
+Json restJson(const RestPlan& rest) {
+    const auto bytes = [](const graph::Traffic& t) { return Json{{"loaded", t.loaded}, {"stored", t.stored}}; };
+    return {{"render_passes", rest.renderPasses},
+            {"tile_bytes_per_pixel", rest.tileBytesPerPixel},
+            {"memory_bytes", bytes(rest.traffic)},
+            {"unmerged_memory_bytes", bytes(rest.unmerged)}};
+}
+
 }  // namespace
 
 std::string planJson(const PlanReport& report) {
@@ -125,6 +133,7 @@ std::string planJson(const PlanReport& report) {
               {"size", {report.extent.width, report.extent.height}},
               {"samples", report.samples},
               {"motion", {{"samples", report.motion.count}, {"why", report.motion.why}}},
+              {"rest", report.rest ? restJson(*report.rest) : Json()},
               {"merge", report.plannedWith.merge},
               {"compute_passes", Json::array()},
               {"render_passes", Json::array()},

@@ -234,6 +234,14 @@ std::string planText(const PlanReport& report) {
         << "visibility " << visibilityName(report.choice.path) << ": " << report.why() << "\n";
     out << "frames in motion: " << report.motion.count << (report.motion.count == 1 ? " sample" : " samples")
         << " per pixel (" << report.motion.why << ")\n";
+    if (report.rest) {
+        const std::uint64_t pixels = std::uint64_t{report.extent.width} * report.extent.height;
+        const RestPlan& rest = *report.rest;
+        out << "frames at rest: " << rest.renderPasses << (rest.renderPasses == 1 ? " render pass" : " render passes")
+            << ", " << rest.traffic.loaded / pixels << " B loaded and " << rest.traffic.stored / pixels
+            << " B stored per pixel (unmerged: " << rest.unmerged.loaded / pixels << " and "
+            << rest.unmerged.stored / pixels << ")\n";
+    }
     for (const Decision& decision : report.decisions)
         if (decision.what == "views" || decision.what == "vertex outputs")
             out << (decision.what == "views" ? "stereo" : decision.what) << ": " << decision.how << " (" << decision.why

@@ -13,9 +13,6 @@ namespace {
 
 using Quality = WindowFrame::Quality;
 
-/// Format of sample sums: blendable on every device; sums sixteen samples within a quarter of an 8-bit step.
-constexpr VkFormat kSumFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
-
 /// A point of the lens for sample i: no two are close, and none is where its neighbours in a pixel are.
 glm::dvec2 lensPoint(std::uint32_t samples, std::uint32_t i) {
     constexpr double kGoldenAngle = 2.399963229728653;
@@ -77,13 +74,20 @@ void WindowFrames::release() {
     swapchain_.release();
 }
 
-bool WindowFrames::coded() const {
-    return swapchain_.format() == VK_FORMAT_B8G8R8A8_UNORM || swapchain_.format() == VK_FORMAT_R8G8B8A8_UNORM;
+WindowEnd WindowFrames::end() const {
+    WindowEnd end{swapchain_.format(), &samples_};
+    end.overlay = {[this, coded = end.coded()](gpu::PassContext& c) {
+                       overlay_.draw(c, *slot_, *overlaid_, swapchain_.upright(), swapchain_.quarterTurns(), coded);
+                   },
+                   [this, coded = end.coded()](gpu::PipelineContext& c) {
+                       passes::OverlayPass::want(c, swapchain_.quarterTurns(), coded);
+                   }};
+    return end;
 }
 
 /// Format of pictures that are copied to the window: the window's own if possible, so that both share one set of
 /// pipelines.
-VkFormat WindowFrames::pictureFormat() const { return coded() ? VK_FORMAT_R8G8B8A8_SRGB : swapchain_.format(); }
+VkFormat WindowFrames::pictureFormat() const { return end().coded() ? VK_FORMAT_R8G8B8A8_SRGB : swapchain_.format(); }
 
 /// Adapts swapchain and kept picture to the window's size. @returns whether there is anything to draw into
 bool WindowFrames::resize(graph::Extent wanted) {
@@ -100,89 +104,23 @@ bool WindowFrames::resize(graph::Extent wanted) {
     return swapchain_.ready();
 }
 
-/// The pass that brings a picture onto the window.
-graph::Image WindowFrames::addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples) const {
-    graph::Image window = frame.importImage("window", {swapchain_.format(), swapchain_.extent()}, kWindowState, true);
-    const auto how = [=, this] { return passes::Resampling{samples, coded(), share_, false}; };
-    frame.graphics("resample")
-        .samples(picture)
-        .color(window)
-        .record({[=](gpu::PassContext& c) { passes::resample(c, c.view(picture), how()); },
-                 [=](gpu::PipelineContext& c) { passes::wantResampling(c, how()); }});
-    return window;
-}
-
-/// The pass that adds a sample of each pixel to the sum; for each view one. @returns the sum, to be bound
-/// @param eye  whether the sample is of one eye or of both (ofEyes_), not of the whole window
-graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool first, bool eye,
-                                  std::uint32_t views) const {
-    graph::Image sum =
-        frame.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState, first);
-    for (std::uint32_t i = 0; i < views; ++i) {
-        std::optional<graph::Clear> clear;
-        if (first && i == 0) clear = graph::Clear{0.0f};
-        const auto how = [=, this] {
-            passes::Resampling added{1, false, 1, true};
-            if (eye) added = ofEyes_[views > 1 ? i : eye_];
-            if (views > 1) added.layer = i;
-            return added;
-        };
-        frame.graphics(i == 0 ? "sum of samples" : "sum of the other eye's samples")
-            .samples(sample)
-            .color(sum, clear)
-            .record({[=](gpu::PassContext& c) { passes::resample(c, c.view(sample), how()); },
-                     [=](gpu::PipelineContext& c) { passes::wantResampling(c, how()); }});
-    }
-    return sum;
-}
-
-/// @param samples  attachment with several samples, resolved to the window after the overlay; none: drawn directly
-void WindowFrames::addOverlay(graph::Graph& frame, graph::Image& window, std::optional<graph::Image>& samples) const {
-    const auto draw = [this](gpu::PassContext& c) {
-        overlay_.draw(c, *slot_, *overlaid_, swapchain_.upright(), swapchain_.quarterTurns(), coded());
-    };
-    const auto want = [this](gpu::PipelineContext& c) {
-        passes::OverlayPass::want(c, swapchain_.quarterTurns(), coded());
-    };
-    graph::PassBuilder pass = frame.graphics("overlay");
-    samples ? pass.color(*samples).resolve(window) : pass.color(window);
-    pass.record({draw, want});
-}
-
-/// Makes the pipelines for smaller pictures, samples and their sum before the first of them is drawn.
+/// Creates the pipelines that show a smaller picture and the kept sum, before the first is shown.
 void WindowFrames::prepareOthers() {
-    const graph::ImageDesc desc{pictureFormat(), swapchain_.extent()};
-    const auto prepare = [&](const auto& declare) {
+    const graph::Extent window = swapchain_.extent();
+    const auto prepare = [&](VkFormat format, const auto& add) {
         graph::Graph graph("ahead");
-        declare(graph, graph.importImage("colour", desc, passes::kTextureState));
+        add(graph, graph.importImage("picture", {format, window}, passes::kTextureState));
         executor_.prepare(graph, graph::compile(graph, device_.caps().plan));
     };
-    for (const bool first : {true, false})  // a sample that begins a sum, and one that is added
-        prepare([&](graph::Graph& graph, graph::Image colour) { addPicture(graph, addSum(graph, colour, first), 1); });
-    prepare([&](graph::Graph& graph, graph::Image colour) { addPicture(graph, colour, 0); });
+    prepare(pictureFormat(), [&](graph::Graph& g, graph::Image picture) { end().addPicture(g, picture, window, 0); });
+    prepare(kSumFormat, [&](graph::Graph& g, graph::Image sum) { end().addShownSum(g, sum, window); });
 }
 
 Ending WindowFrames::endingOf(const WindowFrame& frame) const {
     if (frame.quality == Quality::kept) return Ending::sumToWindow;
     if (frame.quality == Quality::refined) return frame.sample == 0 ? Ending::firstSample : Ending::nextSample;
     if (frame.scale != 1.0) return Ending::scaledToWindow;
-    return coded() ? Ending::copiedToWindow : Ending::window;
-}
-
-/// The passes behind a scene's own. The last target is the window.
-void WindowFrames::declareEnding(Frame& frame, const FrameShape& shape) {
-    graph::Graph& g = frame.graph;
-    const Ending ending = shape.choice.ending;
-    if (ending == Ending::firstSample || ending == Ending::nextSample)
-        frame.sum = addSum(g, frame.targets[0], ending == Ending::firstSample, shape.eye, shape.choice.views);
-    if (shape.eye) return;
-    if (ending == Ending::sumToWindow)
-        frame.sum = g.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState);
-    if (ending == Ending::copiedToWindow || ending == Ending::scaledToWindow)
-        frame.targets.push_back(addPicture(g, frame.targets[0], ending == Ending::copiedToWindow ? 1 : 0));
-    if (frame.sum) frame.targets.push_back(addPicture(g, *frame.sum, 1));
-    std::optional<graph::Image> none;
-    if (shape.overlay) addOverlay(g, frame.targets.back(), ending == Ending::window ? frame.samples : none);
+    return end().coded() ? Ending::copiedToWindow : Ending::window;
 }
 
 /// Creates the image of sample sums, of the window's size.
@@ -191,7 +129,9 @@ void WindowFrames::makeSum() {
     if (sum_.desc == desc) return;
     executor_.retireFramebuffers(retired_);
     retired_.images.push_back(std::move(sum_));
-    sum_ = gpu::makeImage(device_, desc, vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled,
+    sum_ = gpu::makeImage(device_, desc,
+                          vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled |
+                              vk::ImageUsageFlagBits::eInputAttachment,
                           false, "sum of samples");
 }
 
@@ -237,7 +177,7 @@ PreparedFrame WindowFrames::prepare(const RenderSettings& settings, const passes
 }
 
 DeclaredFrame& WindowFrames::declared(const PreparedFrame& prepared) {
-    return *declared_.of(prepared.shape, [&](Frame& f) { declareEnding(f, prepared.shape); });
+    return *declared_.of(prepared.shape, [&](Frame& f) { end().declare(f, prepared.shape); });
 }
 
 void WindowFrames::prepareScene(const RenderSettings& settings, const WindowFrame& frame) {
@@ -250,7 +190,7 @@ void WindowFrames::prepareScene(const RenderSettings& settings, const WindowFram
     executor_.prepare(wanted.frame.graph, wanted.plan);
 }
 
-/// Makes the pipelines of a window at rest while frames in motion, which have several samples, use others.
+/// Creates the pipelines of a window at rest: its render pass has other attachments than one of frames in motion.
 void WindowFrames::prepareRest(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame) {
     WindowFrame still;
     still.quality = Quality::refined;
@@ -267,19 +207,16 @@ void WindowFrames::prepareRest(const RenderSettings& settings, const passes::Atl
 void WindowFrames::draw(gpu::FrameSlot& slot, const PreparedFrame& prepared, const WindowFrame& frame) {
     if (prepared.view) counts_ = prepared.counts;
     DeclaredFrame& declared = this->declared(prepared);
-    // Frames of two eyes take turns: the first tells.
-    if (prepared.choice().attachmentSamples() > 1 && (!prepared.shape.eye || eye_ == 0))
-        restWanted_ = std::exchange(multisampled_, &declared) != &declared;
     if (prepared.view)
         SceneFrames::bind(declared, prepared);
     else
         declared.imports.clear();
     if (!prepared.shape.eye) declared.imports.bind(declared.frame.targets.back(), swapchain_.image(*slot.image));
-    share_ = 1;
+    samples_.share = 1;
     if (declared.frame.sum) {
         if (prepared.view) makeSum();
         declared.imports.bind(*declared.frame.sum, sum_);
-        share_ = 1.0f / static_cast<float>(prepared.view ? frame.sample + 1 : summed_);
+        samples_.share = 1.0f / static_cast<float>(prepared.view ? frame.sample + 1 : summed_);
     }
     executor_.record(slot.commands, *declared.recording, declared.imports, slot.descriptors, nullptr, &retired_);
     if (slot.timed) slot.timer.lap(*slot.commands, declared.frame.graph.name());
@@ -289,20 +226,21 @@ void WindowFrames::draw(gpu::FrameSlot& slot, const PreparedFrame& prepared, con
 void WindowFrames::drawEyes(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                             const WindowFrame& frame) {
     const bool live = frame.quality == Quality::live;
-    for (std::size_t i = 0; i < ofEyes_.size(); ++i) {
+    for (std::size_t i = 0; i < samples_.ofEyes.size(); ++i) {
         const auto& [view, x, y, channels] = (*frame.eyes)[i];
-        ofEyes_[i] = {live && frame.scale != 1.0 ? 0u : 1u, false, 1, true};
-        ofEyes_[i].part = turned({{x, y}, {view.width, view.height}}, swapchain_.upright(), swapchain_.quarterTurns());
-        ofEyes_[i].channels = channels;
+        samples_.ofEyes[i] = {live && frame.scale != 1.0 ? 0u : 1u, false, 1, true};
+        samples_.ofEyes[i].part =
+            turned({{x, y}, {view.width, view.height}}, swapchain_.upright(), swapchain_.quarterTurns());
+        samples_.ofEyes[i].channels = channels;
     }
     slot.held = {};
-    for (eye_ = 0; eye_ < ofEyes_.size(); ++eye_) {
-        const PreparedFrame prepared = prepare(settings, atlas, frame, counts_.radiusPixels, eye_);
-        slot.held[eye_] = prepared.view;
+    for (samples_.eye = 0; samples_.eye < samples_.ofEyes.size(); ++samples_.eye) {
+        const PreparedFrame prepared = prepare(settings, atlas, frame, counts_.radiusPixels, samples_.eye);
+        slot.held[samples_.eye] = prepared.view;
         draw(slot, prepared, frame);
         if (prepared.choice().views > 1) break;
     }
-    eye_ = 0;
+    samples_.eye = 0;
     summed_ = live ? 1 : frame.sample + 1;
 }
 
@@ -363,7 +301,9 @@ FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes:
         if (frame.quality == Quality::live && frame.eyes) summed_ = 0;  // the sum holds the eyes
         swapchain_.present(index);
         if (!std::exchange(preparedOthers_, true)) prepareOthers();
-        if (std::exchange(restWanted_, false)) prepareRest(settings, atlas, frame);
+        // A scene that needed new pipelines in motion needs others at rest.
+        const bool newPipelines = std::exchange(pipelines_, executor_.pipelines()) != executor_.pipelines();
+        if (newPipelines && frame.quality == Quality::live) prepareRest(settings, atlas, frame);
         return FrameOutcome::shown;
     }
     return FrameOutcome::resized;  // the window resizes too fast: try again at the next frame

@@ -6,9 +6,9 @@
 
 #include "engine/frame/declared_frames.h"
 #include "engine/frame/scene_frames.h"
+#include "engine/frame/window_end.h"
 #include "engine/gpu/frame_ring.h"
 #include "engine/gpu/swapchain.h"
-#include "engine/passes/full_screen.h"
 #include "engine/passes/overlay.h"
 
 namespace nacre {
@@ -46,15 +46,10 @@ private:
     PreparedFrame prepare(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
                           std::optional<double> radiusBefore, std::optional<std::size_t> eye = {});
     DeclaredFrame& declared(const PreparedFrame& prepared);
-    void declareEnding(Frame& frame, const FrameShape& shape);
     void makeSum();
     void prepareOthers();
     void prepareRest(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame);
-    graph::Image addSum(graph::Graph& frame, graph::Image sample, bool first, bool eye = false,
-                        std::uint32_t views = 1) const;
-    graph::Image addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples) const;
-    void addOverlay(graph::Graph& frame, graph::Image& window, std::optional<graph::Image>& samples) const;
-    bool coded() const;
+    WindowEnd end() const;
     VkFormat pictureFormat() const;
 
     const gpu::Device& device_;
@@ -68,14 +63,11 @@ private:
     passes::OverlayPass overlay_;
     // For the passes of the frame that is recorded:
     ScreenTarget target_{};
-    float share_ = 1;                             ///< weight of one sample of the shown sum
-    std::array<passes::Resampling, 2> ofEyes_{};  ///< into the sum
-    std::size_t eye_ = 0;                         ///< of frames that draw one of them
+    WindowSamples samples_;
     const Overlay* overlaid_ = nullptr;
     const gpu::FrameSlot* slot_ = nullptr;
-    gpu::Image sum_;                               ///< of the refined picture's samples
-    const DeclaredFrame* multisampled_ = nullptr;  ///< the last frame of several samples per pixel
-    bool restWanted_ = false;                      ///< pipelines of a window at rest, beside those
+    gpu::Image sum_;             ///< of the refined picture's samples
+    std::size_t pipelines_ = 0;  ///< made for frames so far
     bool preparedOthers_ = false;
     std::uint32_t summed_ = 0;  ///< samples in it, including those in flight; 0: invalid
 };

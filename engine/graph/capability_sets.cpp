@@ -49,8 +49,8 @@ constexpr Fact kMaliOld[] = {
     {"R32F does not blend; encoded depth takes RGBA16F", kBlendTable},
 };
 constexpr Fact kAdreno[] = {
-    {"input attachments stay in GMEM between subpasses; bins shrink as pixels grow, and 16 B per pixel is our own "
-     "budget",
+    {"input attachments stay in GMEM between subpasses; bins shrink as pixels grow, and 24 B per pixel is our own "
+     "budget: colour, encoded depth, the sum of samples and the window",
      "Samsung and Qualcomm, 'Introduction to Vulkan Render Passes', developer.samsung.com/game/qualcomm"},
     {"Adreno 5xx does not blend R32F; encoded depth takes RGBA16F", kBlendTable},
     {"a tested depth buffer need not be stored again",
@@ -130,7 +130,7 @@ std::vector<CapabilitySet> makeSets() {
     maliOld.blendsByShader = true;
     PlanCaps powerVr = plan("powervr", 16, false);
     powerVr.geometry = kStored;
-    PlanCaps adreno = plan("adreno", 16, true);
+    PlanCaps adreno = plan("adreno", 24, true);
     adreno.geometry = kDirect;
     PlanCaps noSubpass = plan("adreno-no-subpass", 16, true);
     noSubpass.geometry = kDirectLate;
@@ -138,7 +138,7 @@ std::vector<CapabilitySet> makeSets() {
     PlanCaps doubtful = plan("no-subpass", 16, false);
     doubtful.geometry = kStoredLate;
     doubtful.tileSubpasses = false;
-    PlanCaps turnip = plan("turnip", 16, true);
+    PlanCaps turnip = plan("turnip", 24, true);
     turnip.transient = false;
     turnip.geometry = kDirect;
     turnip.conservativeDepth = false;

@@ -81,12 +81,15 @@ public:
                 if (a.load == Load::load) plan_.traffic[a.image].loaded += bytes;
                 if (a.store == Store::store) plan_.traffic[a.image].stored += bytes;
             }
-        // An image that this graph makes is loaded once for each later pass that reads it as a texture.
+        // An image that this graph writes is loaded once for each later pass that reads it as a texture.
+        std::vector<bool> written(graph_.images().size());
         for (std::uint32_t p = 0; p < graph_.passes().size(); ++p)
             for (const Use& use : graph_.passes()[p].uses) {
-                if (plan_.culled[p] || !use.isImage || effectiveVerb(plan_, p, use) != Verb::samples) continue;
-                const ImageDecl& decl = graph_.images()[use.resource];
-                if (!decl.imported) plan_.traffic[use.resource].loaded += bytesOf(decl);
+                if (plan_.culled[p] || !use.isImage) continue;
+                const Verb verb = effectiveVerb(plan_, p, use);
+                if (isWrite(verb)) written[use.resource] = true;
+                if (verb == Verb::samples && written[use.resource])
+                    plan_.traffic[use.resource].loaded += bytesOf(graph_.images()[use.resource]);
             }
         deriveBufferTraffic();
         for (const std::vector<Traffic>* list : {&plan_.traffic, &plan_.bufferTraffic})

@@ -135,23 +135,31 @@ private:
         for (StepUse& use : usesOf(step)) {
             Track& track = use.isImage ? images_[use.resource] : buffers_[use.resource];
             const bool discards = use.attachment && use.attachment->load != Load::load;
+            // A cleared attachment that has contents takes a barrier, as if it were loaded: both render passes are
+            // compatible.
+            const bool depends = discards && !hasContents(use.resource);
             const VkImageLayout wanted = use.isImage ? use.entry.layout : VK_IMAGE_LAYOUT_UNDEFINED;
             State from{track.before().stages, track.before().access,
                        discards ? VK_IMAGE_LAYOUT_UNDEFINED : track.layout};
             // Waits for all earlier drawing and sampling of a colour, in any fragment stage. So passes that differ only
             // in that are compatible: one pipeline draws the window and a picture that is sampled.
-            if (discards && !isDepthFormat(use.attachment->format))
+            if (depends && !isDepthFormat(use.attachment->format))
                 from.stages |= VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT;
             const State to{use.entry.stages, use.entry.access, wanted};
             if (use.attachment) {
-                use.attachment->initialLayout = discards ? VK_IMAGE_LAYOUT_UNDEFINED : wanted;
-                if (discards && emit) depend(step.renderPass, VK_SUBPASS_EXTERNAL, use.firstSubpass, from, to, false);
+                use.attachment->initialLayout = depends ? VK_IMAGE_LAYOUT_UNDEFINED : wanted;
+                if (depends && emit) depend(step.renderPass, VK_SUBPASS_EXTERNAL, use.firstSubpass, from, to, false);
             }
             const bool needed = needsBarrier(track, to, use.isImage);
-            if (emit && needed && !discards) step.before.push_back({use.isImage, use.resource, from, to});
+            if (emit && needed && !depends) step.before.push_back({use.isImage, use.resource, from, to});
             advance(track, use, needed || discards);
         }
         if (emit) sortDependencies(step.renderPass);
+    }
+
+    bool hasContents(std::uint32_t image) const {
+        const ImageDecl& decl = graph_.images()[image];
+        return decl.imported && !decl.undefined;
     }
 
     static bool needsBarrier(const Track& track, const State& to, bool isImage) {

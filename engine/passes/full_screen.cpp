@@ -52,24 +52,36 @@ void bindTextures(gpu::PassContext& context, const gpu::Layout& layout, vk::Filt
 
 namespace {
 
-constexpr Type kPicture[] = {kSampled};
+constexpr Type kPicture[] = {kSampled}, kOwnPixel[] = {Type::eInputAttachment};
 constexpr auto kFragments = vk::ShaderStageFlagBits::eFragment;
 /// As shaders/resample.frag has them.
 struct Resampled {
     std::array<float, 4> scale, red, green, blue;
 };
 
-const gpu::Layout& resampleLayout(gpu::PipelineContext& context) {
-    return context.pipelines.layout({"resample layout", kPicture, kFragments, sizeof(Resampled)});
+const gpu::Layout& resampleLayout(gpu::PipelineContext& context, const Resampling& how) {
+    const bool texture = how.from == NearestFrom::texture;
+    return context.pipelines.layout({texture ? "resample layout" : "resample layout, own pixel",
+                                     texture ? kPicture : kOwnPixel, kFragments, sizeof(Resampled)});
 }
 
 FullScreenPass passOf(const Resampling& how) {
     FullScreenPass pass{shaders::resampleFragment, {}, {}};
+    if (how.from == NearestFrom::inputAttachment) pass.fragment = shaders::resampleInputFragment;
     if (how.layer) pass.fragment = forEyes(pass.fragment, "resample"), pass.detail = "layer";
     pass.blend = how.add ? gpu::Blend::add : gpu::Blend::replace;
     pass.constants.set(layout::kSamplesId, how.samples);
     pass.constants.set(layout::kCodedId, how.coded);
     return pass;
+}
+
+/// Binds an input attachment at set 0, binding 0.
+void bindInput(gpu::PassContext& context, const gpu::Layout& layout, vk::ImageView attachment) {
+    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+    const vk::DescriptorImageInfo info({}, attachment, context.inputLayout);
+    context.device->updateDescriptorSets(vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eInputAttachment, info),
+                                         {});
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
 }
 
 }  // namespace
@@ -85,9 +97,12 @@ void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling
                          row(0, at(part.offset.x)),
                          row(1, at(part.offset.y)),
                          row(2, at(how.layer.value_or(0)))};
-    const gpu::Layout& layout = resampleLayout(context);
+    const gpu::Layout& layout = resampleLayout(context, how);
     bindFullScreen(context, passOf(how), layout);
-    bindTextures(context, layout, vk::Filter::eLinear, {&picture, 1});
+    if (how.from == NearestFrom::texture)
+        bindTextures(context, layout, vk::Filter::eLinear, {&picture, 1});
+    else
+        bindInput(context, layout, picture);
     const auto right = part.offset.x + static_cast<std::int32_t>(part.extent.width);
     const auto bottom = part.offset.y + static_cast<std::int32_t>(part.extent.height);
     const std::int32_t x = std::max(part.offset.x, 0), y = std::max(part.offset.y, 0);
@@ -97,7 +112,7 @@ void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling
 }
 
 void wantResampling(gpu::PipelineContext& context, const Resampling& how) {
-    wantFullScreen(context, passOf(how), resampleLayout(context));
+    wantFullScreen(context, passOf(how), resampleLayout(context, how));
 }
 
 }  // namespace nacre::passes

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/gpu/execute.h"
+#include "engine/passes/output.h"
 
 namespace nacre::passes {
 
@@ -39,7 +40,8 @@ struct Resampling {
     float share = 1;            ///< factor for the picture's values
     bool add = false;           ///< to the target's contents
     vk::Rect2D part{};          ///< of the target; without size: all
-    std::optional<std::uint32_t> layer{};  ///< of a picture that has several
+    NearestFrom from = NearestFrom::texture;  ///< an input attachment: each texel is a pixel of the target
+    std::optional<std::uint32_t> layer{};     ///< of a picture that has several
     /// Shares of the picture's channels in each of the target's.
     std::array<std::array<float, 3>, 3> channels{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 };

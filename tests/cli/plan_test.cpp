@@ -73,6 +73,31 @@ TEST(Plan, TellsWhatSamplesInMotionCost) {
     EXPECT_THROW(planReport(asked), Error);
 }
 
+// Of a frame at rest, colour takes 4 bytes per pixel, the sum 8, the window 4.
+TEST(Plan, FramesAtRestKeepTheColourAndTheSumOnTheTileWhereTheyFit) {
+    struct Expected {
+        const char* caps;
+        int renderPasses, loaded, stored, tile;
+    };
+    // On one tile; colour stored and read again by what sums and shows it; and a render pass for each of the three.
+    for (const Expected& e :
+         {Expected{"mali", 1, 8, 12, 20}, Expected{"mali-late", 1, 8, 12, 20}, Expected{"adreno", 1, 8, 12, 24},
+          Expected{"turnip", 1, 8, 12, 20}, Expected{"mali-old", 2, 12, 16, 12}, Expected{"powervr", 2, 12, 16, 12},
+          Expected{"apple-moltenvk", 3, 20, 16, 8}, Expected{"adreno-no-subpass", 3, 20, 16, 8}}) {
+        const Json rest = jsonOf(phone(e.caps))["rest"];
+        EXPECT_EQ(rest["render_passes"], e.renderPasses) << e.caps;
+        EXPECT_EQ(rest["memory_bytes"]["loaded"], kPixels * static_cast<unsigned>(e.loaded)) << e.caps;
+        EXPECT_EQ(rest["memory_bytes"]["stored"], kPixels * static_cast<unsigned>(e.stored)) << e.caps;
+        EXPECT_EQ(rest["tile_bytes_per_pixel"], e.tile) << e.caps;
+        EXPECT_GE(rest["unmerged_memory_bytes"]["loaded"], rest["memory_bytes"]["loaded"]) << e.caps;
+    }
+    EXPECT_NE(planText(planReport(phone("mali"))).find("frames at rest: 1 render pass, 8 B loaded and 12 B stored"),
+              std::string::npos);
+    PlanOptions apart = phone("mali");
+    apart.merge = false;
+    EXPECT_EQ(jsonOf(apart)["rest"]["memory_bytes"], jsonOf(apart)["rest"]["unmerged_memory_bytes"]);
+}
+
 TEST(Plan, OfMaliIsOneRenderPassWhoseTrafficIsTheColourAlone) {
     const Json json = jsonOf(encodedOn("mali"));
     ASSERT_EQ(json["render_passes"].size(), 1u);

@@ -108,6 +108,17 @@ class Figures(unittest.TestCase):
                 self.assertEqual(added, more)
                 self.says("tilers.md", f"{each} | {f'{more}, {more} B per pixel' if more else 0} |")
 
+    def test_a_window_at_rest(self):
+        pixels = 1170 * 2532
+        for caps, row in (("mali", "`mali`, `mali-late` | 20, 16 B"), ("adreno", "`adreno` | 20, 16 B"),
+                          ("turnip", "`turnip` | 20, 16 B"), ("powervr", "`mali-old`, `powervr` | 20, 16 B"),
+                          ("v3dv", "`apple-moltenvk`, `adreno-no-subpass`, `no-subpass`, `v3dv` | 20, 16 B")):
+            with self.subTest(caps):
+                rest = json.loads(run("plan", "--caps", caps, "--size", "1170x2532", "--json"))["rest"]
+                now = ", ".join(str(rest["memory_bytes"][way] // pixels) for way in ("loaded", "stored"))
+                now = "the same" if now == "20, 16" else f"{now} B"
+                self.says("tilers.md", f"| {row} | {now} | {rest['render_passes']} | {rest['tile_bytes_per_pixel']} B |")
+
     def test_a_capsid_of_copies(self):
         with tempfile.TemporaryDirectory() as folder:
             told = stats(folder, self.file("3j6r-hpv16.pdb.gz"), "--assembly", "1", "--size", "256x256")
