@@ -112,7 +112,7 @@ TEST(Window, ShowsAndSavesWhatRenderDrawsAndThenRests) {
     EXPECT_EQ(saved["further-inputs"][0]["name"], "ball");
     EXPECT_EQ(saved["rules"].size(), 1u);
     expectAsRendered(session, view);
-    session.type("s");
+    session.type("i");
     EXPECT_TRUE(session.waitUntil([&] { return std::filesystem::exists(session.folder() / "dna.png"); }));
     const Image image = readImage(session.folder() / "dna.png");
     EXPECT_EQ(image.width, 300);

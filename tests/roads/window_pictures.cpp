@@ -58,7 +58,7 @@ void savePictures(const std::vector<std::string>& jobs) {
         }
         for (const double end = now() + 0.1; now() < end;) window.step(0.02);  // the flight of the camera
         const std::string saved = "saved ";
-        window.events().character(U's');
+        window.events().character(U'i');
         runUntil(window, picture.output, [&] {
             return window.viewer().messages().message().starts_with(saved) ||
                    !window.viewer().messages().failure().empty();
