@@ -60,6 +60,8 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
     command.value("--merge", "on|off", "on", "Passes as subpasses of one render pass", [&](const std::string& text) {
         options.merge = parseChoice(text, {"on", "off"}) == 0;
     });
+    command.flag("--headset", options.headset, "The frame of `nacre xr` instead: both eyes, each of --size");
+    command.options.back().excludes = "--supersample";
     command.flag("--explain", options.explain, "Print how the frame is drawn, and why");
     command.flag("--json", options.json, "As one JSON object");
 }

@@ -78,6 +78,7 @@ struct PlanOptions {
     PictureDescription picture;  ///< of the frame; `input`: counts its geometry, empty: none
     std::string caps;            ///< name of a capability set; empty: the real device
     bool edges = false;          ///< draw edges as pictures do
+    bool headset = false;        ///< draw both eyes of a headset
     bool merge = true;
     bool explain = false;  ///< print each decision on the frame, with its reason
     bool json = false;

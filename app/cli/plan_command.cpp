@@ -13,6 +13,7 @@
 #include "engine/device_caps.h"
 #include "engine/error.h"
 #include "engine/frame/effects/lens/lens.h"
+#include "engine/frame/foveation.h"
 #include "engine/frame/window_end.h"
 
 namespace nacre::app {
@@ -51,7 +52,9 @@ std::optional<Representation> sceneOfInput(const PlanOptions& options) {
 }
 
 RenderSettings planSettings(const PlanOptions& options, double radius) {
-    RenderSettings settings = settingsOfEyes(options.picture, options.picture.camera, radius);
+    PictureDescription picture = options.picture;
+    if (options.headset) picture.stereo.mode = Stereo::Mode::sideBySide, picture.size.width *= 2;
+    RenderSettings settings = settingsOfEyes(picture, picture.camera, radius);
     settings.supersample = options.edges ? RenderSettings::kEdges : 1;
     return settings;
 }
@@ -63,16 +66,24 @@ struct PlannedFrame {
     graph::Plan plan;
 };
 
+enum class FrameOf { picture, headset };
+
+FrameRequest requestOf(const RenderSettings& settings, Part part, FrameOf of) {
+    return {settings, part, Ending::readBack, 0, false, settings.view.other.has_value(), of == FrameOf::headset};
+}
+
 PlannedFrame framePlanned(const RenderSettings& settings, Part part, const SceneFacts& scene,
-                          const graph::FrameCaps& caps) {
+                          const graph::FrameCaps& caps, FrameOf of = FrameOf::picture) {
     PlannedFrame planned;
-    planned.choice = choose({settings, part, Ending::readBack, 0, false, settings.view.other.has_value()}, scene, caps);
+    planned.choice = choose(requestOf(settings, part, of), scene, caps);
     FrameShape shape;
     shape.choice = planned.choice;
     shape.choice.ending = Ending::left;
     shape.extent = {settings.view.width, settings.view.height};
     shape.atlas = {VK_FORMAT_R8_UNORM, {1024, 1024}};
     shape.targets = targetsOf(planned.choice);
+    if (planned.choice.foveated)
+        shape.density = densityMapFor(shape.extent, planned.choice.views, caps.plan.densityTexel);
     planned.frame = declareFrame(shape);
     if (part == Part::distances) declareLens(planned.frame, shape.extent, VK_FORMAT_R8G8B8A8_SRGB, nullptr);
     if (planned.choice.shadedByCompute()) planned.frame.graph.output(planned.frame.numbers);
@@ -204,12 +215,13 @@ PlanReport planReport(const PlanOptions& options) {
     const std::string lacks = lacksSamples(settings, facts.blends());
     if (motion.count > 1 && !sampled && !lacks.empty()) motion = {1, lacks};
 
-    PlannedFrame planned = framePlanned(settings, Part::whole, facts, caps);
+    const FrameOf of = options.headset ? FrameOf::headset : FrameOf::picture;
+    const Part part = options.headset ? Part::motion : Part::whole;
+    PlannedFrame planned = framePlanned(settings, part, facts, caps, of);
     PlanReport report;
     report.caps = caps.plan.name;
     report.plannedWith = caps.plan;
-    report.decisions =
-        explain({settings, Part::whole, Ending::readBack, 0, false, settings.view.other.has_value()}, facts, caps);
+    report.decisions = explain(requestOf(settings, part, of), facts, caps);
     report.choice = planned.choice;
     if (!options.caps.empty()) report.facts = graph::capabilitySet(options.caps).facts;
     report.extent = {settings.view.width, settings.view.height};
@@ -237,7 +249,7 @@ PlanReport planReport(const PlanOptions& options) {
         report.vertexBytes = vertexBytesOf(report.plan, report.geometry);
         graph::FrameCaps unlimited = caps;
         unlimited.plan.geometry.mostVertexBytes = 0;
-        const graph::Traffic without = framePlanned(settings, Part::whole, facts, unlimited).plan.total;
+        const graph::Traffic without = framePlanned(settings, part, facts, unlimited, of).plan.total;
         report.forLimit = {report.plan.total.loaded - without.loaded, report.plan.total.stored - without.stored};
     }
     return report;
@@ -287,6 +299,7 @@ std::vector<std::string> stageNames(VkPipelineStageFlags stages) {
         {VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, "compute shader"},
         {VK_PIPELINE_STAGE_TRANSFER_BIT, "transfer"},
         {VK_PIPELINE_STAGE_HOST_BIT, "host"},
+        {VK_PIPELINE_STAGE_FRAGMENT_DENSITY_PROCESS_BIT_EXT, "fragment density"},
     };
     std::vector<std::string> names;
     for (const auto& [flag, name] : kNames)

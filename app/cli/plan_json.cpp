@@ -35,6 +35,8 @@ Json renderPassJson(const PlanReport& report, const graph::RenderPassPlan& pass)
               {"share", share.index + 1},
               {"shares", share.count},
               {"tile_bytes_per_pixel", pass.tileBytesPerPixel}};
+    if (pass.density >= 0)
+        json["density_map"] = g.images()[pass.attachments[static_cast<std::size_t>(pass.density)].image].name;
     for (const graph::Subpass& subpass : pass.subpasses)
         json["subpasses"].push_back(subpassJson(report, pass, subpass));
     for (const graph::Attachment& a : pass.attachments)

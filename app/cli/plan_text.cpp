@@ -53,6 +53,10 @@ void renderPassText(std::ostream& out, const PlanReport& report, const graph::Re
     for (const graph::Attachment& a : pass.attachments) {
         depth = depth || graph::isDepthFormat(a.format);
         std::string samples = a.samples > 1 ? ", " + std::to_string(a.samples) + " samples" : std::string();
+        if (pass.density >= 0 && &a == &pass.attachments[static_cast<std::size_t>(pass.density)]) {
+            const graph::Extent map = g.images()[a.image].desc.extent;
+            samples = ", " + std::to_string(map.width) + "x" + std::to_string(map.height);
+        }
         if (pass.viewMask != 0) samples += ", " + std::to_string(pass.layers) + " views";
         rows.push_back({g.images()[a.image].name, graph::formatName(a.format) + samples,
                         a.load == graph::Load::clear  ? "clear"

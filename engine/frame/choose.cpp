@@ -179,6 +179,7 @@ public:
         chooseEnding();
         chooseOverflow();
         chooseViews();
+        chooseFoveation();
         chooseVertices();
         return choice_;
     }
@@ -233,6 +234,8 @@ private:
     void chooseOverflow();
     const char* lackOfViews() const;
     void chooseViews();
+    const char* lackOfFoveation() const;
+    void chooseFoveation();
     std::uint64_t mostVertexBytes() const;
     Rounds roundsOf(const PassCost& cost, const PrimitiveCounts& counts) const;
     GeometryWorks geometryOf(Visibility path, const SphereShapes& shapes) const;
@@ -478,6 +481,31 @@ void Chooser::chooseViews() {
     because("views", lack ? lack : "parallel eyes: a draw call draws both, and both depths stay on the tile");
 }
 
+/// Why each pixel has a fragment of its own; null: a map decides.
+const char* Chooser::lackOfFoveation() const {
+    if (device_.plan.densityTexel == 0) return device_.lacksDensityMaps.c_str();
+    if (choice_.drawnByTiles()) return "compute draws no fragments";
+    if (debugs()) return "debug views show each pixel";
+    if (choice_.attachmentSamples() > 1) return "a fragment of several pixels does not tell their samples apart";
+    if (rims()) return "outlines and halos read the pixels around them";
+    if (choice_.layers() > 0 || choice_.has(Kind::volume))
+        return "translucent layers and volumes are found for each pixel";
+    return nullptr;
+}
+
+void Chooser::chooseFoveation() {
+    if (!request_.headset) return;
+    const char* lack = lackOfFoveation();
+    choice_.foveated = !lack;
+    if (!reasons_) return;
+    // Vulkan leaves to the driver which pixel of its own a fragment reads ("Render Pass"), and which it covers in part.
+    because("foveation", lack ? lack
+                         : choice_.path == Visibility::fragdepth
+                             ? "fragments of several pixels where no eye looks"
+                             : "fragments of several pixels where no eye looks; each reads the depth or number of one "
+                               "of them, which all share unless a polygon ends there");
+}
+
 /// 0: no limit.
 std::uint64_t Chooser::mostVertexBytes() const {
     const std::uint64_t asked = settings_.tuning.mostVertexBytes;
@@ -719,6 +747,7 @@ std::vector<Decision> describe(const FrameChoice& choice) {
     if (choice.overflow.longestList > 0)
         decisions.push_back({"long lists", choice.drawsEdges() ? "blocks" : visibilityName(choice.overflow.path), {}});
     if (limited(choice.vertices)) decisions.push_back({"vertex outputs", verticesText(choice), {}});
+    if (choice.foveated) decisions.push_back({"foveation", "by a fragment density map", {}});
     if (choice.views > 1) decisions.push_back({"views", "both eyes in one frame", {}});
     return decisions;
 }
@@ -727,6 +756,7 @@ std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& sce
     std::vector<Decision> reasons;
     const FrameChoice choice = Chooser(request, scene, device, &reasons).choose();
     std::vector<Decision> decisions = describe(choice);
+    if (request.headset && !choice.foveated) decisions.push_back({"foveation", "a fragment per pixel", {}});
     if (request.eyes && choice.views == 1) decisions.push_back({"views", "a frame for each eye", {}});
     for (Decision& decision : decisions) {
         const auto found = std::ranges::find(reasons, decision.what, &Decision::what);

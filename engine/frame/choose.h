@@ -55,6 +55,7 @@ struct FrameRequest {
     int quarterTurns = 0;          ///< of the view
     bool counted = false;          ///< fragments are counted
     bool eyes = false;             ///< of both eyes of the view, if the frame can draw both (View::other)
+    bool headset = false;          ///< into the image of a headset, whose edges no eye looks at
 };
 
 /// Counts that are known before a frame.
@@ -207,6 +208,7 @@ struct FrameChoice {
     EffectList effects;
     Ending ending{};
     std::uint32_t views = 1;  ///< per draw call
+    bool foveated = false;    ///< fewer fragments far from the eyes' axes, by a fragment density map
     DebugView debug = DebugView::none;
     ColorFormat color{};
     Geometry geometry{};

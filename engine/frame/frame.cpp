@@ -10,6 +10,7 @@
 #include "engine/frame/effects/shadow/shadow.h"
 #include "engine/frame/effects/translucency/translucency.h"
 #include "engine/frame/effects/volume/volume.h"
+#include "engine/frame/foveation.h"
 #include "engine/frame/paths/paths.h"
 #include "engine/passes/read_back.h"
 
@@ -32,9 +33,9 @@ auto membersOf(const ScreenTarget& t) {
     return std::tuple(std::string_view(image), format, output, std::string_view(pass), clear, lent);
 }
 auto membersOf(const FrameShape& s) {
-    const auto& [choice, extent, atlas, targets, name, picture, window, overlay, eye, merge, transient] = s;
-    return std::tuple(choice, extent, atlas, targets.size(), std::string_view(name), picture, window, overlay, eye,
-                      merge, transient);
+    const auto& [choice, extent, atlas, targets, name, picture, window, density, overlay, eye, merge, transient] = s;
+    return std::tuple(choice, extent, atlas, targets.size(), std::string_view(name), picture, window, density, overlay,
+                      eye, merge, transient);
 }
 
 }  // namespace
@@ -104,6 +105,12 @@ graph::PassBuilder& Frame::draw(graph::PassBuilder& pass, const ScreenTarget& ta
     return share.index + 1 == share.count ? pass.resolve(targets.back()) : pass;
 }
 
+graph::PassBuilder Frame::graphics(const char* name, graph::SourceLine line) {
+    graph::PassBuilder pass = graph.graphics(name, line);
+    if (density) pass.density(*density);
+    return pass;
+}
+
 graph::PassBuilder& Frame::lit(graph::PassBuilder& pass) const {
     pass.samples(atlas);
     return shadow ? pass.samples(*shadow) : pass;
@@ -123,6 +130,7 @@ Frame declareFrame(const FrameShape& shape, std::shared_ptr<const ShownScene> sh
     if (choice.ending == Ending::sumToWindow) return frame;
     frame.depth = frame.nearest =
         frame.graph.image("depth", {VK_FORMAT_D32_SFLOAT, shape.extent, choice.attachmentSamples()});
+    if (choice.foveated) frame.density = frame.graph.importImage("fragment density", shape.density, kDensityState);
     frame.atlas = frame.graph.importImage("occlusion atlas", shape.atlas, passes::kTextureState);
     if (choice.debug != DebugView::none) {
         declareDebugView(frame, shape);

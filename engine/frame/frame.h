@@ -59,6 +59,7 @@ struct FrameShape {
     const char* name = "screen";  ///< key of its kept images: frames of several sizes need several names
     PictureEnd picture{};         ///< for endings in a picture's image, and through the lens
     graph::Extent window{};       ///< its image's size, for endings in a window
+    graph::ImageDesc density{};   ///< of a foveated frame's map
     bool overlay = false;         ///< the window has an overlay
     bool eye = false;             ///< it draws one of two eyes that the window's sum shows
     bool merge = true, transient = true;
@@ -85,6 +86,7 @@ struct Frame {
     std::optional<graph::EncodedFormat> encoding;  ///< of `nearest`; none: the depth buffer has the nearest depth
     graph::Image atlas;                            ///< imported
     std::optional<graph::Image> shadow;            ///< what the light sees
+    std::optional<graph::Image> density;           ///< imported: fragments for each part of the picture
     std::vector<graph::Image> targets;             ///< none where compute shades: `numbers` are the picture
     std::optional<graph::Image> samples;           ///< several per pixel; the first target is their mean
     // Translucent triangles:
@@ -101,6 +103,8 @@ struct Frame {
     std::optional<graph::Image> finer;    ///< imported: the mask, if only some pixels are replaced
     std::optional<graph::Image> sum;      ///< imported, of a window: the sum of its samples
 
+    /// A pass that draws what the picture shows, by the density map if there is one.
+    graph::PassBuilder graphics(const char* name, graph::SourceLine line = graph::SourceLine::here());
     /// Makes the pass sample the atlas, and the shadow map if there is one. @returns the pass
     graph::PassBuilder& lit(graph::PassBuilder& pass) const;
     /// Makes the pass draw to a target with the choice's samples per pixel. The pass of the first share creates and

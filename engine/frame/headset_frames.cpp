@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/passes/read_back.h"
+
 namespace nacre {
 namespace {
 
@@ -38,6 +40,28 @@ const HeadsetFrames::Layers& HeadsetFrames::layersOf(const HeadsetImage& image) 
     return images_.back();
 }
 
+/// The device has written a map before a frame that it decides is recorded. Eyes keep theirs while a head moves.
+const HeadsetFrames::Fovea& HeadsetFrames::foveaOf(const std::array<View, 2>& eyes) {
+    const std::array<EyeAxis, 2> axes{axisOf(eyes[0]), axisOf(eyes[1])};
+    if (fovea_ && std::ranges::equal(fovea_->eyes, axes, alike)) return *fovea_;
+    if (fovea_) {
+        executor_.retireFramebuffers(retired_);
+        retired_.others.push_back(fovea_);
+    }
+    const std::uint32_t texel = device_.caps().plan.densityTexel;
+    const graph::ImageDesc desc = densityMapFor(axes[0].image, 2, texel);
+    auto fovea = std::make_shared<Fovea>(
+        Fovea{axes, passes::makeTexture(device_, executor_, desc, fragmentDensities(axes, texel), "fragment density",
+                                        graph::Verb::density)});
+    for (std::uint32_t i = 0; i < 2; ++i)
+        fovea->each[i] =
+            vk::raii::ImageView(*device_, vk::ImageViewCreateInfo({}, *fovea->map.handle, vk::ImageViewType::e2D,
+                                                                  static_cast<vk::Format>(desc.format), {},
+                                                                  {vk::ImageAspectFlagBits::eColor, 0, 1, i, 1}));
+    fovea_ = std::move(fovea);
+    return *fovea_;
+}
+
 void HeadsetFrames::present(const RenderSettings& settings, const passes::Atlas& atlas, const std::array<View, 2>& eyes,
                             const HeadsetImage& into) {
     gpu::FrameSlot& slot = ring_.next();
@@ -59,7 +83,8 @@ void HeadsetFrames::present(const RenderSettings& settings, const passes::Atlas&
         FrameInputs inputs{atlas, view, "headset"};
         inputs.window = {&target, 1};
         inputs.radiusBefore = counts_.radiusPixels;
-        PreparedFrame prepared = frames_.prepare({drawn, Part::motion, Ending::window, 0, false, parallel}, inputs);
+        PreparedFrame prepared =
+            frames_.prepare({drawn, Part::motion, Ending::window, 0, false, parallel, true}, inputs);
         const bool both = prepared.choice().views > 1;
         slot.held[i] = prepared.view;
         DeclaredFrame& frame = *declared_.of(prepared.shape, [](Frame&) {});
@@ -67,6 +92,12 @@ void HeadsetFrames::present(const RenderSettings& settings, const passes::Atlas&
         frame.imports.bind(frame.frame.targets.back(),
                            both ? gpu::ImageRef(into.image, *layers.both)
                                 : gpu::ImageRef(into.image, *layers.each[i], static_cast<std::uint32_t>(i)));
+        if (frame.frame.density) {
+            const Fovea& fovea = foveaOf(eyes);
+            frame.imports.bind(*frame.frame.density,
+                               both ? gpu::ImageRef(fovea.map)
+                                    : gpu::ImageRef(*fovea.map.handle, *fovea.each[i], static_cast<std::uint32_t>(i)));
+        }
         executor_.record(slot.commands, *frame.recording, frame.imports, slot.descriptors, nullptr, &retired_);
         counts_ = std::move(prepared.counts);
         if (both) break;

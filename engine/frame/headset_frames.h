@@ -3,8 +3,10 @@
 
 #include <array>
 #include <list>
+#include <memory>
 
 #include "engine/frame/declared_frames.h"
+#include "engine/frame/foveation.h"
 #include "engine/frame/scene_frames.h"
 #include "engine/gpu/frame_ring.h"
 
@@ -30,7 +32,14 @@ private:
         vk::raii::ImageView both{nullptr};
         std::array<vk::raii::ImageView, 2> each{vk::raii::ImageView{nullptr}, vk::raii::ImageView{nullptr}};
     };
+    /// A map of fragment densities, and the eyes that it is for.
+    struct Fovea {
+        std::array<EyeAxis, 2> eyes;
+        gpu::Image map;
+        std::array<vk::raii::ImageView, 2> each{vk::raii::ImageView{nullptr}, vk::raii::ImageView{nullptr}};
+    };
     const Layers& layersOf(const HeadsetImage& image);
+    const Fovea& foveaOf(const std::array<View, 2>& eyes);
 
     const gpu::Device& device_;
     gpu::Executor& executor_;
@@ -40,6 +49,7 @@ private:
     DeclaredFrames declared_;
     SceneCounts counts_;
     std::list<Layers> images_;  ///< of the runtime's swapchain
+    std::shared_ptr<const Fovea> fovea_;
 };
 
 }  // namespace nacre

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "engine/frame/effects/translucency/translucency.h"
+#include "engine/frame/foveation.h"
 #include "engine/passes/covers.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/read_back.h"
@@ -190,6 +191,7 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
     shape.extent = imageExtent(inputs.view);
     shape.atlas = prepared.atlas->desc;
     shape.name = inputs.name;
+    if (shape.choice.foveated) shape.density = densityMapFor(shape.extent, shape.choice.views, caps.plan.densityTexel);
     shape.merge = settings.tuning.merge;
     shape.transient = settings.tuning.transient;
     if (!shape.choice.givesWay()) addLists(prepared, request, inputs);

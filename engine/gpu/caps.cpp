@@ -76,6 +76,7 @@ bool set(const char* variable) {
 /// Switches for unreliable drivers and for captures; they do not change the picture.
 ///   NACRE_NO_MERGE=1      every pass is its own render pass: no subpasses, no input attachments
 ///   NACRE_NO_DYNAMIC_RENDERING=1  render passes are VkRenderPasses, whatever the device supports
+///   NACRE_NO_FOVEATION=1  headsets get a fragment for each pixel, whatever the device supports
 ///   NACRE_BAKE_BY_PAIRS=1  the bake tests two texels at a time, as for drivers that load uniforms one by one
 ///   NACRE_MULTIVIEW=1     lavapipe draws both eyes in one frame: right where nothing is far beyond the picture's edge
 ///   NACRE_NO_TRANSIENT=1  every attachment has memory and is stored, so that a capture shows it
@@ -171,6 +172,25 @@ bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
         .rasterizationOrderColorAttachmentAccess;
 }
 
+DensityMaps densityMapsOf(const vk::raii::PhysicalDevice& device) {
+    constexpr std::uint32_t kTexel = 32;  // 2 degrees of a headset's picture
+    if (set("NACRE_NO_FOVEATION")) return {0, "switched off by NACRE_NO_FOVEATION"};
+    if (!hasExtension(device, VK_EXT_FRAGMENT_DENSITY_MAP_EXTENSION_NAME))
+        return {0, "the driver has no VK_EXT_fragment_density_map"};
+    using Features = vk::PhysicalDeviceFragmentDensityMapFeaturesEXT;
+    const auto features = device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>().get<Features>();
+    if (!features.fragmentDensityMap || !features.fragmentDensityMapNonSubsampledImages)
+        return {0, "the driver takes density maps for subsampled images alone, and a headset's are none"};
+    // R8G8_UNORM is one of their formats everywhere ("Required Format Support"). Turnip 25.0.7 takes it unlisted.
+    using Properties = vk::PhysicalDeviceFragmentDensityMapPropertiesEXT;
+    const auto limits = device.getProperties2<vk::PhysicalDeviceProperties2, Properties>().get<Properties>();
+    const vk::Extent2D &least = limits.minFragmentDensityTexelSize, &most = limits.maxFragmentDensityTexelSize;
+    const std::uint32_t texel = std::min({std::max({kTexel, least.width, least.height}), most.width, most.height});
+    if (texel < std::max(least.width, least.height))
+        return {0, "the texels of the driver's density maps are no squares"};
+    return {texel, nullptr};
+}
+
 std::uint32_t viewsAtOnce(const vk::raii::PhysicalDevice& device) {
     using Features = vk::PhysicalDeviceMultiviewFeatures;
     using Properties = vk::PhysicalDeviceMultiviewProperties;
@@ -241,6 +261,9 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     // lavapipe 22.3 draws clipped primitives in the first view alone (tests/renderer/eyes_test.cpp).
     const bool losesViews = identity.driver == VK_DRIVER_ID_MESA_LLVMPIPE && !set("NACRE_MULTIVIEW");
     caps.plan.maxViews = losesViews ? 1 : viewsAtOnce(device);
+    const DensityMaps maps = densityMapsOf(device);
+    caps.plan.densityTexel = maps.texel;
+    if (maps.lacks) caps.lacksDensityMaps = maps.lacks;
     caps.plan.placesSamples = properties.limits.standardSampleLocations;
     applyEnvironment(caps.plan);
     caps.encoded = encodedFormatOf(device, options.encoded, caps.plan.rasterOrder);

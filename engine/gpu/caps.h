@@ -66,6 +66,13 @@ bool tellsOfMerges(const vk::raii::PhysicalDevice& device);
 /// Number of views that a pass can draw at once; 1: the device has no multiview.
 std::uint32_t viewsAtOnce(const vk::raii::PhysicalDevice& device);
 
+/// Fragment density maps for images that are no subsampled ones, such as those of a headset's runtime.
+struct DensityMaps {
+    std::uint32_t texel = 0;  ///< pixels per side of a map's texel; 0: there are none
+    const char* lacks = nullptr;
+};
+DensityMaps densityMapsOf(const vk::raii::PhysicalDevice& device);
+
 /// Whether fragments can read their own attachment in raster order.
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device);
 

@@ -108,6 +108,9 @@ void Device::createDevice(const DeviceOptions& options) {
         views.pNext = const_cast<void*>(info.pNext);
         info.pNext = &views;
     }
+    vk::PhysicalDeviceFragmentDensityMapFeaturesEXT density(true, false, true);
+    if (options.headset.device && densityMapsOf(physical_).texel > 0)
+        add(density, VK_EXT_FRAGMENT_DENSITY_MAP_EXTENSION_NAME);
     vk::PhysicalDeviceFaultFeaturesEXT fault(true);
     tellsOfFaults_ = tellsOfFaults(physical_);
     if (tellsOfFaults_) add(fault, VK_EXT_DEVICE_FAULT_EXTENSION_NAME);

@@ -80,7 +80,7 @@ DynamicRendering::DynamicRendering(const Device& device, const graph::RenderPass
 }
 
 bool DynamicRendering::takes(const Device& device, const graph::RenderPassPlan& plan) {
-    if (!device.caps().localRead || plan.samples > 1) return false;
+    if (!device.caps().localRead || plan.samples > 1 || plan.density >= 0) return false;
     // Without inputs, a VkRenderPass works as well.
     const bool reads = plan.subpasses.size() > 1 ||
                        std::ranges::any_of(plan.subpasses, [](const graph::Subpass& s) { return !s.inputs.empty(); });

@@ -35,6 +35,7 @@ public:
             subpasses[s].pNext = &questions_[s];
         }
         question_.pRenderPassFeedback = &answer_;
+        question_.pNext = pass.pNext;
         pass.pNext = &question_;
     }
 
@@ -108,6 +109,10 @@ vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPas
                                   vk::AccessFlags(d.toAccess), dependencyFlags(d, plan));
     vk::RenderPassCreateInfo2 info({}, attachments, subpasses, dependencies);
     if (plan.viewMask != 0) info.setCorrelatedViewMasks(plan.viewMask);
+    const auto density = static_cast<std::uint32_t>(plan.density);
+    const vk::RenderPassFragmentDensityMapCreateInfoEXT map(
+        vk::AttachmentReference(density, vk::ImageLayout::eFragmentDensityMapOptimalEXT));
+    if (plan.density >= 0) info.pNext = &map;
     std::optional<MergeQuestion> question;
     if (device.caps().mergeFeedback && subpasses.size() > 1) question.emplace(info, subpasses);
     vk::raii::RenderPass pass = device->createRenderPass2KHR(info);

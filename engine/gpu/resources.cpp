@@ -68,7 +68,8 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
         graph::isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
     constexpr vk::ImageUsageFlags kViewed =
         vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eColorAttachment |
-        vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eInputAttachment;
+        vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eInputAttachment |
+        vk::ImageUsageFlagBits::eFragmentDensityMapEXT;
     if (usage & kViewed)
         image.view =
             vk::raii::ImageView(*device, vk::ImageViewCreateInfo({}, *image.handle,

@@ -84,6 +84,8 @@ constexpr Fact kTurnip[] = {
     {"R32F blends, in fewer instructions than RGBA16F (48 and 117 for a sphere of the encoding on A740)", kShim},
     {"a fragment shader that writes depth is tested late, whatever it declares", kShim},
     {"no lazily allocated memory is reported", kShim},
+    {"fragment density maps, of 32 pixels per texel, for images that are no subsampled ones",
+     "Mesa 25.0.7, src/freedreno/vulkan/tu_device.cc: EXT_fragment_density_map, MIN_FDM_TEXEL_SIZE"},
 };
 constexpr Fact kV3dv[] = {
     {"one job per subpass: the depth that two share is stored and loaded again", kShim},
@@ -142,6 +144,7 @@ std::vector<CapabilitySet> makeSets() {
     turnip.transient = false;
     turnip.geometry = kDirect;
     turnip.conservativeDepth = false;
+    turnip.densityTexel = 32;
     PlanCaps v3dv = plan("v3dv", 16, false);
     v3dv.tileSubpasses = false;
     v3dv.geometry = kV3dLate;

@@ -11,6 +11,7 @@ struct FormatInfo {
 };
 constexpr FormatInfo kFormats[] = {
     {VK_FORMAT_R8_UNORM, "R8", 1, false},
+    {VK_FORMAT_R8G8_UNORM, "RG8", 2, false},
     {VK_FORMAT_R8G8B8A8_UNORM, "RGBA8", 4, false},
     {VK_FORMAT_R8G8B8A8_SRGB, "RGBA8 sRGB", 4, false},
     {VK_FORMAT_B8G8R8A8_UNORM, "BGRA8", 4, false},

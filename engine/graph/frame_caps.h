@@ -46,6 +46,8 @@ struct FrameCaps {
     TileCaps tiles{};
     bool blendsFloats = false;  ///< can blend colour attachments with 32 bits per channel
     std::string lacksRasterOrder = "it does not read its own attachments in order";  ///< why not, if it does not
+    std::string lacksDensityMaps =
+        "it is unknown whether the driver takes fragment density maps";  ///< why it takes none
     // The user's options, and the result of a self-test:
     Visibility visibility = Visibility::automatic;
     Multisampling multisampling = Multisampling::automatic;

@@ -73,6 +73,7 @@ enum class Verb : std::uint8_t {
     ordered,     // attachment, read and written at the pixel's own place, fragment after fragment in raster order
     resolve,     // one-sample attachment; the subpass writes the mean of its first colour's samples to it
     input,       // read at the pixel's own place
+    density,     // map of how many fragments each part of the picture gets, read as the pass is recorded
     samples,     // texture
     reads,       // buffer: storage or uniform, read
     writes,      // buffer: storage, read and written
@@ -84,6 +85,7 @@ constexpr bool isWrite(Verb verb) {
     return verb == Verb::depth || verb == Verb::color || verb == Verb::ordered || verb == Verb::resolve ||
            verb == Verb::writes || verb == Verb::copiesTo;
 }
+/// Whether a pass uses it pixel by pixel, on the tile.
 constexpr bool isAttachment(Verb verb) { return verb <= Verb::input; }
 const char* verbName(Verb verb);
 
@@ -169,6 +171,8 @@ public:
     PassBuilder& ordered(Image& image, std::optional<Clear> clear = {}) { return write(Verb::ordered, image, clear); }
     PassBuilder& resolve(Image& image) { return write(Verb::resolve, image); }
     PassBuilder& input(Image image) { return use(Verb::input, image); }
+    /// Imported, with contents: they are read before the graph executes.
+    PassBuilder& density(Image map) { return use(Verb::density, map); }
     PassBuilder& samples(Image image) { return use(Verb::samples, image); }
     PassBuilder& copiesFrom(Image image) { return use(Verb::copiesFrom, image); }
     PassBuilder& copiesTo(Image& image) { return write(Verb::copiesTo, image); }

@@ -36,7 +36,8 @@ struct PlanCaps {
     std::uint32_t tileBytesPerPixel = 16;   ///< colour + input attachments of one render pass
     std::uint32_t maxColorAttachments = 4;  ///< of one subpass
     std::uint32_t maxInputAttachments = 4;
-    std::uint32_t maxViews = 6;  ///< that a pass can draw at once (multiview); 1: no more than one
+    std::uint32_t densityTexel = 0;  ///< pixels per side of a fragment density map's texel; 0: it takes no such map
+    std::uint32_t maxViews = 6;      ///< that a pass can draw at once (multiview); 1: no more than one
     GeometryCaps geometry;
     friend bool operator==(const PlanCaps&, const PlanCaps&) = default;
 };
@@ -81,6 +82,7 @@ struct Dependency {
 struct RenderPassPlan {
     Extent extent;
     std::uint32_t layers = 1, samples = 1;  ///< samples: of all attachments except resolve targets
+    std::int32_t density = -1;              ///< attachment that is its fragment density map; -1: none
     std::uint32_t viewMask = 0;             ///< a bit per layer: each is a view, and one draw call draws all views
     std::vector<Attachment> attachments;
     std::vector<Subpass> subpasses;

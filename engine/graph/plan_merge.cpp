@@ -5,6 +5,12 @@
 namespace nacre::graph {
 namespace {
 
+/// The density map of a pass; null: none.
+const Use* mapOf(const PassDecl& pass) {
+    const auto found = std::ranges::find(pass.uses, Verb::density, &Use::verb);
+    return found == pass.uses.end() ? nullptr : &*found;
+}
+
 bool contains(const std::vector<std::uint32_t>& list, std::uint32_t value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
@@ -53,6 +59,7 @@ private:
     bool joins(const PassDecl& pass) {
         if (!caps_.merge || pass.share.apart || plan_.steps.empty() || plan_.steps.back().kind != PassKind::graphics)
             return false;
+        if (!hasMapOf(pass)) return false;
         bool shares = false, inputOnTile = false, inputInMemory = false;
         std::uint32_t bytes = current().tileBytesPerPixel;
         for (const Use& use : pass.uses) {
@@ -80,10 +87,18 @@ private:
         return caps_.tileSubpasses || sharesSubpass(pass);
     }
 
+    /// A render pass has one map.
+    bool hasMapOf(const PassDecl& pass) {
+        const Use* map = mapOf(pass);
+        if (!map) return current().density < 0;
+        return current().density >= 0 && current().density == find(map->resource);
+    }
+
     /// Bytes of an image on the tile. A resolve target leaves the tile at once.
     std::uint32_t tileBytes(const Use& use) const {
         const ImageDesc& desc = graph_.images()[use.resource].desc;
-        return use.verb == Verb::resolve || isDepthFormat(desc.format) ? 0 : bytesPerTexel(desc.format) * desc.samples;
+        const bool none = use.verb == Verb::resolve || use.verb == Verb::density || isDepthFormat(desc.format);
+        return none ? 0 : bytesPerTexel(desc.format) * desc.samples;
     }
 
     bool hasDepth() {
@@ -172,6 +187,7 @@ private:
                 plan_.inputIsSampled[p] = true;
             }
         if (!sharesSubpass(pass)) current().subpasses.emplace_back();
+        if (const Use* map = mapOf(pass)) current().density = static_cast<std::int32_t>(attach(*map));
         // attach() may grow the attachments, never the subpasses.
         Subpass& subpass = current().subpasses.back();
         subpass.passes.push_back(p);

@@ -26,6 +26,11 @@ ImageUse useOf(const Graph& graph, const Plan& plan, const Step& step, std::uint
     return result;
 }
 
+/// The density map among the attachments; null: none.
+const Attachment* densityMapOf(const RenderPassPlan& pass) {
+    return pass.density < 0 ? nullptr : &pass.attachments[static_cast<std::size_t>(pass.density)];
+}
+
 std::uint64_t bytesOf(const ImageDecl& image) {
     return std::uint64_t{bytesPerTexel(image.desc.format)} * image.desc.extent.width * image.desc.extent.height *
            image.desc.layers * image.desc.samples;
@@ -53,6 +58,7 @@ public:
                 if (a.image != image) continue;
                 if (a.load != Load::clear) a.load = defined && !uses[s].overwritten ? Load::load : Load::dontCare;
                 a.store = storeOf(decl, uses, s);
+                if (densityMapOf(plan_.steps[s].renderPass) == &a) a.store = Store::dontCare;  // Vulkan wants that of maps
                 loaded = loaded || a.load == Load::load;
             }
             defined = defined || uses[s].written;

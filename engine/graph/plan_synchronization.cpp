@@ -90,8 +90,15 @@ private:
         for (const Subpass& subpass : step.renderPass.subpasses)
             for (const std::uint32_t p : subpass.passes) add(p);
         for (std::size_t a = 0; a < step.renderPass.attachments.size(); ++a)
-            uses.push_back(attachmentUse(step.renderPass, static_cast<std::uint32_t>(a)));
+            if (static_cast<std::int32_t>(a) == step.renderPass.density)
+                keepLayout(step.renderPass.attachments[a]);  // its barriers are those of a texture
+            else
+                uses.push_back(attachmentUse(step.renderPass, static_cast<std::uint32_t>(a)));
         return uses;
+    }
+
+    static void keepLayout(Attachment& map) {
+        map.initialLayout = map.finalLayout = stateOf(Verb::density, PassKind::graphics).layout;
     }
 
     static void merge(std::vector<StepUse>& uses, const StepUse& use) {

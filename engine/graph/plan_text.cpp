@@ -9,10 +9,16 @@ namespace {
 const char* loadName(Load load) { return load == Load::clear ? "clear" : load == Load::load ? "load" : "-"; }
 const char* storeName(Store store) { return store == Store::store ? "store" : store == Store::none ? "none" : "-"; }
 
-void attachmentLine(std::ostream& out, const Graph& graph, const Attachment& a) {
+void attachmentLine(std::ostream& out, const Graph& graph, const Attachment& a, bool isMap) {
     out << "  " << graph.images()[a.image].name << "  " << formatName(a.format) << "  " << loadName(a.load) << "  "
         << storeName(a.store) << (a.transient ? "  transient" : "");
     if (a.samples > 1) out << "  " << a.samples << " samples";
+    if (isMap) {
+        const ImageDesc& map = graph.images()[a.image].desc;
+        out << "  " << map.extent.width << "x" << map.extent.height;
+        if (map.layers > 1) out << ", " << map.layers << " layers";
+        out << ", of fragments";
+    }
     out << "\n";
 }
 
@@ -36,7 +42,8 @@ void renderPassText(std::ostream& out, const Graph& graph, const Plan& plan, con
     out << "render pass " << pass.extent.width << "x" << pass.extent.height;
     if (pass.viewMask != 0) out << ", " << pass.layers << " views";
     out << "\n";
-    for (const Attachment& a : pass.attachments) attachmentLine(out, graph, a);
+    for (std::size_t a = 0; a < pass.attachments.size(); ++a)
+        attachmentLine(out, graph, pass.attachments[a], static_cast<std::int32_t>(a) == pass.density);
     for (std::size_t s = 0; s < pass.subpasses.size(); ++s) {
         out << "  subpass " << s;
         const char* separator = " ";

@@ -114,6 +114,30 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
                          std::to_string(caps.tileBytesPerPixel) + ")");
 }
 
+/// The host reads a map while the pass is recorded, before anything that the graph does.
+void checkMap(const Graph& graph, const PassDecl& pass, const PlanCaps& caps) {
+    std::uint32_t views = 1;
+    for (const Use& use : pass.uses)
+        if (use.isImage && isAttachment(use.verb)) views = graph.images()[use.resource].desc.layers;
+    for (const Use& use : pass.uses) {
+        if (use.verb != Verb::density) continue;
+        const ImageDecl& map = graph.images()[use.resource];
+        if (caps.densityTexel == 0)
+            throw GraphError(naming(graph, pass, use) + ": '" + caps.name + "' takes no density maps");
+        if (!map.imported || map.undefined)
+            throw GraphError(naming(graph, pass, use) + ": a density map is imported, with contents");
+        const auto texels = [&](std::uint32_t pixels) { return (pixels + caps.densityTexel - 1) / caps.densityTexel; };
+        for (const Use& drawn : pass.uses) {
+            if (!drawn.isImage || !isAttachment(drawn.verb)) continue;
+            const Extent extent = graph.images()[drawn.resource].desc.extent;
+            if (map.desc.extent != Extent{texels(extent.width), texels(extent.height)} ||
+                (map.desc.layers != 1 && map.desc.layers != views))
+                throw GraphError(naming(graph, pass, use) + ": a map of " + shapeText(map.desc) + " for " +
+                                 shapeText(graph.images()[drawn.resource].desc));
+        }
+    }
+}
+
 void checkUses(const Graph& graph, const PassDecl& pass) {
     for (std::size_t i = 0; i < pass.uses.size(); ++i) {
         const Use& use = pass.uses[i];
@@ -137,6 +161,7 @@ void validate(const Graph& graph, const PlanCaps& caps) {
         try {
             checkUses(graph, pass);
             checkAttachments(graph, pass, caps);
+            checkMap(graph, pass, caps);
             checkReads(graph, p, written);
         } catch (const GraphError& error) {
             throw GraphError(error.what() + pass.line.text());

@@ -20,12 +20,13 @@ void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc,
 }
 
 gpu::Image makeTexture(const gpu::Device& device, gpu::Executor& executor, const graph::ImageDesc& desc,
-                       std::span<const std::uint8_t> bytes, const std::string& name) {
-    gpu::Image image = gpu::makeImage(
-        device, desc, vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false, name);
+                       std::span<const std::uint8_t> bytes, const std::string& name, graph::Verb use) {
+    const auto read =
+        use == graph::Verb::density ? vk::ImageUsageFlagBits::eFragmentDensityMapEXT : vk::ImageUsageFlagBits::eSampled;
+    gpu::Image image = gpu::makeImage(device, desc, read | vk::ImageUsageFlagBits::eTransferDst, false, name);
     const gpu::Buffer staging = gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferSrc, name + " bytes");
     graph::Graph g(name);
-    auto target = g.importImage(name, desc, kTextureState, true);
+    auto target = g.importImage(name, desc, graph::stateOf(use, graph::PassKind::graphics), true);
     const auto source = g.importBuffer(name + " bytes", staging.size);
     g.transfer("upload").copiesFrom(source).copiesTo(target).record([=](gpu::PassContext& c) {
         c.commands.copyBufferToImage(c.buffer(source), c.image(target), vk::ImageLayout::eTransferDstOptimal,

@@ -12,9 +12,11 @@ namespace nacre::passes {
 /// @param buffer imported into the graph, at least as large as the image
 void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc, graph::Buffer buffer);
 
-/// A texture with these contents, in kTextureState. @param bytes  all texels, row by row
+/// A texture with these contents, in the state of its use, when the device is done with them.
+/// @param bytes  all texels, row by row, layer by layer @param use  samples or density
 gpu::Image makeTexture(const gpu::Device& device, gpu::Executor& executor, const graph::ImageDesc& desc,
-                       std::span<const std::uint8_t> bytes, const std::string& name);
+                       std::span<const std::uint8_t> bytes, const std::string& name,
+                       graph::Verb use = graph::Verb::samples);
 
 /// A texture of one white texel, for passes without occlusion.
 gpu::Image makeWhiteTexture(const gpu::Device& device, gpu::Executor& executor);

@@ -226,6 +226,9 @@ inline DeclaredGraph declare(const RandomGraph& random,
                 case graph::Verb::input:
                     builder.input(d.images[use.resource]);
                     break;
+                case graph::Verb::density:
+                    builder.density(d.images[use.resource]);
+                    break;
                 case graph::Verb::samples:
                     builder.samples(d.images[use.resource]);
                     break;

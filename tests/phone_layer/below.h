@@ -43,6 +43,7 @@ inline bool isWrong(std::string_view how) {
     X(CmdBeginRenderPass2KHR)       \
     X(CmdNextSubpass2KHR)           \
     X(CmdBeginRenderingKHR)         \
+    X(CmdCopyBufferToImage)         \
     X(CmdSetViewport)               \
     X(CmdSetScissor)                \
     X(CreateFramebuffer)            \
@@ -51,6 +52,7 @@ inline bool isWrong(std::string_view how) {
     X(CreateRenderPass2KHR)         \
     X(GetDeviceMemoryCommitment)    \
     X(QueueSubmit)                  \
+    X(WaitForFences)                \
     X(CmdBindPipeline)              \
     X(CmdDraw)                      \
     X(CmdDrawIndexed)               \

@@ -11,6 +11,7 @@
 #include "engine/gpu/frame_boundary.h"
 #include "tests/phone_layer/below.h"
 #include "tests/phone_layer/clock.h"
+#include "tests/phone_layer/density.h"
 #include "tests/phone_layer/feedback.h"
 
 namespace nacre::phone {
@@ -27,6 +28,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL QueueSubmit(VkQueue queue, std::uint32_t c
         info.pNext = frame->pNext;              // the driver knows nothing of it
     }
     tellWork();
+    submitMaps();
     return nextQueueSubmit(queue, count, below.data(), fence);
 }
 

@@ -10,9 +10,10 @@
 // gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one that gets the corners of each
 // draw, and each timestamp; NACRE_PHONE_NO_CLOCK takes the queue's clock away; NACRE_PHONE_WORK one that gets what each
 // submission takes of its device (clock.h). NACRE_PHONE_COUNTERS gives it performance counters (counters.h).
-// NACRE_PHONE_VERTEX_BYTES is how many bytes of vertex outputs a render pass may have (vertices.h). NACRE_PHONE_PROFILE
-// is a profile that it meets (profiles.h). Where NACRE_PHONE_FIRST is set, a second device before the first present
-// ends the program: a start that keeps its user waiting.
+// NACRE_PHONE_DENSITY gives it fragment density maps (density.h). NACRE_PHONE_VERTEX_BYTES is how many bytes of vertex
+// outputs a render pass may have (vertices.h). NACRE_PHONE_PROFILE is a profile that it meets (profiles.h). Where
+// NACRE_PHONE_FIRST is set, a second device before the first present ends the program: a start that keeps its user
+// waiting.
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -33,6 +34,7 @@
 #include "tests/phone_layer/below.h"
 #include "tests/phone_layer/clock.h"
 #include "tests/phone_layer/counters.h"
+#include "tests/phone_layer/density.h"
 #include "tests/phone_layer/feedback.h"
 #include "tests/phone_layer/floor.h"
 #include "tests/phone_layer/frames.h"
@@ -49,6 +51,7 @@ constexpr const char* kMergeFeedback = VK_EXT_SUBPASS_MERGE_FEEDBACK_EXTENSION_N
 constexpr const char* kFrameBoundary = VK_EXT_FRAME_BOUNDARY_EXTENSION_NAME;
 constexpr const char* kLocalRead = VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME;
 constexpr const char* kCounterQueries = VK_KHR_PERFORMANCE_QUERY_EXTENSION_NAME;
+constexpr const char* kDensity = VK_EXT_FRAGMENT_DENSITY_MAP_EXTENSION_NAME;
 constexpr const char* kStoreNone = VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME;
 
 VkInstance instance = VK_NULL_HANDLE;
@@ -114,6 +117,8 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties2(VkPhysicalDevice of, VkP
                 4;
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MULTIVIEW_PROPERTIES)
             floorViews(*reinterpret_cast<VkPhysicalDeviceMultiviewProperties*>(s));
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_DENSITY_MAP_PROPERTIES_EXT)
+            fill(*reinterpret_cast<VkPhysicalDeviceFragmentDensityMapPropertiesEXT*>(s));
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES)
             tellDriver(*reinterpret_cast<VkPhysicalDeviceIDProperties*>(s));
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES && (molten() || adreno() || powervr()))
@@ -145,6 +150,8 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures2(VkPhysicalDevice of, VkPhy
             portability(*reinterpret_cast<VkPhysicalDevicePortabilitySubsetFeaturesKHR*>(s));
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBPASS_MERGE_FEEDBACK_FEATURES_EXT)
             reinterpret_cast<VkPhysicalDeviceSubpassMergeFeedbackFeaturesEXT*>(s)->subpassMergeFeedback = !molten();
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_DENSITY_MAP_FEATURES_EXT)
+            fill(*reinterpret_cast<VkPhysicalDeviceFragmentDensityMapFeaturesEXT*>(s));
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT)
             reinterpret_cast<VkPhysicalDeviceFrameBoundaryFeaturesEXT*>(s)->frameBoundary = marksFrames();
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PERFORMANCE_QUERY_FEATURES_KHR)
@@ -167,6 +174,8 @@ VkFormatProperties seen(VkFormat format, VkFormatProperties p) {
     p.optimalTilingFeatures &= floorFormat(format);
     if (molten() && format == VK_FORMAT_R32_SFLOAT)  // Metal blends it
         p.optimalTilingFeatures |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
+    if (takesMaps() && format == VK_FORMAT_R8G8_UNORM)
+        p.optimalTilingFeatures |= VK_FORMAT_FEATURE_FRAGMENT_DENSITY_MAP_BIT_EXT;
     p.linearTilingFeatures &= VK_FORMAT_FEATURE_TRANSFER_SRC_BIT | VK_FORMAT_FEATURE_TRANSFER_DST_BIT;
     return p;
 }
@@ -207,6 +216,7 @@ VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevi
     if (molten()) added = {kPortability, kLocalRead, kStoreNone};
     if (marksFrames()) added.push_back(kFrameBoundary);
     if (countsBytes()) added.push_back(kCounterQueries);
+    if (takesMaps()) added.push_back(kDensity);
     for (const char* name : added) {
         VkExtensionProperties own{};
         std::strcpy(own.extensionName, name);
@@ -304,7 +314,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateRenderPass2KHR(VkDevice of, const VkRenderP
                                                     const VkAllocationCallbacks* allocator, VkRenderPass* pass) {
     tellOfMerges(*info);
     const VkResult result = nextCreateRenderPass2KHR(of, info, allocator, pass);
-    if (result == VK_SUCCESS) planEncoders(*info, *pass);
+    if (result == VK_SUCCESS) planEncoders(*info, *pass), noteMap(*pass, *info);
     return result;
 }
 
@@ -373,7 +383,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
                                         info->ppEnabledExtensionNames + info->enabledExtensionCount);
     std::erase_if(extensions, [](std::string_view name) {
         return name == kPortability || name == kMergeFeedback || name == kFrameBoundary || name == kLocalRead ||
-               name == kStoreNone || name == kCounterQueries;
+               name == kStoreNone || name == kCounterQueries || name == kDensity;
     });
     VkDeviceCreateInfo real = *info;
     for (auto* s = reinterpret_cast<VkBaseOutStructure*>(&real); s->pNext;) {
@@ -381,6 +391,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
         if (type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBPASS_MERGE_FEEDBACK_FEATURES_EXT ||
             type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT ||
             type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PERFORMANCE_QUERY_FEATURES_KHR ||
+            type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_DENSITY_MAP_FEATURES_EXT ||
             type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR)
             s->pNext = s->pNext->pNext;
         else

@@ -15,6 +15,7 @@
 
 #include "engine/gpu/local_read.h"
 #include "tests/phone_layer/below.h"
+#include "tests/phone_layer/density.h"
 #include "tests/phone_layer/vertices.h"
 
 namespace nacre::phone {
@@ -72,7 +73,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL CreateImage(VkDevice of, const VkImageCrea
                                                   const VkAllocationCallbacks* allocator, VkImage* image) {
     const std::lock_guard lock(restartsMutex);
     const VkResult result = nextCreateImage(of, info, allocator, image);
-    if (result == VK_SUCCESS) imageUsage[*image] = info->usage;
+    if (result == VK_SUCCESS) imageUsage[*image] = info->usage, noteMap(*image, *info);
     return result;
 }
 
@@ -80,7 +81,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL CreateImageView(VkDevice of, const VkImage
                                                       const VkAllocationCallbacks* allocator, VkImageView* view) {
     const std::lock_guard lock(restartsMutex);
     const VkResult result = nextCreateImageView(of, info, allocator, view);
-    if (result == VK_SUCCESS) viewUsage[*view] = imageUsage[info->image];
+    if (result == VK_SUCCESS) viewUsage[*view] = imageUsage[info->image], noteMap(*view, *info);
     return result;
 }
 
@@ -89,7 +90,8 @@ inline VKAPI_ATTR VkResult VKAPI_CALL CreateFramebuffer(VkDevice of, const VkFra
     const std::lock_guard lock(restartsMutex);
     const VkResult result = nextCreateFramebuffer(of, info, allocator, made);
     if (result == VK_SUCCESS)
-        framebufferViews[*made].assign(info->pAttachments, info->pAttachments + info->attachmentCount);
+        framebufferViews[*made].assign(info->pAttachments, info->pAttachments + info->attachmentCount),
+            noteMap(*made, *info);
     return result;
 }
 
@@ -124,6 +126,7 @@ inline VKAPI_ATTR void VKAPI_CALL CmdBeginRenderPass2KHR(VkCommandBuffer command
                                                          const VkSubpassBeginInfo* begin) {
     const std::lock_guard lock(restartsMutex);
     nextCmdBeginRenderPass2KHR(commands, info, begin);
+    beginWithMap(*info);
     Encoding& e = encodings[commands] = {};
     e.pass = &plannedPasses[info->renderPass];
     e.begun.resize(e.pass->attachments.size());

@@ -1,11 +1,15 @@
 // `nacre xr` with a headset of our own: the pictures of both eyes, and the life of its sessions.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <set>
 
 #include "app/xr/xr_session.h"
 #include "engine/error.h"
@@ -146,6 +150,74 @@ TEST_F(HeadsetTest, BothLayersAreThePicturesOfTheirCameras) {
         ASSERT_TRUE(shown.layered);
         EXPECT_LE(mostOf(shown.pixels, pictures(session, eyes, first)), rounding(session)) << visibilityName(path);
     }
+}
+
+/// On a device that takes fragment density maps (tests/phone_layer/density.h): what it is told of them.
+class Foveation : public HeadsetTest {
+protected:
+    Foveation() {
+        std::filesystem::remove(told);
+        setenv("NACRE_PHONE_DENSITY", told.c_str(), 1);
+    }
+    ~Foveation() override { std::filesystem::remove(told); }
+
+    std::set<std::string> maps() const {
+        std::ifstream file(told);
+        std::set<std::string> lines;
+        for (std::string line; std::getline(file, line);) lines.insert(line);
+        return lines;
+    }
+
+    using Lines = std::set<std::string>;
+    const std::filesystem::path told =
+        std::filesystem::temp_directory_path() / ("nacre_density_" + std::to_string(getpid()));
+};
+
+TEST_F(Foveation, OneMapForBothEyesAndThePicturesOfTheirCameras) {
+    for (const Visibility path : {Visibility::encoded, Visibility::fragdepth, Visibility::deferred}) {
+        first.device.visibility = path;
+        runtime().reset();
+        runtime().eyes = [](XrTime) { return eyesAt({0.05f, -0.03f, 0.02f}); };
+        std::filesystem::remove(told);
+        HeadsetSession session(first);
+        show(session);
+        EXPECT_LE(mostOf(runtime().frames.back().pixels, pictures(session, runtime().eyes(0), first)), 1);
+        EXPECT_EQ(maps(), Lines{"map 3x3, 2 layers from 0, 2 views"}) << visibilityName(path);
+    }
+}
+
+TEST_F(Foveation, EachCantedEyeHasItsLayer) {
+    runtime().eyes = [](XrTime) { return eyesAt({0, 0, 0}, 0.1f); };
+    HeadsetSession session(first);
+    show(session);
+    EXPECT_LE(mostOf(runtime().frames.back().pixels, pictures(session, runtime().eyes(0), first)), 1);
+    EXPECT_EQ(maps(), (Lines{"map 3x3, 1 layers from 0, 0 views", "map 3x3, 1 layers from 1, 0 views"}));
+}
+
+TEST_F(Foveation, EyesWithOtherAnglesGetAnotherMap) {
+    float wider = 0;
+    runtime().eyes = [&](XrTime) {
+        auto eyes = eyesAt({0, 0, 0});
+        for (XrView& eye : eyes) eye.fov.angleLeft -= wider;
+        return eyes;
+    };
+    HeadsetSession session(first);
+    show(session);
+    for (int i = 0; i < 4; ++i) {
+        wider += 0.05f;
+        show(session);
+    }
+    EXPECT_LE(mostOf(runtime().frames.back().pixels, pictures(session, runtime().eyes(0), first)), 1);
+}
+
+TEST_F(Foveation, CanBeSwitchedOff) {
+    setenv("NACRE_NO_FOVEATION", "1", 1);
+    {
+        HeadsetSession session(first);
+        show(session);
+    }
+    unsetenv("NACRE_NO_FOVEATION");
+    EXPECT_EQ(maps(), Lines());
 }
 
 TEST_F(HeadsetTest, OcclusionIsBakedBesideTheFrames) {

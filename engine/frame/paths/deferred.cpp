@@ -34,7 +34,7 @@ void declareDeferred(Frame& f, const FrameShape& shape) {
     for (const graph::Share& share : vertices.nearest.shares()) {
         std::optional<Clear> clear = clearFirst(share, 1.0f);
         if (shape.choice.prepass) clear.reset();
-        f.graph.graphics("nearest primitive")
+        f.graphics("nearest primitive")
             .share(share)
             .depth(f.depth, clear)
             .color(f.nearest, clearFirst(share, 0.0f))
@@ -46,7 +46,7 @@ void declareDeferred(Frame& f, const FrameShape& shape) {
     if (rims) drawnRims = declareRims(f, shape);
 
     for (const ScreenTarget& target : shape.targets) {
-        graph::PassBuilder shading = f.graph.graphics(target.pass).input(f.nearest);
+        graph::PassBuilder shading = f.graphics(target.pass).input(f.nearest);
         if (drawnRims) shading.input(*drawnRims);
         f.lit(shading)
             .color(f.add(target, shape), target.clear)

@@ -41,7 +41,7 @@ void declareEncoded(Frame& f, const FrameShape& shape) {
     f.nearest = f.graph.image("encoded depth", {format.format, shape.extent});
     const graph::Image atlas = f.atlas, nearest = f.nearest;
     for (const graph::Share& share : vertices.nearest.shares()) {
-        graph::PassBuilder encoding = f.graph.graphics("depth encoding").share(share).depthTest(f.depth);
+        graph::PassBuilder encoding = f.graphics("depth encoding").share(share).depthTest(f.depth);
         const std::optional<Clear> clear = clearFirst(share, format.farthest);
         if (format.ordered)
             encoding.ordered(f.nearest, clear).record(draws(f, [=](const auto& c, const SceneView&) {
@@ -57,7 +57,7 @@ void declareEncoded(Frame& f, const FrameShape& shape) {
     const bool settles = format.settles();
     for (const ScreenTarget& target : shape.targets)
         for (const graph::Share& share : vertices.shading.shares()) {
-            graph::PassBuilder shading = f.graph.graphics(target.pass).share(share);
+            graph::PassBuilder shading = f.graphics(target.pass).share(share);
             settles ? shading.depth(f.depth) : shading.depthTest(f.depth);
             f.draw(f.lit(shading.input(f.nearest)), target, shape, share);
             shading.record(draws(

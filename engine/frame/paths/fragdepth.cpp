@@ -38,7 +38,7 @@ void declareFragdepth(Frame& f, const FrameShape& shape) {
         for (const graph::Share& share : vertices.shading.shares()) {
             std::optional<Clear> clear;
             if (std::exchange(begins, false)) clear = Clear{1.0f};
-            f.draw(f.lit(f.graph.graphics(target.pass).share(share).depth(f.depth, clear)), target, shape, share)
+            f.draw(f.lit(f.graphics(target.pass).share(share).depth(f.depth, clear)), target, shape, share)
                 .record(clear ? drawsFirst(f, describe) : draws(f, describe));
         }
     }

@@ -6,7 +6,7 @@ namespace nacre {
 
 void declarePrepass(Frame& f, graph::Image& depth, const Rounds& rounds) {
     for (const graph::Share& share : rounds.shares())
-        f.graph.graphics("opaque prepass")
+        f.graphics("opaque prepass")
             .share(share)
             .depth(depth, clearFirst(share, 1.0f))
             .record(drawsFirst(f, [](const auto&, const passes::SceneView& scene) {

@@ -41,7 +41,7 @@ void declareRasterOrder(Frame& f, const FrameShape& shape) {
     if (settlesWhileShading(shape.targets)) {
         const ScreenTarget& target = shape.targets[0];
         for (const graph::Share& share : vertices.shading.shares())
-            f.draw(f.lit(f.graph.graphics(target.pass).share(share).depthTest(f.depth)), target, shape, share)
+            f.draw(f.lit(f.graphics(target.pass).share(share).depthTest(f.depth)), target, shape, share)
                 .ordered(f.nearest, clearFirst(share, 1.0f))
                 .record(draws(f, [=, output = target.output](const auto& c, const SceneView& scene) {
                     return orderedImpostors(output, readsOf(c, NearestFrom::ownAttachment, atlas, nearest),
@@ -50,7 +50,7 @@ void declareRasterOrder(Frame& f, const FrameShape& shape) {
         return;
     }
     for (const graph::Share& share : vertices.nearest.shares())
-        f.graph.graphics("depth encoding")
+        f.graphics("depth encoding")
             .share(share)
             .depthTest(f.depth)
             .ordered(f.nearest, clearFirst(share, 1.0f))
@@ -59,7 +59,7 @@ void declareRasterOrder(Frame& f, const FrameShape& shape) {
             }));
     for (const ScreenTarget& target : shape.targets)  // share the previous pass's attachments
         for (const graph::Share& share : vertices.shading.shares())
-            f.draw(f.lit(f.graph.graphics(target.pass).share(share).depthTest(f.depth)), target, shape, share)
+            f.draw(f.lit(f.graphics(target.pass).share(share).depthTest(f.depth)), target, shape, share)
                 .samples(f.nearest)
                 .record(draws(f, [=, output = target.output](const auto& c, const SceneView&) {
                     return impostorsAtNearest(output, readsOf(c, NearestFrom::texture, atlas, nearest));
