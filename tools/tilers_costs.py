@@ -82,10 +82,38 @@ def shapes_table(rows, counts):
     return lines
 
 
+def sphere_instructions(pipelines, stage):
+    """Of each pass over spheres, in order."""
+    passes = ("opaque prepass", "depth encoding", COLOUR)
+    found = [pipelines.get(f"{name}, {kind}, {stage}") for name in passes for kind in ("spheres", "fetched spheres")]
+    return ", ".join(str(numbers["instructions"]) for numbers in found if numbers)
+
+
+def eyes_table(rows):
+    """Two frames of one eye each beside one frame of both."""
+    lines = ["| device | path | instructions of a sphere's vertex: an eye, both | of its fragment: an eye, both | "
+             "loaded, stored per pixel: two frames, one | draws: two frames, one |", "|---" * 6 + "|"]
+    for device, row in rows.items():
+        for path in ("encoded", "fragdepth", "raster-order"):
+            one, both = (row["paths"].get(f"{path}, {eyes}", {}) for eyes in ("an eye", "two eyes"))
+            if "pipelines" not in one or "pipelines" not in both:
+                continue
+            cells = ["; ".join(sphere_instructions(of["pipelines"], stage) for of in (one, both))
+                     for stage in ("vertex", "fragment")]
+            apart, together = one.get("stream"), both.get("stream")
+            if apart and together:
+                cells += [f"{2 * apart['loads']}, {2 * apart['stores']} B; {together['loads']}, {together['stores']} B",
+                          f"{2 * apart['draws']}; {together['draws']}"]
+            else:
+                cells += ["not told", "not told"]
+            lines.append(f"| {device} | `{path}` | " + " | ".join(cells) + " |")
+    return lines
+
+
 def tables(rows):
     """{"shapes": lines}: by the markers of docs/tilers.md."""
     counts = counted()
-    return {"paths": paths_table(rows, counts), "shapes": shapes_table(rows, counts)}
+    return {"paths": paths_table(rows, counts), "shapes": shapes_table(rows, counts), "eyes": eyes_table(rows)}
 
 
 if __name__ == "__main__":  # what tests/passes/plates_test.cpp has of it

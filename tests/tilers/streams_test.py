@@ -180,6 +180,18 @@ class Costs(unittest.TestCase):
         for kind, cost in zip(("spheres", "fetched spheres"), stored):
             self.assertEqual(tilers_costs.frame_cost(self.pipelines(kind), shape, 10**6, True), cost)
 
+    def test_one_frame_of_both_eyes_stands_beside_two(self):
+        def entry(vertex, stores):
+            numbers = {"vertex": vertex, "fragment": 40}
+            return {"stream": {"loads": 0, "stores": stores, "draws": 5},
+                    "pipelines": {f"{name}, spheres, {stage}": {"instructions": count + extra}
+                                  for extra, name in enumerate(("depth encoding", "impostor colour"))
+                                  for stage, count in numbers.items()}}
+        rows = {"A": {"paths": {"encoded, an eye": entry(30, 4), "encoded, two eyes": entry(33, 8),
+                                "fragdepth, an eye": entry(30, 4), "fragdepth, two eyes": {"lacks": "no multiview"}}}}
+        self.assertEqual(tilers_costs.eyes_table(rows)[2:],
+                         ["| A | `encoded` | 30, 31; 33, 34 | 40, 41; 40, 41 | 0, 8 B; 0, 8 B | 10; 5 |"])
+
     def test_the_pages_are_those_of_the_numbers(self):
         rows = json.loads((TOOLS.parent / "docs/tilers.json").read_text())
         self.assertEqual(list(rows), list(tilers.DEVICES))
