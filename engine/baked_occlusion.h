@@ -21,8 +21,8 @@ struct BakedOcclusion {
     float ofSphere(std::uint32_t sphere, const glm::vec3& normal) const;
     /// @param axis, normal  unit vectors, perpendicular @param share  position along the axis, 0 to 1
     float ofCylinder(std::uint32_t cylinder, const glm::vec3& axis, const glm::vec3& normal, float share) const;
-    /// For the outer side of a mesh.
-    float ofVertex(std::uint32_t vertex) const;
+    /// Of a mesh. @param inner  the inner side
+    float ofVertex(std::uint32_t vertex, bool inner = false) const;
 
 private:
     float texel(std::uint64_t x, std::uint64_t y) const;

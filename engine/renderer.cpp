@@ -87,7 +87,7 @@ struct Renderer::Impl {
     std::unique_ptr<WindowFrames> window;
     std::unique_ptr<HeadsetFrames> headset;
     /// Inputs of the bake that started pictures read.
-    std::tuple<const Scene*, int, std::uint64_t, OcclusionMaps, std::uint32_t> startedWith{};
+    std::tuple<const Scene*, int, std::uint64_t, OcclusionMaps, std::uint32_t, bool> startedWith{};
 
     explicit Impl(const DeviceOptions& options)
         : start(options.surface.create ? options.selfTests : std::string()),
@@ -166,7 +166,7 @@ struct Renderer::Impl {
 
     /// Waits for started pictures if their bake would change: they read it.
     void waitUnlessBaked(const OcclusionSettings& wanted) {
-        std::tuple now(scene.get(), wanted.directions, wanted.bytes, wanted.maps, wanted.detail);
+        std::tuple now(scene.get(), wanted.directions, wanted.bytes, wanted.maps, wanted.detail, wanted.bounce);
         if (wanted.once || now != startedWith) pictures.settle();
         startedWith = std::move(now);
     }
@@ -208,12 +208,14 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 bool Renderer::setScene(Representation representation) {
     const bool colorsAlone = impl_->guarded([&] {
         impl_->device->waitIdle();  // a window's frames may still read the streams
+        impl_->occlusion.stopBounce();
         const bool kept = !impl_->occlusion.readsScene() && recolor(*impl_->own, representation);
         if (!kept) {
             auto scene = std::make_shared<Scene>(makeScene(impl_->device, std::move(representation)));
             impl_->occlusion.setScene(toBake(scene));
             impl_->scene = impl_->own = std::move(scene);
         }
+        if (kept && impl_->occlusion.recolored()) impl_->startedWith = {};
         impl_->frames.releaseScene();
         return kept;
     });

@@ -148,7 +148,8 @@ struct PictureStats {
 
 /// Statistics of the latest bake.
 struct BakeStats {
-    double bakeMilliseconds = 0;  ///< ambient occlusion, from streams to atlas
+    double bakeMilliseconds = 0;    ///< ambient occlusion, from streams to atlas
+    double bounceMilliseconds = 0;  ///< share of it for bounced light
     OcclusionStats occlusion;
 };
 

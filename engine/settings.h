@@ -15,7 +15,7 @@
 
 namespace nacre {
 
-/// Settings of the ambient occlusion bake. Equal values of the first four fields give equal results.
+/// Settings of the ambient occlusion bake. Equal values of the first five fields give equal results.
 struct OcclusionSettings {
     static constexpr std::uint64_t kUsualBytes = 64ull << 20;
     static constexpr int kMostDirections = 4096;
@@ -27,7 +27,8 @@ struct OcclusionSettings {
     /// Maximum width of a sphere's patch, 4 to 32 texels. Small pictures show no more than 12. Bake time and the size
     /// of depth maps grow with the square.
     std::uint32_t detail = 32;
-    std::string cache;  ///< folder for finished bakes; empty: none are kept
+    bool bounce = false;  ///< surfaces send light in their colours to their surroundings
+    std::string cache;    ///< folder for finished bakes; empty: none are kept
     /// The bake serves one view: without a cache, it skips texels that face away.
     bool once = false;
     double worthKeeping = 50;  ///< milliseconds; shorter bakes are not kept

@@ -46,7 +46,7 @@ struct Shown {
     Hit hit;
     uint look;  // index of the primitive's colour in the looks, which its atom's number follows
     uvec3 corners;  // triangles: the same for each corner
-    float occlusion;  // triangles; others read a texel of a patch:
+    vec4 baked;  // triangles; others read a texel of a patch:
     uint patchAddress;
     vec2 at, texels;  // position in the patch, 0..1, and the patch's size
     bool wire;        // a wire, which has no occlusion
@@ -76,7 +76,7 @@ void showTriangle(uint index, inout Shown shown) {
     smoothNormal(hit, uvec3(v0.z, v1.z, v2.z));
     shown.look = hit.corner == 0u ? v0.w : hit.corner == 1u ? v1.w : v2.w;
     shown.corners = uvec3(v0.w, v1.w, v2.w);
-    shown.occlusion = meshOcclusion(hit, f.vertices);
+    shown.baked = meshOcclusion(hit, f.vertices);
     shown.hit = hit;
 }
 
@@ -115,7 +115,7 @@ void main() {
 #endif
     countFragment();
     uint index = placed(number);
-    Shown shown = Shown(noHit(), 0u, uvec3(0u), 1.0, 0u, vec2(0.0), vec2(2.0), false);
+    Shown shown = Shown(noHit(), 0u, uvec3(0u), kOpen, 0u, vec2(0.0), vec2(2.0), false);
     uint firstTriangle = view.spheres + view.cylinders;
     bool cylinder = kCylinders && index >= view.spheres && index < firstTriangle;
     bool triangle = kTriangles && index >= firstTriangle;
@@ -134,11 +134,11 @@ void main() {
 #endif
 #endif
     if (!triangle && !shown.wire && shadesOcclusion(shown.hit))
-        shown.occlusion = patchTexel(patchPlace(shown.patchAddress), shown.at, shown.texels);
+        shown.baked = patchTexel(patchPlace(shown.patchAddress), shown.at, shown.texels);
     uint colorBits = looks[shown.look];
     if (kBlendColors && triangle)
         colorBits = cornerColor(uvec3(looks[shown.corners.x], looks[shown.corners.y], looks[shown.corners.z]),
                                 shown.hit.corner, shown.hit.shares);
     // Atoms follow the colours, two for a cylinder.
-    writeSurface(shown.hit, colorBits, looks[shown.look + (cylinder ? 2u : 1u)], shown.occlusion);
+    writeSurface(shown.hit, colorBits, looks[shown.look + (cylinder ? 2u : 1u)], shown.baked);
 }

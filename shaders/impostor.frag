@@ -113,19 +113,19 @@ void main() {
     uvec3 normals = uvec3(facet.a.z, facet.b.z, facet.c.z), vertices = facet.vertices;
 #endif
     smoothNormal(hit, normals);
-    float occlusion = meshOcclusion(hit, vertices);
+    vec4 baked = meshOcclusion(hit, vertices);
 #ifdef IDENTITY
-    writeSurface(hit, atoms[hit.corner], occlusion);
+    writeSurface(hit, atoms[hit.corner], baked);
 #else
-    writeSurface(hit, linearColor(colorAt(hit)), occlusion);
+    writeSurface(hit, linearColor(colorAt(hit)), baked);
 #endif
 #elif defined(CYLINDER)
     bool first = hit.along < 0.5;
-    float occlusion = isWire(endA.w) ? 1.0 : cylinderOcclusion(hit, axis, place);  // lines have no patch
+    vec4 baked = isWire(endA.w) ? kOpen : cylinderOcclusion(hit, axis, place);  // lines have no patch
 #ifdef IDENTITY
-    writeSurface(hit, first ? atoms.x : atoms.y, occlusion);
+    writeSurface(hit, first ? atoms.x : atoms.y, baked);
 #else
-    writeSurface(hit, first ? baseA : baseB, occlusion);
+    writeSurface(hit, first ? baseA : baseB, baked);
 #endif
 #else
 #ifdef FETCHED
@@ -136,11 +136,11 @@ void main() {
         base = (base - vec3(own, 0.0, 0.0)) * copyColor() + vec3(own, 0.0, 0.0);
     }
 #endif
-    float occlusion = sphereOcclusion(hit, place);
+    vec4 baked = sphereOcclusion(hit, place);
 #ifdef IDENTITY
-    writeSurface(hit, atom, occlusion);
+    writeSurface(hit, atom, baked);
 #else
-    writeSurface(hit, base, occlusion);
+    writeSurface(hit, base, baked);
 #endif
 #endif
 }

@@ -263,7 +263,7 @@ void sampleNeighbours(ivec2 pixel) {
 vec3 shadeAt(uint sight, vec2 place) {
     vec2 q = planePoint(place);
     Seen seen = seenOf(sight & kNumber, q);
-    return clamp(lightOf(seen.hit, storedColor(seen), seen.occlusion, q), 0.0, 1.0);
+    return clamp(lightOf(seen.hit, storedColor(seen), seen.baked, q), 0.0, 1.0);
 }
 
 /// Position for shading some samples: their centre. An outline or a clipped primitive may not be there: then the

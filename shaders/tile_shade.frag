@@ -72,5 +72,5 @@ void main() {
 #ifdef DEPTH
     gl_FragDepth = encodedDepth(seen.hit.order);
 #endif
-    writeSurface(seen.hit, storedColor(seen), lookAt(seen.atom), seen.occlusion);
+    writeSurface(seen.hit, storedColor(seen), lookAt(seen.atom), seen.baked);
 }

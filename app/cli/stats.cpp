@@ -166,6 +166,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
     json["times"] = {{"load", run.loadMs},
                      {"scene", run.sceneMs},
                      {"bake", frame.bakeMilliseconds},
+                     {"bounce", frame.bounceMilliseconds},
                      {"first_picture", run.firstPictureMs},
                      {"frame", frame.frameMilliseconds},
                      {"total", run.totalMs}};

@@ -143,6 +143,7 @@ RenderSettings makeSettings(const PictureDescription& picture, const Camera& cam
     settings.occlusion.directions = picture.occlusion.directions;
     settings.occlusion.bytes = picture.occlusion.bytes();
     settings.occlusion.detail = picture.occlusion.detail;
+    settings.occlusion.bounce = picture.occlusion.bounce;
     settings.tuning = picture.tuning;
     return settings;
 }

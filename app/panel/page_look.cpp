@@ -94,7 +94,7 @@ void drawLookPage(PanelFrame& f) {
     std::array<float, 3> own{look.background[0], look.background[1], look.background[2]};
     if (f.ui.chooseColor("Custom background", own, side, named)) look.background = {own[0], own[1], own[2], 1};
     f.ui.heading("Light");
-    for (const char* key : {"lighting", "occlusion", "projection"}) toggleOption(f, key);
+    for (const char* key : {"lighting", "occlusion", "bounce", "projection"}) toggleOption(f, key);
     if (f.viewer.document() && cellEdges(f.viewer.document()->molecule->file)) toggleOption(f, "cell");
     chooseOption(f, "stereo");
     drawMaps(f);

@@ -29,6 +29,7 @@ namespace nacre::app {
 struct OcclusionOptions {
     int directions = 128;                   ///< 0 = off
     std::uint32_t detail = 32;              ///< maximum width of a sphere's patch, texels
+    bool bounce = false;                    ///< surfaces send light in their colours to their surroundings
     std::optional<std::int64_t> megabytes;  ///< of 2^20 bytes; default in RenderSettings
 
     std::uint64_t bytes() const {

@@ -234,6 +234,8 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     if (atlas.image) addAtlas(c, atlas);
     seen->occlusionCells = atlas.cells;
     seen->atlasOwner = atlas.owner;
+    seen->bounced = atlas.bounced;
+    seen->interpolates = atlas.interpolates;
     addEffects(c, settings, view);
     seen->lighting = settings.lighting;
     seen->occlusion = settings.occlusion.directions > 0;

@@ -53,10 +53,12 @@ Bake::Bake(const gpu::Device& device, gpu::Executor& executor, const passes::Sce
       doneOf_(1, options.directions),
       budgetBytes_(options.budgetBytes) {
     maps_.release();
-    makeCells(finished.atlas);
-    atlas_ = passes::makeTexture(device, executor, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}},
-                                 finished.atlas, "occlusion atlas");
+    if (!finished.bounced) makeCells(finished.atlas);
+    const VkFormat format = finished.bounced ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R8_UNORM;
+    atlas_ = passes::makeTexture(device, executor, {format, {layout_.width, layout_.height}}, finished.atlas,
+                                 "occlusion atlas");
     atlasDefined_ = true;
+    bounced_ = finished.bounced;
 }
 
 std::vector<std::uint8_t> Bake::atlasTexels() const {

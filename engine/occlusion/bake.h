@@ -66,6 +66,8 @@ public:
     bool shows() const { return atlasDefined_; }
     /// A view of the finished atlas, if shaders interpolate it themselves and it fits the budget; else null.
     vk::BufferView cells() const { return *cellTexels_; }
+    /// Whether the atlas has bounced light as well.
+    bool bounced() const { return bounced_; }
     const OcclusionLayout& layout() const { return layout_; }
     const DepthMaps& maps() const { return maps_; }
     /// Directions done for every model.
@@ -147,7 +149,7 @@ private:
     std::uint64_t budgetBytes_ = 0;
     gpu::Buffer cells_;
     vk::raii::BufferView cellTexels_{nullptr};
-    bool atlasDefined_ = false;
+    bool atlasDefined_ = false, bounced_ = false;
 };
 
 }  // namespace nacre::occlusion

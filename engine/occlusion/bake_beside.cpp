@@ -7,6 +7,7 @@ namespace nacre::occlusion {
 
 void SceneOcclusion::prepareBeside(const OcclusionSettings& settings, bool hurry) {
     if (isOutdated()) {
+        stopBounce();
         if (const auto* finished = std::get_if<Finished>(&state_)) {
             // Shown until the next bake is done. The one before it was dropped.
             before_ = finished->bake;
@@ -29,7 +30,7 @@ double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const Oc
                 make(allowed(pace.sliceMilliseconds), {DepthMaps::kMostPerBatch, kAny});
             return;  // the next call starts the bake
         }
-        if (executor_.makesPipelines()) return;
+        if (executor_.makesPipelines() || !awaitBounce(0)) return;
         if (submission_ && submission_->pending()) {
             if (!submission_->done()) return;
             collect(std::get<Baking>(state_));
@@ -38,6 +39,7 @@ double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const Oc
     });
     if (is<Idle>()) return 1;
     if (is<Preparing>() || isOutdated()) return 0;
+    if (is<Bouncing>()) return kShareBeforeBounce;
     const auto* baking = std::get_if<Baking>(&state_);
     return baking ? baking->shown : 1;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/error.h"
+#include "engine/occlusion/bounced_light.h"
 #include "engine/occlusion/depth_maps.h"
 #include "engine/occlusion/primitive_tree.h"
 #include "engine/scene/build/translucency.h"
@@ -16,6 +17,9 @@ constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
 
 /// Per vertex: its texel, two list entries, and their words (four entries each).
 constexpr std::uint64_t kBytesPerVertex = kBytesPerTexel + 2 * kBytesPerOpen + sizeof(AtlasWord) / 2 + 1;
+
+/// Of an atlas with bounced light: its texel, the bytes that are copied into it, and the texel that it replaces.
+constexpr std::uint64_t kBytesPerBounced = 2 * kBouncedChannels + 1;
 
 /// Width of an atlas for the usual memory: on every device.
 constexpr std::uint32_t kUsualSide = 4096;
@@ -72,6 +76,7 @@ Patches finestPatches(const gpu::Caps& caps, const Representation& representatio
     for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, vertices, side)) {
         if (stop.stop_requested()) return result;
         if (layout.sphereEdge > options.detail || layout.sphereEdge > finest) continue;
+        if (options.bounce && bouncedBytes(layout) > options.budgetBytes) continue;
         // Estimated from a sample first: visiting every texel takes longer.
         result.bytes = bakeBytes(layout, 0, 0);
         if (result.bytes > room) continue;
@@ -99,6 +104,10 @@ Patches finestPatches(const gpu::Caps& caps, const Representation& representatio
 std::uint64_t bakeBytes(const OcclusionLayout& layout, std::uint64_t openTexels, std::uint64_t words) {
     return std::uint64_t{layout.width} * layout.height * kBytesPerTexel + openTexels * kBytesPerOpen +
            words * sizeof(AtlasWord);
+}
+
+std::uint64_t bouncedBytes(const OcclusionLayout& layout) {
+    return std::uint64_t{layout.width} * layout.height * kBytesPerBounced;
 }
 
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,

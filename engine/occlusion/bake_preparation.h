@@ -21,6 +21,7 @@ struct BakeOptions {
     OcclusionMaps path = OcclusionMaps::encoded;
     std::uint32_t detail = 32;                        ///< maximum width of a sphere's patch, texels
     std::optional<ViewDirection> viewDirection = {};  ///< of the only view that shows the bake
+    bool bounce = false;                              ///< the finished atlas becomes one with bounced light
 };
 
 /// The prepared data. Layout, texels and map width depend on the scene and the options, not on the path. They depend on
@@ -40,5 +41,7 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
 
 /// Device memory of a bake, without depth maps. @param words  atlas words that hold listed texels
 std::uint64_t bakeBytes(const OcclusionLayout& layout, std::uint64_t openTexels, std::uint64_t words);
+/// Device memory while an atlas with bounced light replaces the one without.
+std::uint64_t bouncedBytes(const OcclusionLayout& layout);
 
 }  // namespace nacre::occlusion

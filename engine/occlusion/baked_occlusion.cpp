@@ -1,31 +1,12 @@
 #include "engine/baked_occlusion.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <numbers>
 
+#include "engine/occlusion/patch_coordinates.h"
 #include "shaders/common/layout.h"
 
 namespace nacre {
-namespace {
-
-/// As octahedralCoordinate() of shaders/common/patch.glsl.
-glm::vec2 octahedral(const glm::vec3& n) {
-    glm::vec2 p = glm::vec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
-    if (n.z < 0) p = {(1 - std::abs(p.y)) * (p.x >= 0 ? 1.0f : -1.0f), (1 - std::abs(p.x)) * (p.y >= 0 ? 1.0f : -1.0f)};
-    return p * 0.5f + 0.5f;
-}
-
-/// As angleAbout() there: the frame is that of Duff et al. (2017, JCGT 6(1)).
-float angleAbout(const glm::vec3& w, const glm::vec3& n) {
-    const float s = w.z >= 0 ? 1.0f : -1.0f, a = -1.0f / (s + w.z), b = w.x * w.y * a;
-    const glm::vec3 u(1 + s * w.x * w.x * a, s * b, -s * w.x), v(b, s + w.y * w.y * a, -w.y);
-    return std::atan2(glm::dot(n, v), glm::dot(n, u)) / (2 * std::numbers::pi_v<float>)+0.5f;
-}
-
-}  // namespace
 
 float BakedOcclusion::texel(std::uint64_t x, std::uint64_t y) const {
     return static_cast<float>(texels[y * width + x]) / 255.0f;
@@ -50,7 +31,7 @@ float BakedOcclusion::patch(std::uint64_t left, std::uint64_t top, float u, floa
 float BakedOcclusion::ofSphere(std::uint32_t sphere, const glm::vec3& normal) const {
     if (texels.empty()) return 1;
     const std::uint32_t inRow = width / sphereEdge;
-    const glm::vec2 uv = octahedral(normal);
+    const glm::vec2 uv = octahedralCoordinate(normal);
     return patch(std::uint64_t{sphere % inRow} * sphereEdge, std::uint64_t{sphere / inRow} * sphereEdge, uv.x, uv.y,
                  sphereEdge, sphereEdge);
 }
@@ -63,9 +44,9 @@ float BakedOcclusion::ofCylinder(std::uint32_t cylinder, const glm::vec3& axis, 
                  angleAbout(axis, normal), share, around, along);
 }
 
-float BakedOcclusion::ofVertex(std::uint32_t vertex) const {
+float BakedOcclusion::ofVertex(std::uint32_t vertex, bool inner) const {
     if (texels.empty()) return 1;
-    const std::uint64_t at = 2 * std::uint64_t{vertex};
+    const std::uint64_t at = 2 * std::uint64_t{vertex} + (inner ? 1 : 0);
     return texel(at % width, std::uint64_t{sphereRows} + cylinderRows + at / width);
 }
 

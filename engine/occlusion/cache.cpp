@@ -8,6 +8,7 @@
 #include <memory>
 #include <type_traits>
 
+#include "engine/occlusion/bounced_light.h"
 #include "engine/scene/build/translucency.h"
 
 namespace nacre {
@@ -22,7 +23,7 @@ struct Header {
     std::uint32_t sphereEdge = 0, around = 0, along = 0, width = 0, height = 0, sphereRows = 0, sphereCount = 0,
                   cylinderCount = 0;
     std::uint32_t cylinderRows = 0, vertexCount = 0;
-    std::uint32_t unused = 0;
+    std::uint32_t bounced = 0;
     std::uint64_t openTexels = 0;
 };
 static_assert(sizeof(Header) == 64 && std::has_unique_object_representations_v<Header>);
@@ -75,6 +76,17 @@ void addCopies(Hash& hash, const Copies& copies) {
         for (const PrimitiveRun& run : *runs) hash.add(run.first).add(run.count).add(run.list);
 }
 
+std::string fileName(const Hash& hash) {
+    const XXH128_canonical_t result = hash.result();
+    std::string name(kPrefix);
+    for (const unsigned char byte : result.digest) {
+        char hex[3];
+        std::snprintf(hex, sizeof hex, "%02x", byte);
+        name += hex;
+    }
+    return name;
+}
+
 XXH128_canonical_t checksum(const std::string& name, std::string_view content) {
     return Hash().add(name.data(), name.size()).add(content.data(), content.size()).result();
 }
@@ -103,14 +115,16 @@ std::string occlusionCacheName(const Representation& representation, std::string
     for (const auto* runs :
          {&representation.sphereModels, &representation.cylinderModels, &representation.triangleModels})
         for (const ModelRun& run : *runs) hash.add(run.first).add(run.count).add(run.model);
-    const XXH128_canonical_t result = hash.result();
-    std::string name(kPrefix);
-    for (const unsigned char byte : result.digest) {
-        char hex[3];
-        std::snprintf(hex, sizeof hex, "%02x", byte);
-        name += hex;
-    }
-    return name;
+    return fileName(hash);
+}
+
+std::string bouncedCacheName(const Representation& r, std::string_view name) {
+    Hash hash;
+    hash.add(kBouncedVersion).add(name.data(), name.size());
+    for (const SphereLook& look : r.sphereLooks) hash.add(look.color);
+    for (const CylinderLook& look : r.cylinderLooks) hash.add(look.colorA).add(look.colorB);
+    for (const MeshVertex& v : r.meshVertices) hash.add(r.meshLooks[v.look].color);
+    return fileName(hash);
 }
 
 std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std::string& name,
@@ -134,7 +148,7 @@ std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std
     finished.layout = {header.sphereEdge,    header.around,     header.along,        header.width,
                        header.height,        header.sphereRows, header.cylinderRows, header.sphereCount,
                        header.cylinderCount, header.vertexCount};
-    const std::uint64_t texels = std::uint64_t{header.width} * header.height;
+    const std::uint64_t texels = std::uint64_t{header.width} * header.height * (header.bounced ? kBouncedChannels : 1);
     const std::uint64_t bits = (std::uint64_t{header.sphereCount} + 7) / 8;
     if (!holdsItsPatches(finished.layout, mostSide) || content.size() != sizeof header + texels + bits ||
         header.openTexels > finished.layout.texelCount())
@@ -145,6 +159,7 @@ std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std
     for (std::size_t i = 0; i < finished.seenSpheres.size(); ++i)
         finished.seenSpheres[i] = (atlas[texels + i / 8] >> i % 8 & 1) != 0;
     finished.openTexels = header.openTexels;
+    finished.bounced = header.bounced != 0;
     return finished;
 }
 
@@ -162,6 +177,7 @@ bool writeOcclusion(const DiskCache& cache, const std::string& name, const Finis
     header.cylinderRows = layout.cylinderRows;
     header.vertexCount = layout.vertexCount;
     header.openTexels = finished.openTexels;
+    header.bounced = finished.bounced ? 1 : 0;
     const std::vector<std::uint8_t> seen = packed(finished.seenSpheres);
     std::string content(bytesOf(&header, sizeof header));
     content.append(reinterpret_cast<const char*>(finished.atlas.data()), finished.atlas.size());

@@ -24,6 +24,9 @@ DiskCache occlusionCache(const std::string& folder);
 /// @param how  everything else that affects texels: directions, budget, path, device, driver
 std::string occlusionCacheName(const Representation& representation, std::string_view how);
 
+/// File name of an atlas with bounced light, on which colours count. @param name  of the bake that it is made of
+std::string bouncedCacheName(const Representation& representation, std::string_view name);
+
 /// The stored bake of this name. Empty if it is missing or damaged, or does not fit the representation or the device's
 /// largest image side `mostSide`.
 std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std::string& name,

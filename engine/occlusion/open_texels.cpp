@@ -11,6 +11,7 @@
 #include <span>
 
 #include "engine/occlusion/open_patch.h"
+#include "engine/occlusion/patch_coordinates.h"
 #include "engine/scene/build/translucency.h"
 #include "engine/simd/lanes.h"
 #include "engine/threads.h"
@@ -62,14 +63,6 @@ private:
         x.push_back(n.x), y.push_back(n.y), z.push_back(n.z);
     }
 };
-
-/// Two unit vectors that form a frame with w, as frameAbout() in shaders/common/patch.glsl.
-void frameAbout(const glm::vec3& w, glm::vec3& u, glm::vec3& v) {
-    const float s = w.z >= 0.0f ? 1.0f : -1.0f;
-    const float a = -1.0f / (s + w.z), b = w.x * w.y * a;
-    u = {1.0f + s * w.x * w.x * a, s * b, -s * w.x};
-    v = {b, s + w.y * w.y * a, -w.y};
-}
 
 /// Finds the open texels of primitives one by one, and appends them and their words to its own list.
 class Finder {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/occlusion/cache.h"
+#include "engine/occlusion/on_thread.h"
 
 namespace nacre::occlusion {
 namespace {
@@ -38,8 +39,8 @@ std::uint64_t countUnseen(const std::vector<bool>& seen) {
 /// Everything except the shapes that affects texels.
 std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
     return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
-           std::to_string(options.detail) + " texels, " + nameOf(options.path) + ", " +
-           std::string(caps.encodedMaps.name) + ", " + caps.deviceName + ", " + caps.driverName + ", " +
+           std::to_string(options.detail) + " texels, " + (options.bounce ? "bounced, " : "") + nameOf(options.path) +
+           ", " + std::string(caps.encodedMaps.name) + ", " + caps.deviceName + ", " + caps.driverName + ", " +
            std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
 }
 
@@ -52,6 +53,7 @@ bool hasPatches(const Representation& scene) {
 
 std::shared_ptr<Bake> SceneOcclusion::there() const {
     if (const auto* baking = std::get_if<Baking>(&state_)) return baking->bake;
+    if (const auto* bouncing = std::get_if<Bouncing>(&state_)) return bouncing->bake;
     if (const auto* finished = std::get_if<Finished>(&state_)) return finished->bake;
     return nullptr;
 }
@@ -90,16 +92,19 @@ void SceneOcclusion::begin(const OcclusionSettings& settings, const std::optiona
 }
 
 void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
-    const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail, viewDirection};
-    if (settings.directions == 0 || (!is<Idle>() && wanted_ == wanted)) return;
+    const Wanted wanted{settings.directions, settings.bytes,  settings.maps,
+                        settings.detail,     settings.bounce, viewDirection};
+    if (settings.directions == 0) return;
+    if (!is<Idle>() && wanted_ == wanted) return resumeBounce();
     if (scene_.buffers == nullptr || !hasPatches(*scene_.representation)) return;
     std::shared_ptr<Bake> shown = wanted_ == wanted ? std::move(before_) : nullptr;
     drop();
     before_ = std::move(shown);
     of_ = scene_;
     wanted_ = wanted;
-    options_ = {settings.directions, budgetOf(settings.bytes, of_.representation->meshVertices.size()), settings.maps,
-                settings.detail, viewDirection};
+    options_ = {settings.directions, budgetOf(settings.bytes, of_.representation->meshVertices.size()),
+                settings.maps,       settings.detail,
+                viewDirection,       settings.bounce};
     const bool tiles = device_.caps().plan.tiles;
     if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
         options_.path = automaticMaps_;
@@ -114,13 +119,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optio
         if (!p.kept) p.bake = prepareBake(caps, *scene, options, stop);
         return p;
     };
-    try {
-        preparing.result = std::async(std::launch::async, prepare);
-    } catch (const std::system_error&) {  // no thread is left
-        std::packaged_task<Prepared()> here(prepare);
-        preparing.result = here.get_future();
-        here();
-    }
+    preparing.result = onThread(prepare);
 }
 
 void SceneOcclusion::drop() {
@@ -146,6 +145,7 @@ void SceneOcclusion::make(const Allowance& least, const Allowance& most) {
     else
         state_.emplace<Baking>(bake);
     stats_.bakeMilliseconds = millisecondsSince(began);
+    stats_.bounceMilliseconds = 0;
     stats_.occlusion = {bake->directions(),        0,
                         bake->layout().sphereEdge, bake->texels(),
                         nameOf(options_.path),     bake->maps().pixels(),
@@ -157,6 +157,7 @@ void SceneOcclusion::make(const Allowance& least, const Allowance& most) {
     stats_.occlusion.mapPixels = stats_.occlusion.mapsPerBatch = 0;  // no maps were drawn
     stats_.occlusion.bytes = atlasBytes;
     stats_.occlusion.neverSeen = countUnseen(bake->seenSpheres());
+    if (options_.bounce) startBounce(bake, std::make_shared<std::vector<std::uint8_t>>(std::move(p.kept->atlas)));
 }
 
 /// After everything is shown: frees data needed only for baking, and stores bakes that took long enough.
@@ -164,13 +165,15 @@ void SceneOcclusion::wrapUp() {
     const std::shared_ptr<Bake> bake = there();
     executor_.forget("occlusion");
     std::vector<std::uint8_t> atlas;
-    if (cache_.on() || texels_) atlas = bake->atlasTexels();
+    if (cache_.on() || texels_ || options_.bounce) atlas = bake->atlasTexels();
+    Openness open = options_.bounce ? std::make_shared<std::vector<std::uint8_t>>(atlas) : nullptr;
     if (texels_) *texels_ = atlas;
     bake->release();
     stats_.occlusion.neverSeen = countUnseen(bake->seenSpheres());
     if (cache_.on() && stats_.bakeMilliseconds >= worthKeeping_)
         writeOcclusion(cache_, cacheName_,
                        {bake->layout(), std::move(atlas), bake->seenSpheres(), stats_.occlusion.texels});
+    if (open) return startBounce(bake, std::move(open));
     before_.reset();
     state_.emplace<Finished>(bake);
 }
@@ -189,6 +192,7 @@ BakedOcclusion SceneOcclusion::baked(const OcclusionSettings& settings) {
     drop();
     OcclusionSettings anew = settings;
     anew.cache.clear();
+    anew.bounce = false;
     std::vector<std::uint8_t> texels;
     texels_ = &texels;
     try {
@@ -224,10 +228,13 @@ passes::Atlas SceneOcclusion::atlas() const {
             layout.cylinderPatches(),
             shown->cells(),
             before_ || isOutdated() ? kLeastOfMoved : 0,
-            shown};
+            shown,
+            shown->bounced(),
+            shown->cells() || (shown->bounced() && layout.sphereEdge > 1 && device_.caps().tiles.shade)};
 }
 
 double SceneOcclusion::share() const {
+    if (is<Bouncing>()) return kShareBeforeBounce;
     const std::shared_ptr<Bake> bake = there();
     return bake ? static_cast<double>(bake->mapsDone()) / static_cast<double>(bake->mapsInAll()) : 1;
 }
@@ -265,6 +272,7 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
 void SceneOcclusion::advance(double milliseconds) {
     cancelOnError([&] {
         finishFlight();
+        if (!awaitBounce(milliseconds)) return;
         auto* baking = std::get_if<Baking>(&state_);
         if (!baking) return;
         Bake& bake = *baking->bake;
@@ -284,14 +292,16 @@ void SceneOcclusion::finish(const OcclusionSettings& settings, const std::option
     if (settings.directions == 0) return;
     cancelOnError([&] {
         finishFlight();
-        auto* baking = std::get_if<Baking>(&state_);
-        if (!baking) return;
-        const auto start = Clock::now();
-        while (!baking->bake->complete()) {
-            runSlice(*baking->bake, device_.caps().asynchronous ? allowed(kWaitedMilliseconds) : Allowance());
-            if (settings.onProgress && baking->bake->betweenSteps()) settings.onProgress(share());
+        if (auto* baking = std::get_if<Baking>(&state_)) {
+            const auto start = Clock::now();
+            while (!baking->bake->complete()) {
+                runSlice(*baking->bake, device_.caps().asynchronous ? allowed(kWaitedMilliseconds) : Allowance());
+                if (settings.onProgress && baking->bake->betweenSteps()) settings.onProgress(share());
+            }
+            show(*baking, start);
         }
-        show(*baking, start);
+        while (!awaitBounce(kWaitedMilliseconds))
+            if (settings.onProgress) settings.onProgress(share());
     });
 }
 

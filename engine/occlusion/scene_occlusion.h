@@ -39,7 +39,12 @@ public:
     void moveScene(SceneToBake scene);
 
     /// Whether a thread reads the scene's representation.
-    bool readsScene() const { return is<Preparing>(); }
+    bool readsScene() const { return is<Preparing>() || is<Bouncing>(); }
+    /// Bounced light that is not finished is given up: colours may change now.
+    void stopBounce();
+    /// After the scene's colours changed: bounced light begins again, and the old one is shown until it is there.
+    /// @returns whether there is any
+    bool recolored();
 
     /// Starts the requested bake unless it exists or there is nothing to bake. A bake from the cache is done at once.
     /// @param viewDirection  if a single view shows the bake
@@ -83,8 +88,9 @@ private:
     // The states, with their data:
     //   Idle       nothing requested, or nothing to bake                       prepare() -> Preparing
     //   Preparing  a thread prepares the bake or reads a cached one            make() -> Baking, or Finished if cached
-    //   Baking     the device renders one direction after another              wrapUp() -> Finished
-    //   Finished   all directions are shown; data only for baking is dropped
+    //   Baking     the device renders one direction after another              wrapUp() -> Finished, or Bouncing
+    //   Bouncing   a thread computes bounced light or reads a cached one       takeBounce() -> Finished
+    //   Finished   all directions are shown; data only for baking is dropped   recolored() -> Bouncing
     // drop() leads from each to Idle. If the scene moves on, a Finished bake becomes before_.
     struct Idle {};
     struct Preparing {
@@ -101,9 +107,20 @@ private:
         double submittedUnits = 0;  // units in flight beside frames; 0: none
         Clock::time_point submittedAt{};
     };
+    using Openness = std::shared_ptr<const std::vector<std::uint8_t>>;
+    struct Bouncing {
+        std::shared_ptr<Bake> bake;  // shown meanwhile
+        Openness open;               // its texels
+        std::stop_source stop;
+        std::future<FinishedOcclusion> result;  // its destructor waits
+        Clock::time_point began = Clock::now();
+        ~Bouncing() { stop.request_stop(); }
+    };
     struct Finished {
-        explicit Finished(std::shared_ptr<Bake> done) : bake(std::move(done)) {}
+        explicit Finished(std::shared_ptr<Bake> done, Openness texels = {})
+            : bake(std::move(done)), open(std::move(texels)) {}
         std::shared_ptr<Bake> bake;
+        Openness open;  // for bounced light in other colours; null: there is none
     };
     template <typename State>
     bool is() const {
@@ -112,7 +129,7 @@ private:
     /// The bake, if there is one.
     std::shared_ptr<Bake> there() const;
 
-    using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, std::optional<ViewDirection>>;
+    using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, bool, std::optional<ViewDirection>>;
     /// Starts preparing the requested bake unless it exists, is being prepared, or there is nothing to bake.
     void prepare(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection = {});
     /// As prepare(), beside frames, for a moving scene: a running bake continues, and the last finished one stays
@@ -129,6 +146,13 @@ private:
     void finishFlight();
     void collect(Baking& baking);
     void wrapUp();
+    void startBounce(std::shared_ptr<Bake> bake, Openness open);
+    /// Starts it again where it was given up.
+    void resumeBounce();
+    /// Takes over bounced light if it is finished within this time. @returns whether none is left to wait for
+    bool awaitBounce(double milliseconds);
+    void takeBounce();
+    static constexpr double kShareBeforeBounce = 0.99;
     Allowance allowed(double milliseconds) const;
     void learn(double units, double milliseconds);
     void show(Baking& baking, Clock::time_point start);
@@ -139,7 +163,7 @@ private:
     SceneToBake scene_;  // the current scene
     SceneToBake of_;     // the scene of the bake
     bool moved_ = false;
-    std::variant<Idle, Preparing, Baking, Finished> state_;
+    std::variant<Idle, Preparing, Baking, Bouncing, Finished> state_;
     std::shared_ptr<Bake> before_;  // finished bake of earlier positions, shown until the current one is done
     Wanted wanted_{};               // the request that led to the bake, or to before_
     BakeOptions options_;           // the request, resolved

@@ -77,9 +77,10 @@ std::vector<std::uint8_t> wordsOf(const std::vector<bool>& texels) {
 
 std::optional<ViewDirection> onlyViewDirection(const RenderSettings& settings) {
     const View& view = settings.view;
-    // A stored bake serves other views. Clipping planes expose surfaces, and perspective turns them.
-    if (!settings.occlusion.once || !settings.occlusion.cache.empty() || settings.effects.clip.on() ||
-        settings.debug != DebugView::none || view.projection == Projection::perspective)
+    // A stored bake serves other views. Clipping planes expose surfaces, and perspective turns them. Light bounces from
+    // surfaces that the view does not show.
+    if (!settings.occlusion.once || !settings.occlusion.cache.empty() || settings.occlusion.bounce ||
+        settings.effects.clip.on() || settings.debug != DebugView::none || view.projection == Projection::perspective)
         return {};
     return ViewDirection{glm::transpose(view.rotation) * glm::dvec3(0, 0, 1), view.pixelsPerAngstrom};
 }

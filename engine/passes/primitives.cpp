@@ -312,6 +312,7 @@ void setShadingConstants(gpu::Specialization& constants, const SceneView& view) 
     const Light& light = view.effects.light;
     constants.set(layout::kLightingId, view.lighting);
     constants.set(layout::kOcclusionId, view.occlusion);
+    constants.set(layout::kBounceId, view.bounced);
     constants.set(layout::kCapId, static_cast<int>(view.effects.clip.cap));
     constants.set(layout::kCopyColorsId, view.copyColors);
     constants.set(layout::kBlendColorsId, view.blendsColors);
@@ -326,7 +327,7 @@ void setShadingConstants(gpu::Specialization& constants, const SceneView& view) 
     constants.set(layout::kPowersId, view.powers);
     constants.set(layout::kDeepeningId, static_cast<float>(light.occlusion));
     constants.set(layout::kCodedId, view.coded);
-    constants.set(layout::kCellsId, static_cast<bool>(view.occlusionCells));
+    constants.set(layout::kCellsId, view.interpolates);
 }
 
 void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout,

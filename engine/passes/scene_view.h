@@ -25,6 +25,8 @@ struct Atlas {
     vk::BufferView cells = {};               ///< one word per four neighbouring texels; null: the device interpolates
     std::uint32_t least = 0;                 ///< minimum of all texels, in 255ths: for an atlas of earlier positions
     std::shared_ptr<const void> owner = {};  ///< keeps the image and the cells alive
+    bool bounced = false;                    ///< texels hold the light of their surroundings as well
+    bool interpolates = false;               ///< shaders interpolate texels, not the sampler
 };
 
 class TileFrame;
@@ -56,8 +58,9 @@ struct SceneView {
     float wireScale = 1;        ///< this picture's pixels per pixel of the requested picture; 0: no wires
     bool wholeImage = true;     ///< the viewport is the whole image; false: it is centred on the view axis
     bool lighting = true, occlusion = false;
-    vk::BufferView occlusionCells;           ///< Atlas::cells
-    std::shared_ptr<const void> atlasOwner;  ///< Atlas::owner: keeps both alive while a frame is in flight
+    bool bounced = false, interpolates = false;  ///< as in Atlas
+    vk::BufferView occlusionCells;               ///< Atlas::cells
+    std::shared_ptr<const void> atlasOwner;      ///< Atlas::owner: keeps both alive while a frame is in flight
     Effects effects;
     Rims rims;                               ///< outlines by groups, and halos
     bool blendsColors = false;               ///< of the Representation

@@ -26,7 +26,7 @@ uint cylinderPatch(uint index) {
     return at.x | (at.y + top) << 16;
 }
 
-// With kCells shaders interpolate occlusion from cells; otherwise the sampler does.
+// With kCells shaders interpolate occlusion, from cells or, with kBounce, from texels; otherwise the sampler does.
 layout(constant_id = kCellsId) const bool kCells = false;
 
 /// Position of a patch for a look-up: its first texel or, for the sampler, its coordinate.

@@ -18,6 +18,11 @@
 layout(set = 0, binding = ATLAS) uniform sampler2D occlusionAtlas;
 layout(set = 0, binding = SHADOW) uniform sampler2D shadowMap;
 layout(constant_id = kOcclusionId) const bool kOcclusion = true;
+// What the bake says of a point is a vec4: how open it is, 0 closed to 1, then, with kBounce, the square root of the
+// light of its surroundings.
+const vec4 kOpen = vec4(1.0, 0.0, 0.0, 0.0);
+vec4 bakedIn(vec4 texel) { return kBounce ? texel : vec4(texel.r, 0.0, 0.0, 0.0); }
+vec4 bakedIn(float texel) { return vec4(texel, 0.0, 0.0, 0.0); }
 layout(constant_id = kCapId) const int kCap = 0;
 layout(constant_id = kShadowId) const bool kShadow = false;
 // kCoded: the target takes sRGB-coded colour; otherwise linear light.
@@ -43,18 +48,22 @@ float between(vec4 texels, vec2 share) {
 }
 
 /// @param place  position of the patch: patchPlace()
-float patchTexel(vec2 place, vec2 uv, vec2 texels) {
-    if (!kCells) return textureLod(occlusionAtlas, place + uv * ((texels - 1.0) * view.atlasTexel), 0.0).r;
+vec4 patchTexel(vec2 place, vec2 uv, vec2 texels) {
+    if (!kCells) return bakedIn(textureLod(occlusionAtlas, place + uv * ((texels - 1.0) * view.atlasTexel), 0.0));
     Cell cell = cellOf(uv, texels);
     ivec2 at = ivec2(place + cell.first);
-    vec4 four = vec4(texelFetch(occlusionAtlas, at, 0).r, texelFetch(occlusionAtlas, at + ivec2(1, 0), 0).r,
-                     texelFetch(occlusionAtlas, at + ivec2(0, 1), 0).r, texelFetch(occlusionAtlas, at + 1, 0).r);
-    return between(floor(four * 255.0 + 0.5), cell.share);
+    vec4 first = texelFetch(occlusionAtlas, at, 0), right = texelFetch(occlusionAtlas, at + ivec2(1, 0), 0);
+    vec4 below = texelFetch(occlusionAtlas, at + ivec2(0, 1), 0), last = texelFetch(occlusionAtlas, at + 1, 0);
+    if (!kBounce)
+        return bakedIn(between(floor(vec4(first.r, right.r, below.r, last.r) * 255.0 + 0.5), cell.share));
+    precise vec4 upper = first + (right - first) * cell.share.x, lower = below + (last - below) * cell.share.x;
+    precise vec4 texel = upper + (lower - upper) * cell.share.y;
+    return texel;
 }
 /// On some drivers lanes without a triangle also fetch: their addresses must stay inside the atlas.
-float vertexTexelOfAtlas(uint vertex, uint side) {
-    ivec2 last = textureSize(occlusionAtlas, 0) - 1;
-    return texelFetch(occlusionAtlas, clamp(vertexPlace(vertex, side, effects.bakedCylinders), ivec2(0), last), 0).r;
+vec4 vertexTexelOfAtlas(uint vertex, uint side) {
+    ivec2 last = textureSize(occlusionAtlas, 0) - 1, at = vertexPlace(vertex, side, effects.bakedCylinders);
+    return bakedIn(texelFetch(occlusionAtlas, clamp(at, ivec2(0), last), 0));
 }
 #ifdef CELLS
 /// Texels in words of four: software devices gather a word as fast as a texel. The last texel of each word repeats as
@@ -62,7 +71,7 @@ float vertexTexelOfAtlas(uint vertex, uint side) {
 /// slower.)
 layout(set = 0, binding = CELLS) uniform usamplerBuffer cellTexels;
 uint wordsOf(uint texels) { return (texels + 1u) / 3u; }
-float cellTexel(uint firstWord, vec2 uv, vec2 texels) {
+vec4 cellTexel(uint firstWord, vec2 uv, vec2 texels) {
     Cell cell = cellOf(uv, texels);
     float word = floor((cell.first.x + 0.5) * (1.0 / 3.0));
     uint inRow = wordsOf(uint(texels.x)), at = firstWord + uint(cell.first.y * float(inRow) + word);
@@ -70,30 +79,31 @@ float cellTexel(uint firstWord, vec2 uv, vec2 texels) {
     uint shift = uint((cell.first.x - 3.0 * word) * 8.0);
     above >>= shift;
     below >>= shift;
-    return between(vec4(above & 0xffu, above >> 8 & 0xffu, below & 0xffu, below >> 8 & 0xffu), cell.share);
+    return bakedIn(between(vec4(above & 0xffu, above >> 8 & 0xffu, below & 0xffu, below >> 8 & 0xffu), cell.share));
 }
 uint sphereWords() { return wordsOf(sphereEdge()) * sphereEdge(); }
 uint cylinderWords() { return wordsOf(cylinderTexels().x) * cylinderTexels().y; }
-float sphereTexel(uint index, vec2 uv) {
+vec4 sphereTexel(uint index, vec2 uv) {
     vec2 texels = vec2(sphereEdge());
-    return kCells ? cellTexel(index * sphereWords(), uv, texels) : patchTexel(patchPlace(spherePatch(index)), uv, texels);
+    if (kCells && !kBounce) return cellTexel(index * sphereWords(), uv, texels);
+    return patchTexel(patchPlace(spherePatch(index)), uv, texels);
 }
-float cylinderTexel(uint index, vec2 uv) {
+vec4 cylinderTexel(uint index, vec2 uv) {
     uvec2 texels = cylinderTexels();
-    if (kCells) return cellTexel(view.spheres * sphereWords() + index * cylinderWords(), uv, vec2(texels));
+    if (kCells && !kBounce) return cellTexel(view.spheres * sphereWords() + index * cylinderWords(), uv, vec2(texels));
     return patchTexel(patchPlace(cylinderPatch(index)), uv, vec2(texels));
 }
 /// Vertices follow the patches, four texels per word.
-float vertexTexel(uint vertex, uint side) {
-    if (!kCells) return vertexTexelOfAtlas(vertex, side);
+vec4 vertexTexel(uint vertex, uint side) {
+    if (!kCells || kBounce) return vertexTexelOfAtlas(vertex, side);
     uint at = 2u * vertex + side, first = view.spheres * sphereWords() + effects.bakedCylinders * cylinderWords();
     uint four = texelFetch(cellTexels, clamp(int(first + at / 4u), 0, textureSize(cellTexels) - 1)).x;
-    return float(four >> 8u * (at & 3u) & 0xffu) * (1.0 / 255.0);
+    return bakedIn(float(four >> 8u * (at & 3u) & 0xffu) * (1.0 / 255.0));
 }
 #else
-float vertexTexel(uint vertex, uint side) { return vertexTexelOfAtlas(vertex, side); }
-float sphereTexel(uint index, vec2 uv) { return patchTexel(patchPlace(spherePatch(index)), uv, vec2(sphereEdge())); }
-float cylinderTexel(uint index, vec2 uv) {
+vec4 vertexTexel(uint vertex, uint side) { return vertexTexelOfAtlas(vertex, side); }
+vec4 sphereTexel(uint index, vec2 uv) { return patchTexel(patchPlace(spherePatch(index)), uv, vec2(sphereEdge())); }
+vec4 cylinderTexel(uint index, vec2 uv) {
     return patchTexel(patchPlace(cylinderPatch(index)), uv, vec2(cylinderTexels()));
 }
 #endif
@@ -104,19 +114,19 @@ vec2 cylinderCoordinate(Hit hit, vec3 objectAxis) {
     return vec2(angleAbout(objectAxis, toObject(hit.normal)), hit.along);
 }
 /// @param place  position of the primitive's patch: patchPlace()
-float sphereOcclusion(Hit hit, vec2 place) {
-    return shadesOcclusion(hit) ? patchTexel(place, sphereCoordinate(hit), vec2(sphereEdge())) : 1.0;
+vec4 sphereOcclusion(Hit hit, vec2 place) {
+    return shadesOcclusion(hit) ? patchTexel(place, sphereCoordinate(hit), vec2(sphereEdge())) : kOpen;
 }
-float cylinderOcclusion(Hit hit, vec3 objectAxis, vec2 place) {
-    if (!shadesOcclusion(hit)) return 1.0;
+vec4 cylinderOcclusion(Hit hit, vec3 objectAxis, vec2 place) {
+    if (!shadesOcclusion(hit)) return kOpen;
     return patchTexel(place, cylinderCoordinate(hit, objectAxis), vec2(cylinderTexels()));
 }
 
 /// @param vertices  vertex numbers of the triangle
-float meshOcclusion(Hit hit, uvec3 vertices) {
-    if (!shadesOcclusion(hit)) return 1.0;
+vec4 meshOcclusion(Hit hit, uvec3 vertices) {
+    if (!shadesOcclusion(hit)) return kOpen;
     uint side = hit.back ? 1u : 0u;
-    precise float mean = vertexTexel(vertices.x, side) * hit.shares.x + vertexTexel(vertices.y, side) * hit.shares.y +
+    precise vec4 mean = vertexTexel(vertices.x, side) * hit.shares.x + vertexTexel(vertices.y, side) * hit.shares.y +
                          vertexTexel(vertices.z, side) * hit.shares.z;
     return mean;
 }
@@ -163,8 +173,10 @@ float capShade(vec2 q) {
 }
 
 /// In linear light. @param base  linear colour @param q  planePoint() of the pixel
-vec3 lightOf(Hit hit, vec3 base, float occlusion, vec2 q) {
-    occlusion = max(occlusion, leastOcclusion());
+vec3 lightOf(Hit hit, vec3 base, vec4 baked, vec2 q) {
+    baked.x = max(baked.x, leastOcclusion());
+    if (kClip && !hit.cap) baked.x = opened(baked.x);
+    if (kBounce && kCopyColors != 0) baked.yzw *= sqrt(copyColor());  // the surroundings are of the same copy
     if (kClip && hit.cap && effects.capColor != 0u) base = linearColor(effects.capColor);
     int material = kMaterial;
     if (kOwnMaterials) {
@@ -172,17 +184,16 @@ vec3 lightOf(Hit hit, vec3 base, float occlusion, vec2 q) {
         base.r -= own;
         if (own > 0.0) material = int(0.5 * own) - 1;
     }
-    vec3 lit =
-        shade(material, base, hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion, sunlight(hit, q));
+    vec3 lit = shade(material, base, hit.normal, baked, sunlight(hit, q));
     if (kClip && hit.cap) lit *= capShade(q);
     if (kContours && hit.contour) lit = effects.contour.rgb;
     return kFog ? mix(lit, effects.fog.rgb, fogAt(hit.Z)) : lit;
 }
-vec3 lightOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
-    return lightOf(hit, linearColor(colorBits), occlusion, q);
+vec3 lightOf(Hit hit, uint colorBits, vec4 baked, vec2 q) {
+    return lightOf(hit, linearColor(colorBits), baked, q);
 }
 vec3 asTargetTakesIt(vec3 lit) { return kCoded ? srgbFromLinear(clamp(lit, 0.0, 1.0)) : lit; }
-vec3 colorOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
-    return asTargetTakesIt(lightOf(hit, colorBits, occlusion, q));
+vec3 colorOf(Hit hit, uint colorBits, vec4 baked, vec2 q) {
+    return asTargetTakesIt(lightOf(hit, colorBits, baked, q));
 }
 #endif

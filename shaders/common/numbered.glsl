@@ -10,7 +10,7 @@ struct Seen {
 #ifdef TRIANGLES
     uvec3 corners;  // triangles: indices of the corners' colours; otherwise all equal `look`
 #endif
-    float occlusion;
+    vec4 baked;  // patchTexel()
 };
 
 #ifdef TRIANGLES
@@ -23,7 +23,7 @@ Seen seenFacet(uint index, vec2 q) {
     seen.look = seen.hit.corner == 0u ? f.a.w : seen.hit.corner == 1u ? f.b.w : f.c.w;
     seen.atom = seen.look + 1u;
     seen.corners = uvec3(f.a.w, f.b.w, f.c.w);
-    seen.occlusion = meshOcclusion(seen.hit, f.vertices);
+    seen.baked = meshOcclusion(seen.hit, f.vertices);
     return seen;
 }
 #endif
@@ -44,7 +44,7 @@ Seen seenStick(uint index, vec2 q, const bool sideKnown) {
 #endif
     vec3 axis = (shapeB.xyz - shapeA.xyz) * shapeB.w;
     bool shaded = shapeA.w >= 0.0 && shadesOcclusion(seen.hit);  // a wire has no patch
-    seen.occlusion = shaded ? cylinderTexel(index, cylinderCoordinate(seen.hit, axis)) : 1.0;
+    seen.baked = shaded ? cylinderTexel(index, cylinderCoordinate(seen.hit, axis)) : kOpen;
     return seen;
 }
 Seen seenStick(uint index, vec2 q) { return seenStick(index, q, false); }
@@ -59,7 +59,7 @@ Seen seenBall(uint index, vec2 q) {
 #ifdef TRIANGLES
     seen.corners = uvec3(seen.look);
 #endif
-    seen.occlusion = shadesOcclusion(seen.hit) ? sphereTexel(index, sphereCoordinate(seen.hit)) : 1.0;
+    seen.baked = shadesOcclusion(seen.hit) ? sphereTexel(index, sphereCoordinate(seen.hit)) : kOpen;
     return seen;
 }
 

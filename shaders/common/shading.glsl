@@ -11,6 +11,7 @@ layout(constant_id = kGlossId) const float kGloss = 42.0;
 layout(constant_id = kPowersId) const bool kPowers = false;
 layout(constant_id = kDeepeningId) const float kDeepening = 1.0;
 layout(constant_id = kMaterialId) const int kMaterial = kPlastic;
+layout(constant_id = kBounceId) const bool kBounce = false;
 
 // Of metal: the share of other light, and the highlight's brightness. Of glow: light at the rim, and more facing the viewer.
 const float kDull = 0.45, kShine = 1.1, kGlowRim = 0.95, kGlowFacing = 0.75;
@@ -43,18 +44,29 @@ Reach reachOf(vec3 base, float open) {
     precise float closed = max(2.0 * kLeastLight - open, 0.0);
     // A parabola: a square root made frames 5 % slower on a software device.
     precise float direct = fma(closed * closed, 0.25 / kLeastLight, open);
-    precise float ambient = direct * max(fma(direct, fma(direct, c2, c1), c0), 1.0);
+    // With light from the surroundings the cubic would count it twice.
+    precise float ambient = kBounce ? direct : direct * max(fma(direct, fma(direct, c2, c1), c0), 1.0);
     Reach reach = Reach(direct, ambient);
     if (kDeepening == 1.0) return reach;
     return Reach(mix(1.0, reach.direct, kDeepening), mix(1.0, reach.ambient, kDeepening));
 }
 
-/// @param material   one of common/layout.h
-/// @param base       linear base colour
-/// @param occlusion  0 closed to 1 open
-/// @param sun        fraction of the direct light
-vec3 shade(int material, vec3 base, vec3 normal, float occlusion, float sun) {
-    if (!kLighting) return base * mix(1.0, occlusion, kDeepening);
+/// Light of the surroundings, which comes from where the sky is hidden; the sky's is 1.
+/// @param open  0 closed to 1 @param root  its square root
+vec3 bounced(float open, vec3 root) {
+    precise vec3 light = (1.0 - open) * (root * root);
+    return light;
+}
+
+/// @param material  one of common/layout.h
+/// @param base      linear base colour
+/// @param baked     how open the point is, and the square root of the light of its surroundings
+/// @param sun       fraction of the direct light
+vec3 shade(int material, vec3 base, vec3 normal, vec4 baked, float sun) {
+    if (!kLighting) {
+        float open = mix(1.0, baked.x, kDeepening);
+        return kBounce ? base * (open + bounced(open, baked.yzw)) : base * open;
+    }
     if (material == kGlow) {
         precise float own = fma(max(normal.z, 0.0), kGlowFacing, kGlowRim);
         return base * own;
@@ -68,8 +80,9 @@ vec3 shade(int material, vec3 base, vec3 normal, float occlusion, float sun) {
     vec3 half_ = normalize(light + vec3(0.0, 0.0, 1.0));
     float facing = max(dot(normal, half_), 0.0);
     precise float highlight = material == kMatte || kHighlight == 0.0 ? 0.0 : glossy(facing, 0.16 * kHighlight) * sun;
-    Reach reach = reachOf(base, occlusion);
+    Reach reach = reachOf(base, baked.x);
     precise vec3 arriving = fma(ambient, vec3(reach.ambient), vec3(direct * reach.direct));
+    if (kBounce) arriving += level * kAmbient * bounced(reach.direct, baked.yzw);
     if (material == kMetal) {
         precise float x2 = facing * facing, x4 = x2 * x2;
         precise float shine = x4 * x4 * (kShine * kHighlight * sun * reach.direct);

@@ -34,16 +34,16 @@ void writeRimmed(vec4 seen) {
 }
 #endif
 
-/// Writes a hit. The caller passes occlusion, since it knows the patch.
+/// Writes a hit. The caller passes what the bake says of it, since it knows the patch.
 #if defined(IDENTITY)
-void writeSurface(Hit hit, uint atom, float occlusion) { identity = uvec2(atom, floatBitsToUint(occlusion)); }
+void writeSurface(Hit hit, uint atom, vec4 baked) { identity = uvec2(atom, floatBitsToUint(baked.x)); }
 #else
 /// @param base  linear colour
-void writeSurface(Hit hit, vec3 base, float occlusion) {
+void writeSurface(Hit hit, vec3 base, vec4 baked) {
 #if defined(SURFACE)
     surface = vec4(hit.Z, hit.normal);
 #else
-    vec3 lit = lightOf(hit, base, occlusion, planePoint(PLACE));
+    vec3 lit = lightOf(hit, base, baked, planePoint(PLACE));
 #ifdef RIMS
     writeRimmed(vec4(lit, 1.0));
 #else
@@ -53,11 +53,11 @@ void writeSurface(Hit hit, vec3 base, float occlusion) {
 }
 #endif
 /// The same with data from the looks.
-void writeSurface(Hit hit, uint colorBits, uint atom, float occlusion) {
+void writeSurface(Hit hit, uint colorBits, uint atom, vec4 baked) {
 #ifdef IDENTITY
-    writeSurface(hit, atom, occlusion);
+    writeSurface(hit, atom, baked);
 #else
-    writeSurface(hit, linearColor(colorBits), occlusion);
+    writeSurface(hit, linearColor(colorBits), baked);
 #ifdef TRANSLUCENT
     color.a = opacityOf(colorBits);
 #endif

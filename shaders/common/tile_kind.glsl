@@ -33,10 +33,10 @@ uint COLOR_AT(inout uint seenNumber, vec2 pixel, uint rim) {
     uint number = max(seenNumber, 1u);
     Seen seen = SEEN(max(place(number), FIRST), q);
 #ifdef RIMS
-    vec3 lit = lightOf(seen.hit, storedColor(seen), seen.occlusion, q);
+    vec3 lit = lightOf(seen.hit, storedColor(seen), seen.baked, q);
     return rimmed(vec4(seenNumber == 0u ? vec3(0.0) : lit, seenNumber == 0u ? 0.0 : 1.0), rim);
 #else
-    vec3 color = colorOf(seen.hit, storedColor(seen), seen.occlusion, q);
+    vec3 color = colorOf(seen.hit, storedColor(seen), seen.baked, q);
     if (kNumbered) seenNumber = seenNumber == 0u ? 0u : sightOf(seen.hit, number);
     return seenNumber == 0u ? 0u : packUnorm4x8(vec4(color, 1.0));
 #endif

@@ -1,81 +1,15 @@
 // Light in clefts, against paths that bounce from surface to surface.
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iostream>
-#include <numbers>
-#include <random>
 
-#include "engine/mesh/cartoon.h"
-#include "engine/molecule/kabsch_sander.h"
 #include "shaders/common/layout.h"
-#include "tests/reference/path_tracer.h"
-#include "tests/renderer/meshes.h"
+#include "tests/occlusion/traced_light.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
 namespace {
-
-struct Lit {
-    Representation scene;
-    RenderSettings settings;
-};
-
-/// A ball in a shell of others, seen through a hole: hardly any direction reaches it.
-Lit well() {
-    Lit lit;
-    Representation& r = lit.scene;
-    const auto add = [&](const glm::dvec3& at, float radius, std::uint32_t color) {
-        const auto atom = static_cast<std::uint32_t>(r.spheres.size()) + 1;
-        r.spheres.push_back({glm::vec3(at), radius});
-        r.sphereLooks.push_back({color, atom});
-    };
-    add(glm::dvec3(0), 2.0f, 0xff40a0ffu);
-    constexpr int kShell = 500;
-    for (int i = 0; i < kShell; ++i) {
-        const double z = 1 - (2 * i + 1.0) / kShell, angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
-        const glm::dvec3 at =
-            10.0 * glm::dvec3(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z);
-        if (z > 0 && std::hypot(at.x, at.y) < 3.0) continue;
-        add(at, 1.7f, i % 3 == 0 ? 0xff6060f0u : 0xffd0d0d0u);
-    }
-    r.radius = 12;
-    lit.settings = settings(r, 192, Projection::orthographic, {0, 0, 0}, 2.5);
-    return lit;
-}
-
-Lit dna() {
-    Lit lit{scene("sample:dna", Style::spacefill), {}};
-    lit.settings = settings(lit.scene, 192, Projection::orthographic, {20, 30, 10}, 1.5);
-    return lit;
-}
-
-Lit dnaCartoon() {
-    const Molecule m = molecule("sample:dna");
-    const std::vector<std::uint32_t> drawn = drawnAtoms(m);
-    const Representation spheres = represent(m, drawn, {Style::spacefill, ColorScheme::chain});
-    Lit lit;
-    Representation& r = lit.scene;
-    r.center = spheres.center;
-    r.radius = spheres.radius;
-    appendMesh(
-        cartoon(m, drawn, secondaryStructure(m), {}, r.center), glm::dvec3(0),
-        [](std::uint32_t atom) {
-            return SphereLook{0xffc09060u, atom + 1};
-        },
-        r);
-    lit.settings = settings(r, 192, Projection::orthographic, {20, 30, 10}, 1.5);
-    return lit;
-}
-
-/// About the drug of 1HPV, in the depth of the protease.
-Lit pocket() {
-    const Molecule m = molecule("1hpv.pdb");
-    Lit lit{represent(m, drawnAtoms(m), {Style::spacefill, ColorScheme::element}), {}};
-    lit.settings = settings(lit.scene, 256, Projection::orthographic, {0, 0, 0}, 4);
-    return lit;
-}
 
 /// One sample a pixel, linear, with all light but the highlight's from the sky.
 struct Pictures {
@@ -101,37 +35,13 @@ glm::dvec3 pixelOf(const std::vector<float>& rgba, std::size_t i) {
     return {rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]};
 }
 
-class SquaredErrors {
-public:
-    void add(double difference) {
-        sum_ += difference * difference;
-        ++count_;
-    }
-    double rms() const { return std::sqrt(sum_ / static_cast<double>(count_)); }
-
-private:
-    double sum_ = 0;
-    std::size_t count_ = 0;
-};
-
-Light ambientAlone() {
-    Light light;
-    light.direct = light.highlight = 0;
-    return light;
-}
-/// The sky of shaders/common/shading.glsl.
-reference::Sky sky() {
-    const glm::dvec3 down(0.54, 0.52, 0.52), up(0.70, 0.73, 0.77);
-    return {0.5 * (down + up), 0.5 * (up - down)};
-}
-
 class BouncedLight : public testing::TestWithParam<const char*> {
 protected:
     static Lit lit() {
         const std::string name = GetParam();
         if (name == "Well") return well();
         if (name == "DnaSpheres") return dna();
-        return name == "DnaCartoon" ? dnaCartoon() : pocket();
+        return name == "DnaCartoon" ? dnaCartoon() : pocket(ColorScheme::element);
     }
 };
 
@@ -141,20 +51,14 @@ struct Errors {
 };
 Errors errorsOf(const Lit& scene, const Light& light, const reference::Sky& sky) {
     const Pictures p = picturesOf(scene, light);
-    std::vector<std::uint32_t> pixels;
-    for (std::uint32_t i = 0; i < p.layers.id.size(); ++i)
-        if (p.layers.id[i]) pixels.push_back(i);
-    std::shuffle(pixels.begin(), pixels.end(), std::mt19937(3));
-    pixels.resize(std::min<std::size_t>(pixels.size(), 1000));
-    const auto truth = reference::tracePaths(scene.scene, scene.settings.view, pixels, sky, 256);
+    const TracedLight truth = traceLight(scene, p.layers, sky);
     Errors errors;
-    for (std::size_t k = 0; k < pixels.size(); ++k) {
-        if (std::isnan(truth[k].x)) continue;  // an outline
-        const double open = p.layers.occlusion[pixels[k]];
+    for (std::size_t k = 0; k < truth.pixels.size(); ++k) {
+        const double open = p.layers.occlusion[truth.pixels[k]];
         for (int c = 0; c < 3; ++c) {
-            const std::size_t at = 4 * std::size_t{pixels[k]} + c;
-            errors.drawn.add(p.drawn[at] - truth[k][c]);
-            errors.before.add(p.open[at] * open * (0.45 * open + 0.55) - truth[k][c]);
+            const std::size_t at = 4 * std::size_t{truth.pixels[k]} + c;
+            errors.drawn.add(p.drawn[at] - truth.light[k][c]);
+            errors.before.add(p.open[at] * open * (0.45 * open + 0.55) - truth.light[k][c]);
         }
     }
     std::cout << "RMS " << errors.drawn.rms() << ", before " << errors.before.rms() << "\n";
@@ -211,6 +115,39 @@ TEST(BouncedLightInTheDark, RunsIntoTheLeastWithoutABorder) {
     EXPECT_GT(closed, 50u);
     EXPECT_GT(nearlyClosed, 50u);
 }
+
+struct Colorful {
+    const char* name;
+    Lit (*lit)();
+    bool ofData;
+    double most;  ///< share of the error that is left
+};
+void PrintTo(const Colorful& c, std::ostream* out) { *out << c.name; }
+class LightOfNeighbours : public testing::TestWithParam<Colorful> {};
+
+TEST_P(LightOfNeighbours, IsNearerToPaths) {
+    if (GetParam().ofData) NACRE_NEEDS_DATA();
+    const Lit lit = GetParam().lit();
+    RenderSettings s = lit.settings;
+    s.fine = true;
+    s.occlusion.directions = 128;
+    s.effects.light = ambientAlone();
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(lit.scene);
+    const TracedLight truth = traceLight(lit, renderer->layers(s), sky(), 600, 2048);
+    const double before = lightError(renderer->render(s).rgba, truth);
+    s.occlusion.bounce = true;
+    const double after = lightError(renderer->render(s).rgba, truth);
+    std::cout << "RMS " << before << ", with light of neighbours " << after << "\n";
+    EXPECT_LT(after, GetParam().most * before);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, LightOfNeighbours,
+                         testing::Values(Colorful{"Well", well, false, 0.7}, Colorful{"Dna", dna, false, 0.55},
+                                         Colorful{"Chains", [] { return hemoglobin(ColorScheme::chain); }, true, 0.5},
+                                         Colorful{"Pocket", [] { return pocket(ColorScheme::chain); }, true, 0.5},
+                                         Colorful{"DnaCartoon", dnaCartoon, false, 1}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace nacre::test

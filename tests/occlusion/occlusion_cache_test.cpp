@@ -104,6 +104,29 @@ TEST_P(OcclusionCache, QuickBakesAndThoseWithoutAFolderAreNotKept) {
     EXPECT_EQ(files().size(), 0u);
 }
 
+TEST_P(OcclusionCache, KeepsBouncedLightForItsColours) {
+    const auto bounce = [](RenderSettings& s) { s.occlusion.bounce = true; };
+    const Run fresh = run(bounce);
+    EXPECT_EQ(files().size(), 2u);  // a bake, and the atlas with bounced light
+    expectSame(fresh, run(bounce));
+    EXPECT_EQ(files().size(), 2u);
+    run();
+    EXPECT_EQ(files().size(), 3u);
+    // The light is what the file says.
+    std::size_t changed = 0;
+    for (const fs::path& file : files()) {
+        const DiskCache cache = occlusionCache(file.parent_path().string());
+        auto kept = readOcclusion(cache, file.filename().string(), scene("sample:dna", GetParam()));
+        ASSERT_TRUE(kept);
+        if (!kept->bounced) continue;
+        for (std::uint8_t& texel : kept->atlas) texel = 0;
+        ASSERT_TRUE(writeOcclusion(cache, file.filename().string(), *kept));
+        ++changed;
+    }
+    EXPECT_EQ(changed, 1u);
+    EXPECT_NE(run(bounce).picture.rgba, fresh.picture.rgba);
+}
+
 // What a newer engine bakes in another way is not taken from an older one's folder.
 TEST(OcclusionCacheVersion, GoesWithPatchesMapsAndTexels) {
     std::ostringstream facts;

@@ -64,6 +64,42 @@ TEST(OcclusionCacheName, IsOfShapesAndWaysNotOfColours) {
     EXPECT_TRUE(names.insert(occlusionCacheName(r, "64 directions")).second);
 }
 
+TEST(OcclusionCacheName, OfBouncedLightIsOfColoursToo) {
+    Representation r = twoSpheresAndABond();
+    r.meshVertices.resize(3);
+    r.meshLooks = {{0xff0000ff, 1}, {0xffff0000, 1}};
+    std::set<std::string> names{bouncedCacheName(r, "a bake"), occlusionCacheName(r, "a bake")};
+    EXPECT_EQ(names.size(), 2u);
+    EXPECT_TRUE(names.insert(bouncedCacheName(r, "another bake")).second);
+    const std::function<void(Representation&)> changes[] = {
+        [](Representation& x) { x.sphereLooks[1].color = 0; }, [](Representation& x) { x.cylinderLooks[0].colorB = 0; },
+        [](Representation& x) { x.meshLooks[0].color = 0; }, [](Representation& x) { x.meshVertices[2].look = 1; }};
+    for (const auto& change : changes) {
+        Representation other = r;
+        change(other);
+        EXPECT_TRUE(names.insert(bouncedCacheName(other, "a bake")).second);
+    }
+    Representation same = r;
+    same.sphereLooks[0].atom = 7;
+    EXPECT_TRUE(names.contains(bouncedCacheName(same, "a bake")));
+}
+
+TEST(OcclusionCache, GivesBackBouncedLight) {
+    const TemporaryFolder folder;
+    const DiskCache cache(folder.path(), kOcclusionCacheBytes, {"name"});
+    const Representation r = twoSpheresAndABond();
+    FinishedOcclusion bake = someBake();
+    bake.bounced = true;
+    ASSERT_TRUE(writeOcclusion(cache, "name", bake));
+    EXPECT_FALSE(readOcclusion(cache, "name", r)) << "one byte per texel";
+    bake.atlas.resize(4 * bake.atlas.size(), 9);
+    ASSERT_TRUE(writeOcclusion(cache, "name", bake));
+    const auto read = readOcclusion(cache, "name", r);
+    ASSERT_TRUE(read);
+    EXPECT_TRUE(read->bounced);
+    EXPECT_EQ(read->atlas, bake.atlas);
+}
+
 TEST(OcclusionCache, GivesBackEveryBit) {
     const TemporaryFolder folder;
     const DiskCache cache(folder.path(), kOcclusionCacheBytes, {"name", "other"});

@@ -104,6 +104,7 @@ class Options(TypedDict, total=False):
     transparent: bool
     lighting: str | bool
     occlusion: str | float | bool
+    bounce: str | bool
     occlusion_memory: str | float
     contours: str | float | bool
     contour_depth: str | float

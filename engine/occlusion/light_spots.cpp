@@ -1,0 +1,202 @@
+#include "engine/occlusion/light_spots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+
+#include "engine/occlusion/directions.h"
+#include "engine/occlusion/nearest_surface.h"
+#include "engine/occlusion/patch_coordinates.h"
+#include "engine/threads.h"
+
+namespace nacre {
+namespace {
+
+/// Å that rays of meshes start above them: their facets are not quite their surface.
+constexpr float kLift = 1e-2f;
+
+/// Fewer for many spots: time and memory are proportional to both.
+int directionsFor(std::uint64_t spots) { return spots <= 50'000 ? 64 : spots <= 1'000'000 ? 32 : 16; }
+
+std::uint16_t fraction(float value) {
+    return static_cast<std::uint16_t>(std::clamp(value, 0.0f, 1.0f) * 65535.0f + 0.5f);
+}
+
+/// Texel of a patch that is nearest to a coordinate.
+std::uint32_t nearestTexel(const glm::vec2& uv, const glm::uvec2& size) {
+    const glm::uvec2 at(glm::clamp(uv, 0.0f, 1.0f) * glm::vec2(size - 1u) + 0.5f);
+    return at.y * size.x + at.x;
+}
+
+class Seer {
+public:
+    Seer(const Representation& r, const BakedOcclusion& baked, const LightSpots& spots)
+        : r_(r), baked_(baked), spots_(spots), surfaces_(r) {
+        for (const glm::dmat3& frame : occlusionDirections(directionsFor(spots.count())))
+            directions_.emplace_back(glm::transpose(frame)[2]);
+        for (std::uint32_t k = 0; k < spots.ofSphere.x * spots.ofSphere.y; ++k)
+            ofSphere_.push_back(octahedralNormal(placeInPatch(k, spots.ofSphere)));
+        itemOfVertex_.resize(r.meshVertices.size(), kNone);
+        for (std::size_t i = 0; i < r.triangles.size(); ++i)
+            for (const std::uint32_t v : {r.triangles[i].a, r.triangles[i].b, r.triangles[i].c})
+                itemOfVertex_[v] = static_cast<std::uint32_t>(r.spheres.size() + r.cylinders.size() + i);
+    }
+
+    void sphere(std::uint32_t i, std::vector<SeenSpot>& seen, std::vector<std::uint32_t>& ends) const {
+        const Sphere& s = r_.spheres[i];
+        if (ofSphere_.size() == 1) all(i, s, seen), ends.push_back(static_cast<std::uint32_t>(seen.size()));
+        if (ofSphere_.size() == 1) return;
+        std::vector<glm::vec3> open;
+        for (const glm::vec3& normal : ofSphere_)
+            if (!surfaces_.buries(i, s.center + s.radius * normal)) open.push_back(normal);
+        for (const glm::vec3& normal : ofSphere_) {
+            if (const std::optional<glm::vec3> there = outside(i, normal, open))
+                from(i, s.center + s.radius * *there, *there, seen);
+            ends.push_back(static_cast<std::uint32_t>(seen.size()));
+        }
+    }
+    void cylinder(std::uint32_t i, std::vector<SeenSpot>& seen, std::vector<std::uint32_t>& ends) const {
+        const Cylinder& c = r_.cylinders[i];
+        const auto item = static_cast<std::uint32_t>(r_.spheres.size()) + i;
+        for (std::uint32_t k = 0; k < spots_.ofCylinder.x * spots_.ofCylinder.y; ++k) {
+            const glm::vec2 place = placeInPatch(k, spots_.ofCylinder);
+            const glm::vec3 normal = directionAbout(glm::normalize(c.b - c.a), place.x);
+            const glm::vec3 point = glm::mix(c.a, c.b, place.y) + c.radius * normal;
+            if (!surfaces_.buries(item, point)) from(item, point, normal, seen);
+            ends.push_back(static_cast<std::uint32_t>(seen.size()));
+        }
+    }
+    void vertex(std::uint32_t i, std::vector<SeenSpot>& seen, std::vector<std::uint32_t>& ends) const {
+        const std::uint32_t item = itemOfVertex_[i];
+        if (item == kNone) return ends.insert(ends.end(), 2, static_cast<std::uint32_t>(seen.size())), void();
+        const float step = r_.triangles[item - r_.spheres.size() - r_.cylinders.size()].step();
+        const glm::vec3 point = positionOf(r_.meshVertices[i], step), normal = normalOf(r_.meshVertices[i]);
+        from(item, point + kLift * normal, normal, seen);
+        ends.push_back(static_cast<std::uint32_t>(seen.size()));
+        // The inner side of a closed surface gets no light.
+        if (baked_.ofVertex(i, true) > 0) from(item, point - kLift * normal, -normal, seen);
+        ends.push_back(static_cast<std::uint32_t>(seen.size()));
+    }
+
+private:
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    /// The normal where a texel of a sphere looks from: its own or, where that is inside of another sphere, one at the
+    /// crease on the way to the next open texel. @param open  normals of the sphere's open texels
+    std::optional<glm::vec3> outside(std::uint32_t i, const glm::vec3& normal,
+                                     const std::vector<glm::vec3>& open) const {
+        constexpr float kNear = 0.5f;  // cosine of the angle to a texel next to this one
+        constexpr int kHalvings = 5;   // to a 32nd of that angle
+        const glm::vec3* next = nullptr;
+        for (const glm::vec3& other : open)
+            if (const float cosine = glm::dot(normal, other); cosine > (next ? glm::dot(normal, *next) : kNear))
+                next = &other;
+        if (!next) return {};
+        if (*next == normal) return normal;
+        glm::vec3 inside = normal, out = *next;
+        for (int k = 0; k < kHalvings; ++k) {
+            const glm::vec3 middle = glm::normalize(inside + out);
+            (surfaces_.buries(i, r_.spheres[i].center + r_.spheres[i].radius * middle) ? inside : out) = middle;
+        }
+        return out;
+    }
+
+    void from(std::uint32_t self, const glm::vec3& point, const glm::vec3& normal, std::vector<SeenSpot>& seen) const {
+        for (const glm::vec3& direction : directions_) {
+            const float cosine = glm::dot(direction, normal);
+            if (cosine <= 0) continue;
+            if (const auto met = surfaces_.from(self, point, direction)) seen.push_back(spotAt(*met, cosine));
+        }
+    }
+    /// Of a sphere that has one value.
+    void all(std::uint32_t i, const Sphere& s, std::vector<SeenSpot>& seen) const {
+        for (const glm::vec3& direction : directions_) {
+            const glm::vec3 point = s.center + s.radius * direction;
+            if (surfaces_.buries(i, point)) continue;
+            if (const auto met = surfaces_.from(i, point, direction)) seen.push_back(spotAt(*met, 1));
+        }
+    }
+
+    SeenSpot spotAt(const SurfacePoint& p, float cosine) const {
+        const auto spheres = static_cast<std::uint32_t>(r_.spheres.size());
+        const auto solids = spheres + static_cast<std::uint32_t>(r_.cylinders.size());
+        const std::uint16_t weight = fraction(cosine);
+        if (p.item < spheres)
+            return {spots_.firstOfSphere(p.item) + nearestTexel(octahedralCoordinate(p.normal), spots_.ofSphere),
+                    weight, fraction(baked_.ofSphere(p.item, p.normal))};
+        if (p.item < solids) {
+            const std::uint32_t i = p.item - spheres;
+            const glm::vec3 axis = glm::normalize(r_.cylinders[i].b - r_.cylinders[i].a);
+            return {spots_.firstOfCylinder(i) + nearestTexel({angleAbout(axis, p.normal), p.share}, spots_.ofCylinder),
+                    weight, fraction(baked_.ofCylinder(i, axis, p.normal, p.share))};
+        }
+        const Triangle& t = r_.triangles[p.item - solids];
+        const std::uint32_t corners[]{t.a, t.b, t.c};
+        int nearest = p.shares.y > p.shares.x ? 1 : 0;
+        if (p.shares.z > p.shares[nearest]) nearest = 2;
+        float open = 0;
+        for (int k = 0; k < 3; ++k) open += p.shares[k] * baked_.ofVertex(corners[k], p.inner);
+        return {spots_.ofVertex(corners[nearest], p.inner), weight, fraction(open)};
+    }
+
+    const Representation& r_;
+    const BakedOcclusion& baked_;
+    const LightSpots& spots_;
+    NearestSurface surfaces_;
+    std::vector<glm::vec3> directions_;
+    std::vector<glm::vec3> ofSphere_;          // normals of a sphere's texels
+    std::vector<std::uint32_t> itemOfVertex_;  // one of its triangles, as NearestSurface counts
+};
+
+/// What some consecutive primitives see.
+struct Part {
+    std::vector<SeenSpot> seen;
+    std::vector<std::uint32_t> ends;  // for each spot, within `seen`
+};
+
+}  // namespace
+
+glm::vec2 placeInPatch(std::uint32_t texel, const glm::uvec2& size) {
+    return glm::vec2(texel % size.x, texel / size.x) / glm::vec2(glm::max(size, glm::uvec2(2)) - 1u);
+}
+
+LightSpots findLightSpots(const Representation& r, const OcclusionLayout& layout, const BakedOcclusion& baked,
+                          const std::stop_token& stop) {
+    LightSpots spots;
+    spots.ofSphere = glm::min(glm::uvec2(layout.sphereEdge), LightSpots::kSphere);
+    spots.ofCylinder = glm::min(glm::uvec2(layout.around, layout.along), LightSpots::kCylinder);
+    spots.spheres = layout.sphereCount;
+    spots.cylinders = layout.cylinderCount;
+    spots.vertices = layout.vertexCount;
+    const Seer seer(r, baked, spots);
+    constexpr std::size_t kPart = 256;
+    const std::size_t primitives = std::size_t{spots.spheres} + spots.cylinders + spots.vertices;
+    std::vector<Part> parts((primitives + kPart - 1) / kPart);
+    inParallel(parts.size(), [&](std::size_t n) {
+        const auto end = static_cast<std::uint32_t>(std::min(primitives, (n + 1) * kPart));
+        Part& part = parts[n];
+        for (auto i = static_cast<std::uint32_t>(n * kPart); i < end && !stop.stop_requested(); ++i) {
+            if (i < spots.spheres)
+                seer.sphere(i, part.seen, part.ends);
+            else if (i < spots.spheres + spots.cylinders)
+                seer.cylinder(i - spots.spheres, part.seen, part.ends);
+            else
+                seer.vertex(i - spots.spheres - spots.cylinders, part.seen, part.ends);
+        }
+    });
+    if (stop.stop_requested()) return spots;
+    spots.first.reserve(std::size_t{spots.count()} + 1);
+    spots.first.push_back(0);
+    for (Part& part : parts) {
+        const auto before = static_cast<std::uint32_t>(spots.seen.size());
+        spots.seen.insert(spots.seen.end(), part.seen.begin(), part.seen.end());
+        for (const std::uint32_t end : part.ends) spots.first.push_back(before + end);
+        part = {};
+    }
+    return spots;
+}
+
+}  // namespace nacre

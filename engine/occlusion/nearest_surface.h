@@ -1,0 +1,43 @@
+#pragma once
+// What a ray from one primitive meets first, on the host.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "engine/occlusion/primitive_tree.h"
+#include "engine/scene/build/representation.h"
+
+namespace nacre {
+
+/// A point of an opaque primitive.
+struct SurfacePoint {
+    std::uint32_t item = 0;  ///< as PrimitiveTree counts, with triangles
+    float distance = 0;      ///< from the ray's start, Å
+    glm::vec3 normal{};      ///< of spheres and cylinders, unit length
+    float share = 0;         ///< of cylinders: position along the axis, 0 to 1
+    glm::vec3 shares{};      ///< of triangles: barycentric coordinates
+    bool inner = false;      ///< of triangles: seen from behind
+};
+
+class NearestSurface {
+public:
+    /// The representation outlives this.
+    explicit NearestSurface(const Representation& r);
+
+    /// Whether something opaque besides `self` has this point inside.
+    bool buries(std::uint32_t self, const glm::vec3& point) const;
+    /// Translucent primitives, primitives with other copies and models that do not occlude are not met.
+    /// @param self  the primitive that the ray leaves @param direction  unit length
+    std::optional<SurfacePoint> from(std::uint32_t self, const glm::vec3& start, const glm::vec3& direction) const;
+
+private:
+    bool isOpaque(std::uint32_t item) const { return translucent_.empty() || !translucent_[item]; }
+    std::optional<SurfacePoint> meet(std::uint32_t item, const glm::vec3& start, const glm::vec3& direction) const;
+
+    const Representation& r_;
+    PrimitiveTree tree_;
+    std::vector<bool> translucent_;  // empty: none is
+};
+
+}  // namespace nacre
