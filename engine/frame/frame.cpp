@@ -12,6 +12,7 @@
 #include "engine/frame/effects/volume/volume.h"
 #include "engine/frame/foveation.h"
 #include "engine/frame/paths/paths.h"
+#include "engine/frame/picture.h"
 #include "engine/passes/read_back.h"
 
 namespace nacre {
