@@ -23,13 +23,13 @@ std::string lowered(std::string text) {
     return text;
 }
 
-bool speaksOf(const std::string& text, std::initializer_list<std::string_view> words) {
+bool mentions(const std::string& text, std::initializer_list<std::string_view> words) {
     return std::ranges::any_of(words, [&](std::string_view word) { return text.find(word) != std::string::npos; });
 }
 
 /// The direction in the text; `neither` unless it names exactly one.
-TrafficWay wayOf(const std::string& text) {
-    const bool reads = speaksOf(text, {"read", "load"}), writes = speaksOf(text, {"writ", "stor"});
+TrafficWay trafficWay(const std::string& text) {
+    const bool reads = mentions(text, {"read", "load"}), writes = mentions(text, {"writ", "stor"});
     return reads == writes ? TrafficWay::neither : reads ? TrafficWay::read : TrafficWay::written;
 }
 
@@ -60,8 +60,8 @@ public:
         traffic.pixels = prepared_.shape.extent.width;
         const passes::SceneView& view = *prepared_.view;
         const std::vector<PassGeometry> geometry =
-            geometryOf(frame_->frame.graph, prepared_.counts, caps, view.plates, view.impostor);
-        const std::uint64_t vertices = caps.storesVaryings ? sumOf(geometry).varyingBytes : 0;
+            describeGeometry(frame_->frame.graph, prepared_.counts, caps, view.plates, view.impostor);
+        const std::uint64_t vertices = caps.storesVaryings ? sumGeometry(geometry).varyingBytes : 0;
         traffic.plannedRead = frame_->plan.total.loaded + vertices;
         traffic.plannedWritten = frame_->plan.total.stored + vertices;
     }
@@ -83,21 +83,21 @@ void takeTestedPath(gpu::Device& device, const std::string& selfTests) {
     device.choose(choosePath(*test, byCaps.visibility, byCaps.why));
 }
 
-std::string megabytesOf(std::uint64_t bytes) {
+std::string formatMegabytes(std::uint64_t bytes) {
     const std::uint64_t tenths = (bytes + 50'000) / 100'000;
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
 }
 
 }  // namespace
 
-TrafficWay wayOf(const std::string& name, const std::string& category, const std::string& description) {
+TrafficWay trafficWay(const std::string& name, const std::string& category, const std::string& description) {
     const std::string names = lowered(name), texts = lowered(description);
     const std::string all = names + "\n" + lowered(category) + "\n" + texts;
-    if (!speaksOf(all, {"external", "memory", "dram", "ddr", "vbif"}) ||
-        speaksOf(all, {"cache", "tile", "local", "shared"}))
+    if (!mentions(all, {"external", "memory", "dram", "ddr", "vbif"}) ||
+        mentions(all, {"cache", "tile", "local", "shared"}))
         return TrafficWay::neither;
-    const TrafficWay way = wayOf(names);
-    return way == TrafficWay::neither ? wayOf(texts) : way;
+    const TrafficWay way = trafficWay(names);
+    return way == TrafficWay::neither ? trafficWay(texts) : way;
 }
 
 CountedTraffic countTraffic(const DeviceOptions& options) {
@@ -119,7 +119,7 @@ CountedTraffic countTraffic(const DeviceOptions& options) {
         const std::optional<std::uint64_t> bytes = counters.count(counter, record);
         if (!bytes) continue;
         traffic.counters.push_back({counter.name, counter.category, *bytes});
-        const TrafficWay way = wayOf(counter.name, counter.category, counter.description);
+        const TrafficWay way = trafficWay(counter.name, counter.category, counter.description);
         if (way == TrafficWay::read) traffic.read = traffic.read.value_or(0) + *bytes;
         if (way == TrafficWay::written) traffic.written = traffic.written.value_or(0) + *bytes;
     }
@@ -130,8 +130,8 @@ CountedTraffic countTraffic(const DeviceOptions& options) {
 std::string describe(const CountedTraffic& traffic) {
     if (!traffic.lacks.empty()) return "not counted: " + traffic.lacks;
     const auto way = [](const char* name, const std::optional<std::uint64_t>& counted, std::uint64_t planned) {
-        return (counted ? megabytesOf(*counted) + " MB " + name : std::string("nothing counts what is ") + name) +
-               ", planned " + megabytesOf(planned);
+        return (counted ? formatMegabytes(*counted) + " MB " + name : std::string("nothing counts what is ") + name) +
+               ", planned " + formatMegabytes(planned);
     };
     const std::string side = std::to_string(traffic.pixels);
     return traffic.visibility + " at " + side + "x" + side + ": " + way("read", traffic.read, traffic.plannedRead) +

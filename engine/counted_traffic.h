@@ -31,7 +31,7 @@ CountedTraffic countTraffic(const DeviceOptions& options);
 
 /// The direction that a counter of memory outside the chip counts.
 enum class TrafficWay : std::uint8_t { neither, read, written };
-TrafficWay wayOf(const std::string& name, const std::string& category, const std::string& description);
+TrafficWay trafficWay(const std::string& name, const std::string& category, const std::string& description);
 
 /// "raster-order at 720x720: 3.1 MB read, planned 3.0; 5.1 MB written, planned 5.0"
 std::string describe(const CountedTraffic& traffic);

@@ -92,7 +92,7 @@ struct Renderer::Impl {
     explicit Impl(const DeviceOptions& options)
         : start(options.surface.create ? options.selfTests : std::string()),
           device(options, start.mode() == StartMode::usual ? gpu::Caching::usual : gpu::Caching::none) {
-        stats.device = gpu::infoOf(device.caps(), device.physical());
+        stats.device = gpu::describeDevice(device.caps(), device.physical());
         const std::string selfTest = testPath(options, stats.device);
         addChoices(stats.device, device.caps());
         stats.device.selfTest = selfTest;

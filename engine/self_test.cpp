@@ -24,10 +24,10 @@ constexpr const char* kHeading = "nacre self-test 4";
 constexpr std::uint32_t kPixels = 128, kTimedPixels = 720;
 constexpr int kDirections = 16;  // of a bake: a batch
 
-std::string nameOf(const std::string& key) { return kTestedPaths + key; }
+std::string entryName(const std::string& key) { return kTestedPaths + key; }
 
 /// "1.2 2.05 6.3"
-std::string timesOf(const PathResult& r, int digits) {
+std::string formatTimes(const PathResult& r, int digits) {
     std::ostringstream text;
     text << std::fixed << std::setprecision(digits);
     for (const double& milliseconds : r.milliseconds)
@@ -35,19 +35,19 @@ std::string timesOf(const PathResult& r, int digits) {
     return text.str();
 }
 
-std::string textOf(const SelfTest& test) {
+std::string formatTest(const SelfTest& test) {
     std::ostringstream text;
     text << kHeading << '\n';
     for (const PathResult& r : test)
-        text << visibilityName(r.visibility) << ' ' << kOutcomes[static_cast<int>(r.outcome)] << ' ' << timesOf(r, 6)
-             << ' ' << r.tries << ' ' << r.subpasses << ' ' << r.carried << ' ' << r.transientBytes << ' '
-             << r.committedBytes << '\n';
+        text << visibilityName(r.visibility) << ' ' << kOutcomes[static_cast<int>(r.outcome)] << ' '
+             << formatTimes(r, 6) << ' ' << r.tries << ' ' << r.subpasses << ' ' << r.carried << ' ' << r.transientBytes
+             << ' ' << r.committedBytes << '\n';
     return text.str();
 }
 
-/// Empty for anything but the output of textOf().
+/// Empty for anything but the output of formatTest().
 SelfTest read(const std::string& folder, const std::string& key) {
-    const std::optional<std::string> text = keptResults(folder).read(nameOf(key));
+    const std::optional<std::string> text = keptResults(folder).read(entryName(key));
     if (!text) return {};
     std::istringstream lines(*text);
     std::string line, path, outcome;
@@ -69,9 +69,9 @@ SelfTest read(const std::string& folder, const std::string& key) {
 }
 
 void write(const std::string& folder, const std::string& key, const SelfTest& test) {
-    const std::string text = textOf(test);
+    const std::string text = formatTest(test);
     const std::string_view parts[] = {text};
-    keptResults(folder).write(nameOf(key), parts);
+    keptResults(folder).write(entryName(key), parts);
 }
 
 struct Stopped {};
@@ -82,7 +82,7 @@ void check(const std::atomic<bool>* stop) {
 }
 
 /// Milliseconds of a frame, by the device's own clock if it has one.
-double frameOf(Renderer& renderer, const RenderSettings& settings) {
+double measureFrame(Renderer& renderer, const RenderSettings& settings) {
     const double waited = renderer.drawFrame(settings);
     double sum = 0;
     for (const PassTime& pass : renderer.stats().passTimes) sum += pass.milliseconds;
@@ -97,11 +97,11 @@ double timed(Renderer& renderer, const TimedScene& scene, const std::atomic<bool
     RenderSettings s = testSettings(scene.representation, scene.projection, std::min(kTimedPixels, renderer.maxSize()));
     s.lighting = true;
     s.tuning.timePasses = true;
-    for (double spent = 0; spent < kWarmUp; spent += frameOf(renderer, s)) check(stop);
+    for (double spent = 0; spent < kWarmUp; spent += measureFrame(renderer, s)) check(stop);
     double least = 1e9, spent = 0;
     for (int frame = 0; frame < kLeastFrames || spent < kMeasured; ++frame) {
         check(stop);
-        const double milliseconds = frameOf(renderer, s);
+        const double milliseconds = measureFrame(renderer, s);
         least = std::min(least, milliseconds);
         spent += milliseconds;
     }
@@ -201,7 +201,7 @@ std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::strin
     return test;
 }
 
-void forgetSelfTest(const std::string& folder, const std::string& key) { keptResults(folder).remove(nameOf(key)); }
+void forgetSelfTest(const std::string& folder, const std::string& key) { keptResults(folder).remove(entryName(key)); }
 
 namespace {
 
@@ -222,7 +222,7 @@ std::string describe(const SelfTest& test) {
     for (const PathResult& r : test) {
         text << (text.tellp() > 0 ? ", " : "") << visibilityName(r.visibility) << ' ';
         if (r.outcome == PathResult::Outcome::right)
-            text << timesOf(r, 2) << " ms" << tellsOfTile(r);
+            text << formatTimes(r, 2) << " ms" << tellsOfTile(r);
         else
             text << (r.outcome == PathResult::Outcome::unfinished ? "ends the program"
                                                                   : kOutcomes[static_cast<int>(r.outcome)]);

@@ -57,8 +57,8 @@ void main() {
     vec3 ahead = normalize(b - a);
     // The hull of the silhouettes of both ends, as spheres of the cylinder's radius, contains the cylinder in any
     // projection.
-    Outline oa = sphereOutline(a, reachOf(a.z, radius));
-    Outline ob = sphereOutline(b, reachOf(b.z, radius));
+    Outline oa = sphereOutline(a, outlinedRadius(a.z, radius));
+    Outline ob = sphereOutline(b, outlinedRadius(b.z, radius));
     vec2 along = ob.center - oa.center;
     float span = length(along);
     vec2 u = span > 1e-6 ? along / span : vec2(1.0, 0.0);

@@ -32,7 +32,7 @@ vec3 heat(float fragments) {
 }
 
 /// Well separated colours for consecutive numbers.
-vec3 colorOf(uint number) {
+vec3 numberColor(uint number) {
     float hue = fract(float(number % 65536u) * 0.61803399);
     float value = 0.62 + 0.38 * fract(float(number % 65536u) * 0.75487767);
     vec3 c = clamp(abs(fract(hue + vec3(0.0, 2.0 / 3.0, 1.0 / 3.0)) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
@@ -52,7 +52,7 @@ void main() {
 #elif defined(ID)
     uint atom = texelFetch(source, pixel, 0).x;
     if (atom == 0u) discard;
-    color = vec4(linearFromSrgb(colorOf(atom)), 1.0);
+    color = vec4(linearFromSrgb(numberColor(atom)), 1.0);
 #elif defined(OCCLUSION)
     uvec2 identity = texelFetch(source, pixel, 0).xy;
     if (identity.x == 0u) discard;
@@ -62,8 +62,8 @@ void main() {
     if (kDepthSteps == 0)
         color = vec4(linearFromSrgb(e.xxx), 1.0);
     else
-        color = vec4(linearFromSrgb(vec3(stepOf(e.x), kDepthChannels > 1 ? stepOf(e.y) : 0,
-                                kDepthChannels > 2 ? stepOf(e.z) : 0) / float(kDepthSteps)), 1.0);
+        color = vec4(linearFromSrgb(vec3(toStep(e.x), kDepthChannels > 1 ? toStep(e.y) : 0,
+                                kDepthChannels > 2 ? toStep(e.z) : 0) / float(kDepthSteps)), 1.0);
 #elif defined(PLATES)
     vec4 picture = texelFetch(under, pixel, 0);
     if (picture.a == 0.0) discard;

@@ -23,7 +23,7 @@ const int kBlock = 16;        // pixels of a block's side
 
 /// Circle of confusion, radius in pixels; negative in front of the focus, so that circles sort by depth.
 float circleAt(float Z) { return Z < kNothing ? lens.y * (Z - lens.x) * (lens.w > 0.0 ? 1.0 / Z : 1.0) : kNothing; }
-float radiusOf(float circle) { return circle < kNothing ? min(abs(circle), lens.z) : 0.0; }
+float blurRadius(float circle) { return circle < kNothing ? min(abs(circle), lens.z) : 0.0; }
 
 #if defined(CIRCLES)
 layout(set = 0, binding = 0) uniform sampler2D picture;  // premultiplied
@@ -65,7 +65,7 @@ void main() {
     vec2 largest = vec2(0.0);
     for (int y = first.y; y < last.y; ++y)
         for (int x = first.x; x < last.x; ++x) {
-            float circle = uintBitsToFloat(texelFetch(circles, ivec2(x, y), 0).y), radius = radiusOf(circle);
+            float circle = uintBitsToFloat(texelFetch(circles, ivec2(x, y), 0).y), radius = blurRadius(circle);
             largest = max(largest, vec2(circle < 0.0 ? radius : 0.0, radius));
         }
     reach = floatBitsToUint(largest);
@@ -127,7 +127,7 @@ void main() {
     ivec2 here = ivec2(gl_FragCoord.xy), last = textureSize(circles, 0) - 1;
     uvec2 own = texelFetch(circles, here, 0).xy;
     vec2 reaches = uintBitsToFloat(texelFetch(blocks, here / kBlock, 0).xy);
-    float circle = uintBitsToFloat(own.y), radius = radiusOf(circle);
+    float circle = uintBitsToFloat(own.y), radius = blurRadius(circle);
     // In front of the focus only, nearer points have larger circles; over the background all contribute.
     float reach = circle < kNothing ? max(radius, reaches.x) : reaches.y;
     float end = 1.0;

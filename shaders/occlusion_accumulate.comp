@@ -107,7 +107,7 @@ vec2 asked(int i, Direction d, Texel texel) {
     return vec2(seen * counted, cosine);
 }
 
-Texel texelOf(uint entry) {
+Texel loadTexel(uint entry) {
 #if defined(VERTEX)
     return vertexTexel(texels[entry]);
 #elif defined(CYLINDER)
@@ -122,22 +122,22 @@ void main() {
     // All lanes stay active, as each holds directions that others need.
     uint entry = bake.firstEntry + min(listed, bake.entries - 1u);
     fetchDirections();
-    Texel texel = texelOf(entry);
+    Texel texel = loadTexel(entry);
     precise vec2 sum = sums[entry];
 #ifdef PAIRS
     uint apart = (bake.entries + 1u) / 2u, pair = bake.firstEntry + min(listed + apart, bake.entries - 1u);
-    Texel other = texelOf(pair);
+    Texel other = loadTexel(pair);
     precise vec2 sumOfOther = sums[pair];
 #endif
 #if defined(TEXELS) && !defined(WHOLE)
     [[unroll]] for (int i = 0; i < kBatch; i += kApart) {
         int faced = i;
-        Direction d = facedOf(faced, texel.normal);
+        Direction d = loadFaced(faced, texel.normal);
         sum += asked(faced, d, texel);
     }
 #else
     [[unroll]] for (int i = 0; i < kBatch; ++i) {
-        Direction d = directionOf(i);
+        Direction d = loadDirection(i);
         sum += asked(i, d, texel);
 #ifdef PAIRS
         sumOfOther += asked(i, d, other);

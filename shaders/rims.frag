@@ -30,7 +30,7 @@ void main() {
     uvec2 nearest = nearestHere();
     bool behind = nearest.x != 0u;
     uvec2 there = divided(max(nearest.x, 1u) - 1u, view.primitives), here = divided(primitive - 1u, view.primitives);
-    rim = vec4(rimOf(hit, Owner(here.x, groupOf(here.y, hit.along >= 0.5)), behind,
-                     Owner(there.x, groupOf(there.y, false)), behind ? uintBitsToFloat(nearest.y) : 1e30),
+    rim = vec4(shadeRim(hit, Owner(here.x, lookGroup(here.y, hit.along >= 0.5)), behind,
+                     Owner(there.x, lookGroup(there.y, false)), behind ? uintBitsToFloat(nearest.y) : 1e30),
                0.0);
 }

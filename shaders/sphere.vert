@@ -50,7 +50,7 @@ void main() {
 #ifdef NUMBER
     primitive = view.numberBefore + uint(gl_InstanceIndex) + 1u;
 #endif
-    Outline outline = sphereOutline(center, reachOf(center.z, radius));
+    Outline outline = sphereOutline(center, outlinedRadius(center.z, radius));
     vec2 q = outline.center + outline.axisU * inCorner.x + outline.axisV * inCorner.y;
     // With inclined facets, a corner moved by the rasteriser would change depth.
     float front = radius * inCorner.z + (kCorners == 9 ? 2.0 * snapReach() : 0.0) + kCapRoom;

@@ -72,9 +72,9 @@ void main() {
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
         // Parts beyond a map's edge belong to no map.
         bool mine = at + lane < end && copyIndex - firstCopy < copies;
-        uint balls = ballotOf(mine && e.meets && !e.cylinder);
+        uint balls = ballotLanes(mine && e.meets && !e.cylinder);
         do {
-            vec4 sphere = handed(e.a, lowestOf(balls));
+            vec4 sphere = handed(e.a, lowestBit(balls));
             // sphereHitThrough() with the terms common to a column hoisted.
             float square = balls != 0u ? sphere.w * sphere.w : -1.0;
             for (int i = 0; i < kPixels; ++i) {
@@ -85,9 +85,9 @@ void main() {
             balls &= balls - 1u;
         } while (balls != 0u);
 #ifdef CYLINDERS
-        uint sticks = ballotOf(mine && e.meets && e.cylinder);
+        uint sticks = ballotLanes(mine && e.meets && e.cylinder);
         do {
-            Stick stick = handed(e.stick, lowestOf(sticks));
+            Stick stick = handed(e.stick, lowestBit(sticks));
             for (int i = 0; i < kPixels; ++i) {
                 Hit hit = stickHitThrough(stick, through[i]);
                 top[i] = max(top[i], sticks != 0u && hit.inside ? view.origin - hit.Z : kNothing);

@@ -75,13 +75,13 @@ Row rightOf(Row row, uint at, bool last) {
                uvec4(row.colors.yzw, last ? row.colors.w : beside.colors.x));
 }
 
-uint lowestOf(uint bits) { return bits == 0u ? 0u : (floatBitsToUint(float(bits & (0u - bits))) >> 23) - 127u; }
+uint lowestBit(uint bits) { return bits == 0u ? 0u : (floatBitsToUint(float(bits & (0u - bits))) >> 23) - 127u; }
 
 /// @param bits  of pixels, counted from a corner @param to  where to list them
 void list(uint bits, uvec2 corner, uint to) {
     bool more = true;
     do {
-        uint bit = lowestOf(bits);
+        uint bit = lowestBit(bits);
         uvec2 pixel = corner + uvec2(bit & 3u, bit >> 2);
         if (bits != 0u) edgePixels[to++] = pixel.x | pixel.y << 16;
         bits &= bits - 1u;

@@ -69,7 +69,7 @@ void keep(int i, bool inside, float Z, uint sight) {
 void keepStick(Stick stick, uint number, bool live) {
     for (int i = 0; i < kSamples; ++i) {
         Hit hit = stickHitThrough(stick, planePoint(corner + sampleAt(i)));
-        keep(i, live && hit.inside, hit.order, sightOf(hit, number));
+        keep(i, live && hit.inside, hit.order, packSight(hit, number));
     }
 }
 
@@ -77,7 +77,7 @@ void keepSphere(vec4 sphere, uint number, bool live) {
     if (kPerspective || !kPlain) {
         for (int i = 0; i < kSamples; ++i) {
             Hit hit = sphereHitThrough(sphere, planePoint(corner + sampleAt(i)));
-            keep(i, live && hit.inside, hit.order, sightOf(hit, number));
+            keep(i, live && hit.inside, hit.order, packSight(hit, number));
         }
         return;
     }
@@ -96,7 +96,7 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint division, uint number, bool live) {
     if (!kPlain) {
         for (int i = 0; i < kSamples; ++i) {
             Hit hit = triangleHitThrough(a, b, c, division, planePoint(corner + sampleAt(i)));
-            keep(i, live && hit.inside, hit.order, sightOf(hit, number));
+            keep(i, live && hit.inside, hit.order, packSight(hit, number));
         }
         return;
     }
@@ -116,7 +116,7 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint division, uint number, bool live) {
     for (int k = 0; k < 3; ++k) {
         vec3 inSpace = kPerspective ? shares[k] * heights : shares[k];
         depth[k] = dot(shares[k], heights);
-        alike[k] = claimsOf(inSpace, division);
+        alike[k] = computeClaims(inSpace, division);
     }
     // Resolves ties up to rounding in favour of the first.
     alike[0] += vec3(2e-6, 1e-6, 0.0) * (kPerspective ? abs(a.z) : 1.0);
@@ -169,11 +169,11 @@ void sampleList(uint at, uint end, uint lane) {
         do {
             bool mine = at + lane < end;
             e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-            balls = ballotOf(mine && e.meets && !e.cylinder && !e.facet);
-            sticks = ballotOf(mine && e.meets && e.cylinder);
-            uint facets = ballotOf(mine && e.meets && e.facet);
+            balls = ballotLanes(mine && e.meets && !e.cylinder && !e.facet);
+            sticks = ballotLanes(mine && e.meets && e.cylinder);
+            uint facets = ballotLanes(mine && e.meets && e.facet);
             do {
-                uint from = lowestOf(facets);
+                uint from = lowestBit(facets);
                 vec3 ca = handedCorner(e.a.xyz, from), cb = handedCorner(e.b, from), cc = handedCorner(e.c, from);
                 keepFacet(ca, cb, cc, subgroupShuffle(e.division, from), subgroupShuffle(e.number, from), facets != 0u);
                 facets &= facets - 1u;
@@ -183,18 +183,18 @@ void sampleList(uint at, uint end, uint lane) {
 #else
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        uint balls = ballotOf(mine && e.meets && !e.cylinder);
-        uint sticks = ballotOf(mine && e.meets && e.cylinder);
+        uint balls = ballotLanes(mine && e.meets && !e.cylinder);
+        uint sticks = ballotLanes(mine && e.meets && e.cylinder);
         at += uint(kLanes);
 #endif
         if (kSpheres) do {
-            uint from = lowestOf(balls);
+            uint from = lowestBit(balls);
             keepSphere(handed(e.a, from), subgroupShuffle(e.number, from), balls != 0u);
             balls &= balls - 1u;
         } while (balls != 0u);
 #ifdef CYLINDERS
         if (kCylinders) do {
-            uint from = lowestOf(sticks);
+            uint from = lowestBit(sticks);
             keepStick(handed(e.stick, from), subgroupShuffle(e.number, from), sticks != 0u);
             sticks &= sticks - 1u;
         } while (sticks != 0u);
@@ -262,13 +262,13 @@ void sampleNeighbours(ivec2 pixel) {
 /// Shades a sample's sight where the ray of a position hits it. @returns linear light
 vec3 shadeAt(uint sight, vec2 place) {
     vec2 q = planePoint(place);
-    Seen seen = seenOf(sight & kNumber, q);
-    return clamp(lightOf(seen.hit, storedColor(seen), seen.baked, q), 0.0, 1.0);
+    Seen seen = findSeen(sight & kNumber, q);
+    return clamp(computeLight(seen.hit, storedColor(seen), seen.baked, q), 0.0, 1.0);
 }
 
 /// Position for shading some samples: their centre. An outline or a clipped primitive may not be there: then the
 /// nearest of the samples. @param bits  of the samples
-vec2 placeOf(uint bits, vec2 middle) {
+vec2 shadingPoint(uint bits, vec2 middle) {
     if (kPlain) return middle;
     vec2 place = middle;
     float least = 4.0;
@@ -300,7 +300,7 @@ vec4 shadeEdge() {
             seen[i] = same ? 0u : seen[i];
         }
         if (sight != 0u) {
-            light += count * shadeAt(sight, corner + placeOf(bits, sum / count));
+            light += count * shadeAt(sight, corner + shadingPoint(bits, sum / count));
             covered += count;
             countFragment();
         }

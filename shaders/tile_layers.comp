@@ -56,7 +56,7 @@ void main() {
     // If rows of workgroups are uneven, the last tile is drawn again.
     uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);
     uint tile = listAt(group);
-    uvec2 corner = cornerOf(tile);
+    uvec2 corner = tileCorner(tile);
     uvec2 bin = corner / uint(kTile * kTilesInBin);
     uint at = listAt(view.offsets + bin.y * view.across + bin.x);
     uint end = listAt(view.offsets + bin.y * view.across + bin.x + 1u);
@@ -73,9 +73,9 @@ void main() {
     do {
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        uint facets = ballotOf(mine && e.meets && e.facet);
+        uint facets = ballotLanes(mine && e.meets && e.facet);
         do {
-            uint from = lowestOf(facets);
+            uint from = lowestBit(facets);
             vec3 a = handedCorner(e.a.xyz, from), b = handedCorner(e.b, from), c = handedCorner(e.c, from);
             uint candidate = subgroupShuffle(e.number, from);
             bool live = facets != 0u;

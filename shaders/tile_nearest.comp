@@ -104,18 +104,18 @@ uint sightAt(uint number, vec2 q) {
     uint sight = number;
 #ifdef TRIANGLES
     if (isTriangle(index))
-        sight = sightOf(facetHitThrough(facetOf(index), q), number);
+        sight = packSight(facetHitThrough(loadFacet(index), q), number);
     else
 #endif
 #ifdef CYLINDERS
     if (index >= view.spheres) {
         uint at = 2u * index - view.spheres;
-        sight = sightOf(stickHitThrough(stickAt(shapeAt(at), shapeAt(at + 1u)), q), number);
+        sight = packSight(stickHitThrough(stickAt(shapeAt(at), shapeAt(at + 1u)), q), number);
     } else
 #endif
     if (!kPlain) {
         vec4 shape = shapeAt(index);
-        sight = sightOf(sphereHitThrough(vec4(toView(shape.xyz), shape.w), q), number);
+        sight = packSight(sphereHitThrough(vec4(toView(shape.xyz), shape.w), q), number);
     }
     return number == 0u ? 0u : sight;
 }
@@ -183,7 +183,7 @@ Hit stickHit(uint index, vec2 q) {
 #include "common/tile_kind.glsl"
 #endif
 #ifdef TRIANGLES
-Hit facetHit(uint index, vec2 q) { return facetHitThrough(facetOf(index), q); }
+Hit facetHit(uint index, vec2 q) { return facetHitThrough(loadFacet(index), q); }
 #define KIND kFacets
 #define FIRST (view.spheres + view.cylinders)
 #define SEEN seenFacet
@@ -200,7 +200,7 @@ Hit facetHit(uint index, vec2 q) { return facetHitThrough(facetOf(index), q); }
 void drawTile(uint index, bool last) {
     uint lane = gl_SubgroupInvocationID;
     uint tile = listAt(index);
-    uvec2 corner = cornerOf(tile);
+    uvec2 corner = tileCorner(tile);
     uvec2 bin = corner / uint(kTile * kTilesInBin);
     uint at = listAt(view.offsets + bin.y * view.across + bin.x);
     uint end = listAt(view.offsets + bin.y * view.across + bin.x + 1u);
@@ -240,11 +240,11 @@ void drawTile(uint index, bool last) {
         do {
             bool mine = at + lane < end;
             e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-            balls = ballotOf(mine && e.meets && !e.cylinder && !e.facet);
-            sticks = ballotOf(mine && e.meets && e.cylinder);
-            uint facets = ballotOf(mine && e.meets && e.facet);
+            balls = ballotLanes(mine && e.meets && !e.cylinder && !e.facet);
+            sticks = ballotLanes(mine && e.meets && e.cylinder);
+            uint facets = ballotLanes(mine && e.meets && e.facet);
             do {
-                uint from = lowestOf(facets);
+                uint from = lowestBit(facets);
                 vec3 a = handedCorner(e.a.xyz, from), b = handedCorner(e.b, from), c = handedCorner(e.c, from);
                 uint candidate = subgroupShuffle(e.number, from);
                 bool live = facets != 0u;
@@ -256,12 +256,12 @@ void drawTile(uint index, bool last) {
 #else
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        uint balls = ballotOf(mine && e.meets && !e.cylinder);
-        uint sticks = ballotOf(mine && e.meets && e.cylinder);
+        uint balls = ballotLanes(mine && e.meets && !e.cylinder);
+        uint sticks = ballotLanes(mine && e.meets && e.cylinder);
         at += uint(kLanes);
 #endif
         if (kSpheres) do {
-            uint from = lowestOf(balls);
+            uint from = lowestBit(balls);
             vec4 sphere = handed(e.a, from);
             uint candidate = subgroupShuffle(e.number, from);
             bool live = balls != 0u;
@@ -270,7 +270,7 @@ void drawTile(uint index, bool last) {
         } while (balls != 0u);
 #ifdef CYLINDERS
         if (kCylinders) do {
-            uint from = lowestOf(sticks);
+            uint from = lowestBit(sticks);
             Stick stick = handed(e.stick, from);
             uint candidate = subgroupShuffle(e.number, from);
             bool live = sticks != 0u;
@@ -302,7 +302,7 @@ void drawTile(uint index, bool last) {
         for (int i = 0; i < kPixels; ++i) lost |= number[i] == 0u && seeds[i] != 0u ? 1u << i : 0u;
         rows = bitsOfAll(lost);
         do {
-            uint i = lowestOf(rows);
+            uint i = lowestBit(rows);
             uvec2 on = uvec2(i * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
             if ((lost >> i & 1u) != 0u) numbers[here + on.y * pitch + on.x] = 0u;
             rows &= rows - 1u;
@@ -327,7 +327,7 @@ void drawTile(uint index, bool last) {
     empty &= ~shown;
 #endif
     do {
-        uvec2 on = uvec2(lowestOf(empty) * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
+        uvec2 on = uvec2(lowestBit(empty) * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
         if (empty != 0u) {
             numbers[here + on.y * pitch + on.x] = 0u;
             if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = 0u;
@@ -335,7 +335,7 @@ void drawTile(uint index, bool last) {
         empty &= empty - 1u;
     } while (empty != 0u);
     do {
-        uint i = lowestOf(shown), seen = number[0], rim = 0u;
+        uint i = lowestBit(shown), seen = number[0], rim = 0u;
         for (int k = 1; k < kPixels; ++k) seen = i == uint(k) ? number[k] : seen;
 #ifdef RIMS
         for (int k = 0; k < kPixels; ++k) rim = i == uint(k) ? rimWords[k] : rim;

@@ -68,7 +68,7 @@ void main() {
     uint number = numberHere() & kNumber;
     if (number == 0u) discard;
     countFragment();
-    Seen seen = seenOf(number, planePoint(gl_FragCoord.xy));
+    Seen seen = findSeen(number, planePoint(gl_FragCoord.xy));
 #ifdef DEPTH
     gl_FragDepth = encodedDepth(seen.hit.order);
 #endif

@@ -43,8 +43,8 @@ void main() {
     uint high = uint(gl_VertexIndex) >> 12, sum = high + (uint(gl_VertexIndex) & 4095u), third = sum * 21846u >> 16;
     uint triangle = 1365u * high + third;
     int corner = int(sum - 3u * third);
-    Facet f = facetOf(triangle);
-    vec3 a = cornerOf(f.a, f.step), b = cornerOf(f.b, f.step), c = cornerOf(f.c, f.step);
+    Facet f = loadFacet(triangle);
+    vec3 a = projectVertex(f.a, f.step), b = projectVertex(f.b, f.step), c = projectVertex(f.c, f.step);
 #if defined(FETCHED)
     number = triangle;
 #elif !defined(PLATE)

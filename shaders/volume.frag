@@ -21,10 +21,10 @@ layout(constant_id = kBeforeLayerId) const bool kBeforeLayer = false;
 layout(location = 0) out vec4 color;  // linear, premultiplied
 
 /// Z of an encoded depth; beyond the far end if nothing is there.
-float distanceOf(float d) { return d < 1.0 ? view.depthStart + d / view.perRange : kNoPlane; }
+float decodeDistance(float d) { return d < 1.0 ? view.depthStart + d / view.perRange : kNoPlane; }
 
 /// Colour of a value, and its opacity over 1 Å.
-vec4 colorOf(float value) {
+vec4 valueColor(float value) {
     vec4 found = brick.colors[0];
     for (int i = 0; i + 1 < int(brick.first.w); ++i)
         found = mix(found, brick.colors[i + 1], clamp((value - brick.levels[i].x) * brick.levels[i].y, 0.0, 1.0));
@@ -48,9 +48,9 @@ void main() {
 
     if (kPerspective) begin = max(begin, 0.0);
     if (kClip) begin = max(begin, view.clipNear), end = min(end, view.clipFar);
-    end = min(end, distanceOf(opaqueDepth()));
-    if (kBehindLayer) begin = max(begin, distanceOf(texelFetch(behind, ivec2(gl_FragCoord.xy), 0).x));
-    if (kBeforeLayer) end = min(end, distanceOf(texelFetch(before, ivec2(gl_FragCoord.xy), 0).x));
+    end = min(end, decodeDistance(opaqueDepth()));
+    if (kBehindLayer) begin = max(begin, decodeDistance(texelFetch(behind, ivec2(gl_FragCoord.xy), 0).x));
+    if (kBeforeLayer) end = min(end, decodeDistance(texelFetch(before, ivec2(gl_FragCoord.xy), 0).x));
     if (!(begin < end)) discard;
     begin = min(begin, end);  // discarded invocations may continue: without steps
 
@@ -62,7 +62,7 @@ void main() {
         float nearer = max(float(i) * stepZ, begin), farther = min(float(i + 1) * stepZ, end);
         float Z = 0.5 * (nearer + farther);
         vec2 found = textureLod(nodes, (start + Z * perZ + 0.5) * brick.perSize.xyz, 0.0).rg;
-        vec4 seen = colorOf(found.r);
+        vec4 seen = valueColor(found.r);
         if (brick.last.w > 0.0) seen.a *= clamp(found.g, 0.0, 1.0);
         if (seen.a <= 0.0) continue;
         float hides = 1.0 - pow(1.0 - seen.a, max(farther - nearer, 0.0) * angstroms);

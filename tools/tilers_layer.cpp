@@ -152,7 +152,7 @@ std::string quoted(std::string_view text) {
     return out + '"';
 }
 
-std::string valueOf(const VkPipelineExecutableStatisticKHR& s) {
+std::string formatValue(const VkPipelineExecutableStatisticKHR& s) {
     switch (s.format) {
         case VK_PIPELINE_EXECUTABLE_STATISTIC_FORMAT_BOOL32_KHR:
             return s.value.b32 ? "1" : "0";
@@ -192,7 +192,7 @@ void tell(VkPipeline pipeline, const char* name) {
         out << "{\"pipeline\": " << quoted(name) << ", \"stage\": \"" << stage
             << "\", \"shader\": " << quoted(shaders[i].name) << ", \"statistics\": {";
         for (std::uint32_t s = 0; s < values; ++s)
-            out << (s ? ", " : "") << quoted(list[s].name) << ": " << valueOf(list[s]);
+            out << (s ? ", " : "") << quoted(list[s].name) << ": " << formatValue(list[s]);
         out << "}}\n";
     }
 }

@@ -33,7 +33,7 @@ constexpr double kRedrawPatience = 1;  // seconds, for a picture of the window's
 constexpr double kPointsPerInch = 160;
 
 /// Pixels per point of the activity's display.
-double densityOf(const ANativeActivity* activity) {
+double readPixelDensity(const ANativeActivity* activity) {
     AConfiguration* configuration = AConfiguration_new();
     AConfiguration_fromAssetManager(configuration, activity->assetManager);
     const std::int32_t density = AConfiguration_getDensity(configuration);
@@ -55,7 +55,7 @@ std::optional<PictureDescription> stillThere(std::optional<PictureDescription> v
     return std::nullopt;
 }
 
-std::optional<PictureDescription> viewOf(const void* state, std::size_t size) {
+std::optional<PictureDescription> restoreView(const void* state, std::size_t size) {
     if (!state || size == 0) return std::nullopt;
     const auto view = viewOfState(std::string(static_cast<const char*>(state), size));
     if (!view) logError("the saved state is not a view");
@@ -69,12 +69,12 @@ public:
     App(ANativeActivity* activity, const void* state, std::size_t size)
         : activity_(activity),
           folder_(activity->internalDataPath),
-          restored_(stillThere(viewOf(state, size))),
-          density_(densityOf(activity)),
+          restored_(stillThere(restoreView(state, size))),
+          density_(readPixelDensity(activity)),
           // A restored view shows the copy of the intent's document.
           platform_(activity, told()),
           cache_(platform_.cacheFolder().value_or(folder_)),
-          document_(restored_ ? nullptr : documentOf(nullptr)),
+          document_(restored_ ? nullptr : openDocument(nullptr)),
           thread_(
               [this] {
                   if (session_) session_->awaitFrame();
@@ -149,7 +149,7 @@ public:
     }
 
     void readDensity() {
-        density_ = densityOf(activity_);
+        density_ = readPixelDensity(activity_);
         post([density = density_](AndroidSession& s) { s.densityChanged(density); });
     }
 
@@ -173,7 +173,7 @@ private:
     }
 
     /// @param uri  null: of the intent
-    std::unique_ptr<IntentDocument> documentOf(jobject uri) {
+    std::unique_ptr<IntentDocument> openDocument(jobject uri) {
         return std::make_unique<IntentDocument>(activity_, uri, OpenedFiles(folder_ + "/opened"),
                                                 [this](Tell tell) { post(std::move(tell)); });
     }
@@ -183,7 +183,7 @@ private:
         told.post = [this](Tell tell) { post(std::move(tell)); };
         told.opened = [this](jobject uri) {
             document_.reset();
-            document_ = documentOf(uri);
+            document_ = openDocument(uri);
             document_->open();
         };
         told.controls = [this] {
@@ -248,33 +248,33 @@ private:
             if (ownsBack_ && !down) post([](AndroidSession& s) { s.back(); });
             return ownsBack_;
         }
-        if (const auto key = keyOf(event)) {
+        if (const auto key = readKey(event)) {
             post([key = *key](AndroidSession& s) {
-                if (const auto command = commandOf(key)) s.run(*command);
+                if (const auto command = findCommand(key)) s.run(*command);
             });
             return true;
         }
-        if (const auto wheel = wheelOf(event, density_)) {
+        if (const auto wheel = readWheel(event, density_)) {
             post([wheel = *wheel](AndroidSession& s) { s.wheel(wheel.steps, wheel.at); });
             return true;
         }
-        if (const auto mouse = mouseOf(event, density_)) {
-            post([mouse = *mouse, when = secondsOf(event)](AndroidSession& s) {
+        if (const auto mouse = readMouse(event, density_)) {
+            post([mouse = *mouse, when = eventSeconds(event)](AndroidSession& s) {
                 s.mouse(mouse.button, mouse.touch, mouse.with, when);
             });
             return true;
         }
         if (isExploring(event)) {
-            platform_.explore(hoverOf(event, 1)->at);
+            platform_.explore(readHover(event, 1)->at);
             return true;
         }
-        if (const auto hover = hoverOf(event, density_)) {
+        if (const auto hover = readHover(event, density_)) {
             post([hover = *hover](AndroidSession& s) { s.hover(hover.at); });
             return true;
         }
-        auto touches = touchesOf(event, density_);
+        auto touches = readTouches(event, density_);
         if (touches.empty()) return false;
-        post([touches = std::move(touches), when = secondsOf(event)](AndroidSession& s) {
+        post([touches = std::move(touches), when = eventSeconds(event)](AndroidSession& s) {
             for (const TouchEvent& touch : touches) s.touch(touch, when);
         });
         return true;
@@ -301,11 +301,11 @@ private:
     std::unique_ptr<AndroidSession> session_;  // the thread's
 };
 
-App& appOf(ANativeActivity* activity) { return *static_cast<App*>(activity->instance); }
+App& toApp(ANativeActivity* activity) { return *static_cast<App*>(activity->instance); }
 
 void* saveState(ANativeActivity* activity, std::size_t* size) {
     *size = 0;
-    const std::string text = appOf(activity).lastView();
+    const std::string text = toApp(activity).lastView();
     void* state = text.empty() ? nullptr : std::malloc(text.size());
     if (!state) return nullptr;
     std::memcpy(state, text.data(), text.size());
@@ -314,32 +314,32 @@ void* saveState(ANativeActivity* activity, std::size_t* size) {
 }
 
 void setCallbacks(ANativeActivityCallbacks& on) {
-    on.onStart = [](ANativeActivity* a) { appOf(a).post([](AndroidSession& s) { s.started(); }); };
-    on.onResume = [](ANativeActivity* a) { appOf(a).refillPatience(); };
-    on.onPause = [](ANativeActivity* a) { appOf(a).wait(App::Tell([](AndroidSession& s) { s.paused(); })); };
-    on.onStop = [](ANativeActivity* a) { appOf(a).post([](AndroidSession& s) { s.stopped(); }); };
+    on.onStart = [](ANativeActivity* a) { toApp(a).post([](AndroidSession& s) { s.started(); }); };
+    on.onResume = [](ANativeActivity* a) { toApp(a).refillPatience(); };
+    on.onPause = [](ANativeActivity* a) { toApp(a).wait(App::Tell([](AndroidSession& s) { s.paused(); })); };
+    on.onStop = [](ANativeActivity* a) { toApp(a).post([](AndroidSession& s) { s.stopped(); }); };
     on.onSaveInstanceState = saveState;
-    on.onLowMemory = [](ANativeActivity* a) { appOf(a).post([](AndroidSession& s) { s.lowMemory(); }); };
-    on.onConfigurationChanged = [](ANativeActivity* a) { appOf(a).readDensity(); };
+    on.onLowMemory = [](ANativeActivity* a) { toApp(a).post([](AndroidSession& s) { s.lowMemory(); }); };
+    on.onConfigurationChanged = [](ANativeActivity* a) { toApp(a).readDensity(); };
     on.onNativeWindowCreated = [](ANativeActivity* a, ANativeWindow* window) {
-        appOf(a).post([window](AndroidSession& s) { s.windowCreated(window); });
+        toApp(a).post([window](AndroidSession& s) { s.windowCreated(window); });
     };
     on.onNativeWindowResized = [](ANativeActivity* a, ANativeWindow*) {
-        appOf(a).post([](AndroidSession& s) { s.windowChanged(); });
+        toApp(a).post([](AndroidSession& s) { s.windowChanged(); });
     };
     on.onNativeWindowRedrawNeeded = [](ANativeActivity* a, ANativeWindow*) {
-        appOf(a).call(kRedrawPatience, [](AndroidSession& s) { s.windowChanged(); });
+        toApp(a).call(kRedrawPatience, [](AndroidSession& s) { s.windowChanged(); });
     };
     on.onNativeWindowDestroyed = [](ANativeActivity* a, ANativeWindow*) {
-        appOf(a).wait(App::Tell([](AndroidSession& s) { s.windowDestroyed(); }));
+        toApp(a).wait(App::Tell([](AndroidSession& s) { s.windowDestroyed(); }));
     };
     on.onContentRectChanged = [](ANativeActivity* a, const ARect* content) {
-        appOf(a).post([content = *content](AndroidSession& s) { s.contentChanged(content); });
+        toApp(a).post([content = *content](AndroidSession& s) { s.contentChanged(content); });
     };
-    on.onInputQueueCreated = [](ANativeActivity* a, AInputQueue* queue) { appOf(a).attach(queue); };
-    on.onInputQueueDestroyed = [](ANativeActivity* a, AInputQueue*) { appOf(a).detach(); };
+    on.onInputQueueCreated = [](ANativeActivity* a, AInputQueue* queue) { toApp(a).attach(queue); };
+    on.onInputQueueDestroyed = [](ANativeActivity* a, AInputQueue*) { toApp(a).detach(); };
     on.onDestroy = [](ANativeActivity* a) {
-        appOf(a).end();
+        toApp(a).end();
         a->instance = nullptr;
     };
 }

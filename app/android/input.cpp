@@ -3,23 +3,23 @@
 namespace nacre::app {
 namespace {
 
-TouchEvent touchOf(const AInputEvent* event, std::size_t pointer, TouchPhase phase, double pixelsPerPoint) {
+TouchEvent readTouch(const AInputEvent* event, std::size_t pointer, TouchPhase phase, double pixelsPerPoint) {
     return {AMotionEvent_getPointerId(event, pointer), phase,
             glm::dvec2(AMotionEvent_getX(event, pointer), AMotionEvent_getY(event, pointer)) / pixelsPerPoint};
 }
 
-glm::dvec2 placeOf(const AInputEvent* event, double pixelsPerPoint) {
+glm::dvec2 eventPosition(const AInputEvent* event, double pixelsPerPoint) {
     return glm::dvec2(AMotionEvent_getX(event, 0), AMotionEvent_getY(event, 0)) / pixelsPerPoint;
 }
 
 /// The action without the pointer's index; empty if the event has no pointer.
-std::optional<std::int32_t> actionOf(const AInputEvent* event) {
+std::optional<std::int32_t> readAction(const AInputEvent* event) {
     if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION) return std::nullopt;
     if ((AInputEvent_getSource(event) & AINPUT_SOURCE_CLASS_MASK) != AINPUT_SOURCE_CLASS_POINTER) return std::nullopt;
     return AMotionEvent_getAction(event) & AMOTION_EVENT_ACTION_MASK;
 }
 
-Modifiers modifiersOf(std::int32_t meta) { return {(meta & AMETA_SHIFT_ON) != 0, (meta & AMETA_CTRL_ON) != 0}; }
+Modifiers toModifiers(std::int32_t meta) { return {(meta & AMETA_SHIFT_ON) != 0, (meta & AMETA_CTRL_ON) != 0}; }
 
 bool isMouse(const AInputEvent* event) { return AMotionEvent_getToolType(event, 0) == AMOTION_EVENT_TOOL_TYPE_MOUSE; }
 
@@ -29,12 +29,12 @@ struct KeyMeaning {
 };
 
 constexpr KeyMeaning kKeys[] = {
-    {AKEYCODE_DPAD_LEFT, keyOf(SpecialKey::left), 0},
-    {AKEYCODE_DPAD_RIGHT, keyOf(SpecialKey::right), 0},
-    {AKEYCODE_DPAD_UP, keyOf(SpecialKey::up), 0},
-    {AKEYCODE_DPAD_DOWN, keyOf(SpecialKey::down), 0},
-    {AKEYCODE_MOVE_HOME, keyOf(SpecialKey::home), 0},
-    {AKEYCODE_ESCAPE, keyOf(SpecialKey::escape), 0},
+    {AKEYCODE_DPAD_LEFT, toKey(SpecialKey::left), 0},
+    {AKEYCODE_DPAD_RIGHT, toKey(SpecialKey::right), 0},
+    {AKEYCODE_DPAD_UP, toKey(SpecialKey::up), 0},
+    {AKEYCODE_DPAD_DOWN, toKey(SpecialKey::down), 0},
+    {AKEYCODE_MOVE_HOME, toKey(SpecialKey::home), 0},
+    {AKEYCODE_ESCAPE, toKey(SpecialKey::escape), 0},
     {AKEYCODE_SPACE, U' ', 0},
     {AKEYCODE_PLUS, U'+', 0},
     {AKEYCODE_NUMPAD_ADD, U'+', 0},
@@ -46,7 +46,7 @@ constexpr KeyMeaning kKeys[] = {
     {AKEYCODE_SLASH, U'/', U'?'},
 };
 
-char32_t characterOf(std::int32_t code, bool shift) {
+char32_t toCharacter(std::int32_t code, bool shift) {
     if (code >= AKEYCODE_A && code <= AKEYCODE_Z) return U'a' + static_cast<char32_t>(code - AKEYCODE_A);
     if (code >= AKEYCODE_0 && code <= AKEYCODE_9) return shift ? 0 : U'0' + static_cast<char32_t>(code - AKEYCODE_0);
     for (const KeyMeaning& key : kKeys)
@@ -56,27 +56,27 @@ char32_t characterOf(std::int32_t code, bool shift) {
 
 }  // namespace
 
-std::vector<TouchEvent> touchesOf(const AInputEvent* event, double pixelsPerPoint) {
-    if (!actionOf(event) || isMouse(event)) return {};
+std::vector<TouchEvent> readTouches(const AInputEvent* event, double pixelsPerPoint) {
+    if (!readAction(event) || isMouse(event)) return {};
     const std::int32_t action = AMotionEvent_getAction(event);
     const std::size_t pointers = AMotionEvent_getPointerCount(event);
     const auto which = static_cast<std::size_t>((action & AMOTION_EVENT_ACTION_POINTER_INDEX_MASK) >>
                                                 AMOTION_EVENT_ACTION_POINTER_INDEX_SHIFT);
     std::vector<TouchEvent> touches;
     const auto all = [&](TouchPhase phase) {
-        for (std::size_t i = 0; i < pointers; ++i) touches.push_back(touchOf(event, i, phase, pixelsPerPoint));
+        for (std::size_t i = 0; i < pointers; ++i) touches.push_back(readTouch(event, i, phase, pixelsPerPoint));
     };
     switch (action & AMOTION_EVENT_ACTION_MASK) {
         case AMOTION_EVENT_ACTION_DOWN:
         case AMOTION_EVENT_ACTION_POINTER_DOWN:
-            touches.push_back(touchOf(event, which, TouchPhase::began, pixelsPerPoint));
+            touches.push_back(readTouch(event, which, TouchPhase::began, pixelsPerPoint));
             break;
         case AMOTION_EVENT_ACTION_MOVE:
             all(TouchPhase::moved);
             break;
         case AMOTION_EVENT_ACTION_UP:
         case AMOTION_EVENT_ACTION_POINTER_UP:
-            touches.push_back(touchOf(event, which, TouchPhase::ended, pixelsPerPoint));
+            touches.push_back(readTouch(event, which, TouchPhase::ended, pixelsPerPoint));
             break;
         case AMOTION_EVENT_ACTION_CANCEL:
             all(TouchPhase::cancelled);
@@ -87,8 +87,8 @@ std::vector<TouchEvent> touchesOf(const AInputEvent* event, double pixelsPerPoin
     return touches;
 }
 
-std::optional<MouseEvent> mouseOf(const AInputEvent* event, double pixelsPerPoint) {
-    const auto action = actionOf(event);
+std::optional<MouseEvent> readMouse(const AInputEvent* event, double pixelsPerPoint) {
+    const auto action = readAction(event);
     if (!action || !isMouse(event)) return std::nullopt;
     TouchPhase phase;
     switch (*action) {
@@ -113,34 +113,35 @@ std::optional<MouseEvent> mouseOf(const AInputEvent* event, double pixelsPerPoin
                                                                          : MouseButton::left;
     constexpr std::int64_t kMouse = -1;  // id of the mouse in place of a finger
     return MouseEvent{
-        button, {kMouse, phase, placeOf(event, pixelsPerPoint)}, modifiersOf(AMotionEvent_getMetaState(event))};
+        button, {kMouse, phase, eventPosition(event, pixelsPerPoint)}, toModifiers(AMotionEvent_getMetaState(event))};
 }
 
-std::optional<HoverEvent> hoverOf(const AInputEvent* event, double pixelsPerPoint) {
-    const auto action = actionOf(event);
+std::optional<HoverEvent> readHover(const AInputEvent* event, double pixelsPerPoint) {
+    const auto action = readAction(event);
     if (action == AMOTION_EVENT_ACTION_HOVER_EXIT) return HoverEvent{};
     if (action != AMOTION_EVENT_ACTION_HOVER_ENTER && action != AMOTION_EVENT_ACTION_HOVER_MOVE) return std::nullopt;
-    return HoverEvent{placeOf(event, pixelsPerPoint)};
+    return HoverEvent{eventPosition(event, pixelsPerPoint)};
 }
 
 bool isExploring(const AInputEvent* event) {
-    return hoverOf(event, 1) && AMotionEvent_getToolType(event, 0) == AMOTION_EVENT_TOOL_TYPE_FINGER;
+    return readHover(event, 1) && AMotionEvent_getToolType(event, 0) == AMOTION_EVENT_TOOL_TYPE_FINGER;
 }
 
-std::optional<WheelEvent> wheelOf(const AInputEvent* event, double pixelsPerPoint) {
-    if (actionOf(event) != AMOTION_EVENT_ACTION_SCROLL) return std::nullopt;
-    return WheelEvent{AMotionEvent_getAxisValue(event, AMOTION_EVENT_AXIS_VSCROLL, 0), placeOf(event, pixelsPerPoint)};
+std::optional<WheelEvent> readWheel(const AInputEvent* event, double pixelsPerPoint) {
+    if (readAction(event) != AMOTION_EVENT_ACTION_SCROLL) return std::nullopt;
+    return WheelEvent{AMotionEvent_getAxisValue(event, AMOTION_EVENT_AXIS_VSCROLL, 0),
+                      eventPosition(event, pixelsPerPoint)};
 }
 
-std::optional<KeyEvent> keyOf(const AInputEvent* event) {
+std::optional<KeyEvent> readKey(const AInputEvent* event) {
     if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_KEY || AKeyEvent_getAction(event) != AKEY_EVENT_ACTION_DOWN)
         return std::nullopt;
-    const Modifiers with = modifiersOf(AKeyEvent_getMetaState(event));
-    const char32_t character = characterOf(AKeyEvent_getKeyCode(event), with.shift);
+    const Modifiers with = toModifiers(AKeyEvent_getMetaState(event));
+    const char32_t character = toCharacter(AKeyEvent_getKeyCode(event), with.shift);
     if (character == 0) return std::nullopt;
     return KeyEvent{character, with};
 }
 
-double secondsOf(const AInputEvent* motion) { return 1e-9 * static_cast<double>(AMotionEvent_getEventTime(motion)); }
+double eventSeconds(const AInputEvent* motion) { return 1e-9 * static_cast<double>(AMotionEvent_getEventTime(motion)); }
 
 }  // namespace nacre::app

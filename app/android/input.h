@@ -11,7 +11,7 @@
 namespace nacre::app {
 
 /// Touches in a motion event, by fingers and pens. Positions in points.
-std::vector<TouchEvent> touchesOf(const AInputEvent* event, double pixelsPerPoint);
+std::vector<TouchEvent> readTouches(const AInputEvent* event, double pixelsPerPoint);
 
 struct MouseEvent {
     MouseButton button;  ///< the pressed button
@@ -20,7 +20,7 @@ struct MouseEvent {
 };
 
 /// A mouse with a pressed button; empty for other events.
-std::optional<MouseEvent> mouseOf(const AInputEvent* event, double pixelsPerPoint);
+std::optional<MouseEvent> readMouse(const AInputEvent* event, double pixelsPerPoint);
 
 struct HoverEvent {
     std::optional<glm::dvec2> at;  ///< points; empty: it left the window
@@ -30,7 +30,7 @@ struct HoverEvent {
 bool isExploring(const AInputEvent* event);
 
 /// A mouse or pen that hovers without touching; also a finger that explores.
-std::optional<HoverEvent> hoverOf(const AInputEvent* event, double pixelsPerPoint);
+std::optional<HoverEvent> readHover(const AInputEvent* event, double pixelsPerPoint);
 
 struct WheelEvent {
     double steps;
@@ -38,12 +38,12 @@ struct WheelEvent {
 };
 
 /// A wheel's turn; empty for other events.
-std::optional<WheelEvent> wheelOf(const AInputEvent* event, double pixelsPerPoint);
+std::optional<WheelEvent> readWheel(const AInputEvent* event, double pixelsPerPoint);
 
 /// A pressed key, named as in the viewer's bindings.
-std::optional<KeyEvent> keyOf(const AInputEvent* event);
+std::optional<KeyEvent> readKey(const AInputEvent* event);
 
 /// Time of the event, seconds of the steady clock.
-double secondsOf(const AInputEvent* motion);
+double eventSeconds(const AInputEvent* motion);
 
 }  // namespace nacre::app

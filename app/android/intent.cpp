@@ -15,7 +15,7 @@ namespace {
 constexpr jint kPiece = 1 << 16;
 
 /// android.provider.OpenableColumns.DISPLAY_NAME of a document, else the end of its URI.
-std::string nameOf(const Java& java, jobject resolver, jobject uri) {
+std::string findDisplayName(const Java& java, jobject resolver, jobject uri) {
     try {
         const jobject columns =
             java.env()->NewObjectArray(1, java.env()->FindClass("java/lang/String"), java.string("_display_name"));
@@ -38,7 +38,7 @@ std::string nameOf(const Java& java, jobject resolver, jobject uri) {
 }
 
 /// The document's bytes through java.io.InputStream, for providers without files.
-ReadBytes streamOf(const Java& java, jobject resolver, jobject uri) {
+ReadBytes openStream(const Java& java, jobject resolver, jobject uri) {
     const jobject stream = java.object(resolver, "openInputStream", "(Landroid/net/Uri;)Ljava/io/InputStream;", uri);
     if (!stream) throw JavaError("the other app returned nothing");
     const jbyteArray piece = java.env()->NewByteArray(kPiece);
@@ -58,7 +58,7 @@ ReadBytes streamOf(const Java& java, jobject resolver, jobject uri) {
 }
 
 /// A duplicated descriptor; -1 if the provider has none.
-int descriptorOf(const Java& java, jobject resolver, jobject uri) {
+int openDescriptor(const Java& java, jobject resolver, jobject uri) {
     try {
         const jobject file = java.object(resolver, "openFileDescriptor",
                                          "(Landroid/net/Uri;Ljava/lang/String;)Landroid/os/ParcelFileDescriptor;", uri,
@@ -143,9 +143,9 @@ void IntentDocument::Work::run() {
 std::string IntentDocument::Work::copy(const Java& java) const {
     try {
         const jobject resolver = java.object(activity, "getContentResolver", "()Landroid/content/ContentResolver;");
-        const std::string name = nameOf(java, resolver, uri);
-        const int number = descriptorOf(java, resolver, uri);
-        if (number < 0) return files.keep(name, streamOf(java, resolver, uri));
+        const std::string name = findDisplayName(java, resolver, uri);
+        const int number = openDescriptor(java, resolver, uri);
+        if (number < 0) return files.keep(name, openStream(java, resolver, uri));
         const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(fdopen(number, "rb"), std::fclose);
         return files.keep(name, [&](char* to, std::size_t most) {
             const std::size_t count = file ? std::fread(to, 1, most, file.get()) : 0;

@@ -18,7 +18,7 @@ Java::Java(JNIEnv* env) : env_(env) {
 
 Java::~Java() { env_->PopLocalFrame(nullptr); }
 
-jmethodID Java::methodOf(jobject of, const char* method, const char* signature) const {
+jmethodID Java::findMethod(jobject of, const char* method, const char* signature) const {
     if (!of) throw JavaError(std::string("nothing to call ") + method + " of");
     // Streams need many calls: frees the reference to their class at once.
     const jclass type = env_->GetObjectClass(of);
@@ -43,7 +43,7 @@ void Java::check() const {
 }
 
 jstring newString(JNIEnv* env, const std::string& text) {
-    const std::u16string units = utf16Of(text);
+    const std::u16string units = toUtf16(text);
     return env->NewString(reinterpret_cast<const jchar*>(units.data()), static_cast<jsize>(units.size()));
 }
 
@@ -58,7 +58,7 @@ std::string Java::text(jobject string) const {
     const auto it = static_cast<jstring>(string);
     std::u16string units(static_cast<std::size_t>(env_->GetStringLength(it)), u'\0');
     env_->GetStringRegion(it, 0, static_cast<jsize>(units.size()), reinterpret_cast<jchar*>(units.data()));
-    return utf8Of(units);
+    return toUtf8(units);
 }
 
 AttachedThread::AttachedThread(JavaVM* machine) : machine_(machine) {

@@ -28,25 +28,25 @@ public:
     /// @throws JavaError
     template <typename... Arguments>
     jobject object(jobject of, const char* method, const char* signature, Arguments... arguments) const {
-        jobject result = env_->CallObjectMethod(of, methodOf(of, method, signature), arguments...);
+        jobject result = env_->CallObjectMethod(of, findMethod(of, method, signature), arguments...);
         check();
         return result;
     }
     template <typename... Arguments>
     jint integer(jobject of, const char* method, const char* signature, Arguments... arguments) const {
-        const jint result = env_->CallIntMethod(of, methodOf(of, method, signature), arguments...);
+        const jint result = env_->CallIntMethod(of, findMethod(of, method, signature), arguments...);
         check();
         return result;
     }
     template <typename... Arguments>
     bool boolean(jobject of, const char* method, const char* signature, Arguments... arguments) const {
-        const jboolean result = env_->CallBooleanMethod(of, methodOf(of, method, signature), arguments...);
+        const jboolean result = env_->CallBooleanMethod(of, findMethod(of, method, signature), arguments...);
         check();
         return result == JNI_TRUE;
     }
     template <typename... Arguments>
     void nothing(jobject of, const char* method, const char* signature, Arguments... arguments) const {
-        env_->CallVoidMethod(of, methodOf(of, method, signature), arguments...);
+        env_->CallVoidMethod(of, findMethod(of, method, signature), arguments...);
         check();
     }
 
@@ -57,7 +57,7 @@ public:
     void check() const;
 
 private:
-    jmethodID methodOf(jobject of, const char* method, const char* signature) const;
+    jmethodID findMethod(jobject of, const char* method, const char* signature) const;
 
     JNIEnv* env_;
 };

@@ -12,7 +12,7 @@ namespace {
 
 PhoneHost onWindow(PhoneHost host, const std::shared_ptr<NativeWindow>& window) {
     host.clock = steadySeconds;
-    host.surface = NativeWindow::surfaceOf(window);
+    host.surface = NativeWindow::makeSurface(window);
     host.windowMayGo = true;
     return host;
 }

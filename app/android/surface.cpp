@@ -18,7 +18,7 @@ bool NativeWindow::set(ANativeWindow* window) {
     return std::exchange(taken_, false);
 }
 
-SurfaceSource NativeWindow::surfaceOf(std::shared_ptr<NativeWindow> window) {
+SurfaceSource NativeWindow::makeSurface(std::shared_ptr<NativeWindow> window) {
     SurfaceSource source;
     source.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_KHR_ANDROID_SURFACE_EXTENSION_NAME};
     source.create = [window = std::move(window)](VkInstance instance) {

@@ -21,7 +21,7 @@ public:
     bool set(ANativeWindow* window);
     ANativeWindow* get() const { return window_; }
     /// Makes Vulkan draw into the current window.
-    static SurfaceSource surfaceOf(std::shared_ptr<NativeWindow> window);
+    static SurfaceSource makeSurface(std::shared_ptr<NativeWindow> window);
 
 private:
     std::mutex mutex_;

@@ -35,8 +35,8 @@ std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points) {
 }
 
 /// The visible side of a cone, or of a cylinder, whose radii are equal. @param way  a unit vector in view space
-ShapeMark coneOf(const glm::dvec2& origin, const glm::dvec3& way, double from, double radius, double to, double end,
-                 std::uint32_t color) {
+ShapeMark makeCone(const glm::dvec2& origin, const glm::dvec3& way, double from, double radius, double to, double end,
+                   std::uint32_t color) {
     constexpr int kSides = 24;
     const glm::dvec3 aside = std::abs(way.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(way, aside)), v = glm::cross(way, u);
@@ -52,7 +52,7 @@ ShapeMark coneOf(const glm::dvec2& origin, const glm::dvec3& way, double from, d
 
 }  // namespace
 
-std::vector<PlacedAxis> crossOf(const std::optional<std::array<glm::dvec3, 3>>& cell) {
+std::vector<PlacedAxis> makeAxes(const std::optional<std::array<glm::dvec3, 3>>& cell) {
     constexpr const char *kSpace[] = {"x", "y", "z"}, *kCell[] = {"a", "b", "c"};
     std::vector<PlacedAxis> axes;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -81,8 +81,8 @@ void layAxes(Room& room, const std::vector<PlacedAxis>& axes) {
     std::ranges::stable_sort(arms, [](const Arm& a, const Arm& b) { return a.way.z < b.way.z; });
     for (const auto& [axis, way] : arms) {
         const double neck = (kArm - kHead) * em;
-        room.marks.shapes.push_back(coneOf(origin, way, 0, kShaftRadius * em, neck, kShaftRadius * em, axis->color));
-        room.marks.shapes.push_back(coneOf(origin, way, neck, kHeadRadius * em, kArm * em, 0, axis->color));
+        room.marks.shapes.push_back(makeCone(origin, way, 0, kShaftRadius * em, neck, kShaftRadius * em, axis->color));
+        room.marks.shapes.push_back(makeCone(origin, way, neck, kHeadRadius * em, kArm * em, 0, axis->color));
         // A name is beyond the tip of its axis, or beside an axis along the line of sight.
         const glm::dvec2 tip(way), away = tip - 0.15 * (middle - tip);
         const glm::dvec2 side = glm::length(away) > 1e-6 ? glm::normalize(away) : glm::dvec2(-1, 0);

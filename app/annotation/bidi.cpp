@@ -93,7 +93,7 @@ BidiClass classOfSign(char32_t c) {
 
 }  // namespace
 
-BidiClass bidiClassOf(char32_t c) {
+BidiClass findBidiClass(char32_t c) {
     if (c == '\n' || c == '\r' || c == 0x2029 || c == 0x85 || (c >= 0x1c && c <= 0x1e)) return B;
     if (c == '\t' || c == 0x0b || c == 0x1f) return S;
     if (c == 0x0c) return WS;
@@ -407,7 +407,7 @@ void settle(Line& line) {
 
 std::vector<DirectedRun> visualRuns(std::span<const char32_t> text) {
     Line line{text, {}, {}, std::vector<std::uint8_t>(text.size()), 0};
-    for (const char32_t c : text) line.original.push_back(bidiClassOf(c));
+    for (const char32_t c : text) line.original.push_back(findBidiClass(c));
     line.classes = line.original;
     line.base = firstDirection(line.original, true).value_or(false) ? 1 : 0;
     embed(line);

@@ -36,7 +36,7 @@ enum class BidiClass : std::uint8_t {
 };
 
 /// Derived from HarfBuzz's script and general category of a character.
-BidiClass bidiClassOf(char32_t c);
+BidiClass findBidiClass(char32_t c);
 
 /// Neighbouring characters of one direction.
 struct DirectedRun {

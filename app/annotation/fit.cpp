@@ -25,7 +25,7 @@ glm::dvec2 hullSide(std::size_t i) {
     return {std::cos(angle), std::sin(angle)};
 }
 
-Hull hullOf(const View& view, const std::vector<glm::dvec4>& balls) {
+Hull makeHull(const View& view, const std::vector<glm::dvec4>& balls) {
     std::array<glm::dvec2, kHullSides> sides;
     for (std::size_t i = 0; i < kHullSides; ++i) sides[i] = hullSide(i);
     Hull hull;
@@ -104,10 +104,10 @@ Standing bestPlace(const Hull& hull, const std::vector<Area>& areas, const Area&
 }  // namespace
 
 View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,
-                 double zoom, const TextWidth& widthOf) {
+                 double zoom, const TextWidth& measureWidth) {
     if (!words.hasBlocks() || balls.empty()) return view;
     const double em = size > 0 ? size : usualTextSize(view.width, view.height);
-    const Hull hull = hullOf(view, balls);
+    const Hull hull = makeHull(view, balls);
     const glm::dvec2 middle(view.width / 2.0, view.height / 2.0), pan(view.pan.x, -view.pan.y);
     const double beyond = std::max(zoom, 1.0), usual = view.pixelsPerAngstrom / beyond;
     const glm::dvec2 from = middle + (hull.middle + pan) * usual;
@@ -117,7 +117,7 @@ View besideWords(const View& view, const PlacedWords& words, double size, const 
     View fitted = view;
     // The length of a scale bar changes with the scale, in steps.
     for (int turn = 0; turn < 3; ++turn) {
-        Room room(fitted, em, widthOf);
+        Room room(fitted, em, measureWidth);
         layBlocks(room, words);
         for (Area& area : room.taken) area = area.grown(kGap * em);
         if (turn == 0 && scaleBeside(hull, from, room.taken) >= usual) return view;

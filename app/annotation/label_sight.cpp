@@ -46,7 +46,7 @@ public:
         cell_ = std::max({(high.x - low_.x) / kCells, (high.y - low_.y) / kCells, 1e-6});
         cells_.resize(std::size_t{kCells + 1} * (kCells + 1));
         for (std::size_t i = 0; i < rays_.size(); ++i)
-            cells_[index(cellOf(rays_[i].at.x - low_.x), cellOf(rays_[i].at.y - low_.y))].push_back(i);
+            cells_[index(findCell(rays_[i].at.x - low_.x), findCell(rays_[i].at.y - low_.y))].push_back(i);
     }
 
     /// Calls judge(ray) for the rays within a distance of a point.
@@ -54,8 +54,8 @@ public:
     void eachNear(const glm::dvec2& at, double reach, const Judge& judge) {
         const glm::dvec2 from = at - reach - low_, to = at + reach - low_;
         if (to.x < 0 || to.y < 0 || from.x > cell_ * (kCells + 1) || from.y > cell_ * (kCells + 1)) return;
-        for (int y = cellOf(from.y); y <= cellOf(to.y); ++y)
-            for (int x = cellOf(from.x); x <= cellOf(to.x); ++x)
+        for (int y = findCell(from.y); y <= findCell(to.y); ++y)
+            for (int x = findCell(from.x); x <= findCell(to.x); ++x)
                 for (const std::size_t i : cells_[index(x, y)])
                     if (rays_[i].open) judge(rays_[i]);
     }
@@ -63,7 +63,7 @@ public:
 
 private:
     static constexpr int kCells = 64;
-    int cellOf(double away) const { return static_cast<int>(std::clamp(away / cell_, 0.0, double{kCells})); }
+    int findCell(double away) const { return static_cast<int>(std::clamp(away / cell_, 0.0, double{kCells})); }
     static std::size_t index(int x, int y) {
         return static_cast<std::size_t>(y) * (kCells + 1) + static_cast<std::size_t>(x);
     }
@@ -96,7 +96,7 @@ LabelSight::LabelSight(const Representation& r) {
     };
     const auto addFacet = [&](const Triangle& t, const glm::dmat4x3& to) {
         const auto at = [&](std::uint32_t v) {
-            return glm::vec3(to * glm::dvec4(positionOf(r.meshVertices[v], t.step()), 1.0));
+            return glm::vec3(to * glm::dvec4(decodePosition(r.meshVertices[v], t.step()), 1.0));
         };
         facets_.push_back({at(t.a), at(t.b), at(t.c), r.meshLooks[r.meshVertices[t.a].look].atom});
     };

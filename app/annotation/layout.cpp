@@ -273,9 +273,10 @@ void ringPaleDiscs(Marks& marks, const std::array<float, 3>& ground) {
 }  // namespace
 
 Marks layOut(const PlacedWords& words, const View& view, double size, const std::optional<std::array<float, 3>>& color,
-             const std::array<float, 4>& background, const TextWidth& widthOf, const Clip& clip, WordMemory* memory) {
+             const std::array<float, 4>& background, const TextWidth& measureWidth, const Clip& clip,
+             WordMemory* memory) {
     const double em = size > 0 ? size : usualTextSize(view.width, view.height);
-    Room room(view, em, widthOf);
+    Room room(view, em, measureWidth);
     WordMemory none;
     if (!memory) memory = &none;
     layBlocks(room, words);

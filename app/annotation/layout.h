@@ -95,13 +95,13 @@ private:
 /// @param clip        atoms cut away by clipping planes hide no label
 /// @param memory      null: a single picture
 Marks layOut(const PlacedWords& words, const View& view, double size, const std::optional<std::array<float, 3>>& color,
-             const std::array<float, 4>& background, const TextWidth& widthOf, const Clip& clip = {},
+             const std::array<float, 4>& background, const TextWidth& measureWidth, const Clip& clip = {},
              WordMemory* memory = nullptr);
 
 /// Shrinks and shifts the view as little as needed to keep the molecule clear of title, legends, scale bar and axes.
 /// Unchanged if they do not overlap, or if the molecule would shrink below a third; then they overlap.
 /// @param balls  the scene, from drawnBalls() @param zoom  of the view: parts beyond zoom 1 may overlap
 View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,
-                 double zoom, const TextWidth& widthOf);
+                 double zoom, const TextWidth& measureWidth);
 
 }  // namespace nacre::app

@@ -19,7 +19,7 @@ struct LegendRow {
     std::size_t stop = 0;  // ramp stop, from the top
 };
 
-std::string headingOf(const Legend& legend) {
+std::string makeHeading(const Legend& legend) {
     if (!legend.title.empty()) return legend.title;
     const std::string scheme = legend.scheme.substr(0, legend.scheme.find(':'));
     std::string heading;
@@ -44,12 +44,12 @@ std::string escaped(const std::string& text) {
 }
 
 /// Headings and entries of all legends, one below the other.
-std::vector<LegendRow> rowsOf(const std::vector<Legend>& legends) {
+std::vector<LegendRow> makeRows(const std::vector<Legend>& legends) {
     std::vector<LegendRow> rows;
     for (const Legend& legend : legends) {
         // A single colour of all other atoms needs no name if there are more legends.
         if (legends.size() > 1 && legend.selection == "all" && legend.scheme.starts_with('#')) continue;
-        const std::string heading = headingOf(legend);
+        const std::string heading = makeHeading(legend);
         const bool titled = !legend.title.empty();  // with markup of its own
         if (!heading.empty()) rows.push_back({titled ? heading : escaped(heading), 0, !rows.empty()});
         // A single colour is labelled with the atoms that have it.
@@ -93,21 +93,21 @@ struct Columns {
 };
 
 /// The first rows; the last of them states how many others there are.
-std::vector<LegendRow> firstOf(const std::vector<LegendRow>& rows, std::size_t count) {
+std::vector<LegendRow> truncateRows(const std::vector<LegendRow>& rows, std::size_t count) {
     std::vector<LegendRow> first(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count - 1));
     first.push_back({"and " + std::to_string(rows.size() - first.size()) + " more"});
     return first;
 }
 
-double indentOf(double size) { return 1.25 * size; }
+double computeIndent(double size) { return 1.25 * size; }
 
-Columns columnsOf(const Room& room, const std::vector<LegendRow>& rows, double size, double height) {
+Columns layOutColumns(const Room& room, const std::vector<LegendRow>& rows, double size, double height) {
     Columns columns{size, 1.42 * size, 0, {}};
     columns.perColumn = static_cast<std::size_t>(std::max(3.0, height / columns.line - 1));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (i % columns.perColumn == 0) columns.widths.push_back(0);
         double& width = columns.widths.back();
-        width = std::max(width, room.widthOfRuns(rows[i].text, size) + (rows[i].color ? indentOf(size) : 0));
+        width = std::max(width, room.widthOfRuns(rows[i].text, size) + (rows[i].color ? computeIndent(size) : 0));
     }
     return columns;
 }
@@ -118,21 +118,21 @@ Columns columnsOf(const Room& room, const std::vector<LegendRow>& rows, double s
 /// ones are omitted.
 void layLegends(Room& room, const std::vector<Legend>& legends) {
     constexpr double kMostShare = 0.34, kSizes[] = {0.92, 0.8, 0.7};  // of the picture's width; of the text's size
-    const std::vector<LegendRow> all = rowsOf(legends);
+    const std::vector<LegendRow> all = makeRows(legends);
     if (all.empty()) return;
     std::vector<LegendRow> rows = all;
     const double top = room.margin + room.titleDepth;
     const double height = room.view.height - room.margin - 2.6 * room.size - top;
     Columns columns{};
     for (const double share : kSizes) {
-        columns = columnsOf(room, rows, share * room.size, height);
+        columns = layOutColumns(room, rows, share * room.size, height);
         if (columns.widths.size() == 1 || columns.width() <= kMostShare * room.view.width) break;
     }
     while (columns.widths.size() > 1 && columns.width() > kMostShare * room.view.width) {
-        rows = firstOf(all, (columns.widths.size() - 1) * columns.perColumn);
-        columns = columnsOf(room, rows, columns.size, height);
+        rows = truncateRows(all, (columns.widths.size() - 1) * columns.perColumn);
+        columns = layOutColumns(room, rows, columns.size, height);
     }
-    const double size = columns.size, line = columns.line, swatch = 0.36 * size, indent = indentOf(size);
+    const double size = columns.size, line = columns.line, swatch = 0.36 * size, indent = computeIndent(size);
     double right = room.view.width - room.margin;
     for (std::size_t column = columns.widths.size(); column-- > 0;) {
         const std::size_t first = column * columns.perColumn;

@@ -20,14 +20,14 @@ std::string formatted(const char* format, double value) {
 
 }  // namespace
 
-double distanceOf(const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, b); }
+double measureDistance(const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, b); }
 
-double angleOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+double measureAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 u = a - b, v = c - b;
     return glm::degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)));
 }
 
-double torsionOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+double measureTorsion(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
     const glm::dvec3 u = b - a, v = c - b, w = d - c;
     const glm::dvec3 left = glm::cross(u, v), right = glm::cross(v, w);
     return glm::degrees(std::atan2(glm::length(v) * glm::dot(u, right), glm::dot(left, right)));
@@ -36,11 +36,11 @@ double torsionOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, 
 std::string measuredValue(std::span<const glm::dvec3> p) {
     switch (p.size()) {
         case 2:
-            return formatted("%.2f Å", distanceOf(p[0], p[1]));
+            return formatted("%.2f Å", measureDistance(p[0], p[1]));
         case 3:
-            return formatted("%.1f°", angleOf(p[0], p[1], p[2]));
+            return formatted("%.1f°", measureAngle(p[0], p[1], p[2]));
         case 4:
-            return formatted("%.1f°", torsionOf(p[0], p[1], p[2], p[3]));
+            return formatted("%.1f°", measureTorsion(p[0], p[1], p[2], p[3]));
         default:
             return "";
     }

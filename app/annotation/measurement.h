@@ -10,11 +10,11 @@
 
 namespace nacre::app {
 
-double distanceOf(const glm::dvec3& a, const glm::dvec3& b);                    ///< Å
-double angleOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);  ///< at b, degrees, 0..180
+double measureDistance(const glm::dvec3& a, const glm::dvec3& b);                    ///< Å
+double measureAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);  ///< at b, degrees, 0..180
 /// About the bond b-c, degrees, -180..180: positive if d is clockwise from a, seen from b to c. W. Klyne and V. Prelog,
 /// Experientia 16 (1960) 521.
-double torsionOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
+double measureTorsion(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
 
 /// "distance 3.21 Å", "angle 109.5°" or "torsion -60.0°" for two to four atoms; empty for fewer.
 std::string measurementText(std::span<const glm::dvec3> places);

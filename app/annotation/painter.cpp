@@ -123,7 +123,7 @@ void rasterizeLine(FT_Library library, const LineMark& line, double grown, Cover
 }
 
 /// The outline, without width.
-LineMark rimOf(const ShapeMark& shape) {
+LineMark closedOutline(const ShapeMark& shape) {
     LineMark rim{shape.corners, 0};
     rim.points.push_back(shape.corners.front());
     return rim;
@@ -146,7 +146,7 @@ struct WordPainter::Face {
         FT_Done_FreeType(library);
     }
 
-    FT_Face faceOf(char32_t c) {
+    FT_Face findFace(char32_t c) {
         constexpr std::size_t kMostForeign = 2000;  // each may cost a call of fc-match
         if (c < 0x80 || FT_Get_Char_Index(faces[0], c)) return faces[0];
         if (const auto it = foreign.find(c); it != foreign.end()) return it->second;
@@ -154,12 +154,12 @@ struct WordPainter::Face {
         FT_Face& face = foreign.emplace(c, faces[0]).first->second;
         for (std::size_t i = 1; i < faces.size() && face == faces[0]; ++i)
             if (FT_Get_Char_Index(faces[i], c)) face = faces[i];
-        if (face == faces[0]) face = systemFaceOf(c);
+        if (face == faces[0]) face = openSystemFace(c);
         return face;
     }
 
     /// The opened system font with the character; the built-in one if no font has its outline.
-    FT_Face systemFaceOf(char32_t c) {
+    FT_Face openSystemFace(char32_t c) {
         const std::optional<FontFile> file = find ? find({c}) : std::nullopt;
         FT_Face face = nullptr;
         if (!file || FT_New_Face(library, file->path.c_str(), file->index, &face)) return faces[0];
@@ -177,7 +177,7 @@ struct WordPainter::Face {
     }
 
     ShapedLine shape(const std::string& text) {
-        return shaper.shape(text, [this](char32_t c) { return faceOf(c); });
+        return shaper.shape(text, [this](char32_t c) { return findFace(c); });
     }
 
     /// @param halo  width around the letters, pixels; 0: draw the letters
@@ -218,7 +218,7 @@ WordPainter::WordPainter(FindFont find) : face_(std::make_unique<Face>()) {
 }
 WordPainter::~WordPainter() = default;
 
-double WordPainter::widthOf(const std::string& text, double size) const { return face_->shape(text).width * size; }
+double WordPainter::measureWidth(const std::string& text, double size) const { return face_->shape(text).width * size; }
 
 void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, std::uint32_t first,
                         std::uint32_t rows) const {
@@ -241,7 +241,7 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
     for (const LineMark& line : marks.lines)
         if (nearLine(line)) rasterizeLine(library, line, marks.haloWidth * 0.8, coverage);
     for (const ShapeMark& shape : marks.shapes) {
-        const LineMark rim = rimOf(shape);
+        const LineMark rim = closedOutline(shape);
         if (nearLine(rim)) rasterizeLine(library, rim, marks.haloWidth * 0.8, coverage);
     }
     for (const DiscMark& disc : marks.discs)
@@ -256,7 +256,7 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
         if (disc.color == 0 && nearRows(disc.at.y, disc.radius)) rasterizeDisc(library, disc.at, disc.radius, coverage);
     coverage.pour(marks.color, 1, rgba);
     for (const ShapeMark& shape : marks.shapes) {
-        if (!nearLine(rimOf(shape))) continue;
+        if (!nearLine(closedOutline(shape))) continue;
         rasterizePolygon(library, shape.corners, coverage);
         coverage.pour(shape.color, 1, rgba);
     }
@@ -296,17 +296,17 @@ Marks WordPainter::layOut(const PlacedWords& words, const View& view, double siz
                           const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
                           const Clip& clip, WordMemory* memory) const {
     return app::layOut(
-        words, view, size, color, background, [this](const std::string& text, double em) { return widthOf(text, em); },
-        clip, memory);
+        words, view, size, color, background,
+        [this](const std::string& text, double em) { return measureWidth(text, em); }, clip, memory);
 }
 
 View WordPainter::besideWords(const View& view, const PlacedWords& words, double size,
                               const std::vector<glm::dvec4>& balls, double zoom) const {
     return app::besideWords(view, words, size, balls, zoom,
-                            [this](const std::string& text, double em) { return widthOf(text, em); });
+                            [this](const std::string& text, double em) { return measureWidth(text, em); });
 }
 
-std::vector<std::string> WordPainter::warningsOf(const Marks& marks) const {
+std::vector<std::string> WordPainter::listWarnings(const Marks& marks) const {
     std::vector<std::string> warnings;
     if (marks.crowded > 0)
         warnings.push_back(std::to_string(marks.crowded) + (marks.crowded == 1 ? " label does" : " labels do") +
@@ -336,7 +336,7 @@ std::vector<std::string> WordPainter::paint(const PlacedWords& words, const View
     for (std::uint32_t row = 0; row < picture.height; row += kBand)
         paint(marks, picture.rgba.data() + std::size_t{row} * picture.width * 4, picture.width, row,
               std::min(kBand, picture.height - row));
-    return warningsOf(marks);
+    return listWarnings(marks);
 }
 
 }  // namespace nacre::app

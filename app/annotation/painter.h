@@ -22,7 +22,7 @@ public:
     WordPainter(const WordPainter&) = delete;
 
     /// Pixels; a character that no font has is as wide as its box.
-    double widthOf(const std::string& text, double size) const;
+    double measureWidth(const std::string& text, double size) const;
 
     /// Draws the part of the marks in some rows of a picture.
     /// @param rgba   linear light, premultiplied; 4 per pixel; `rows` rows of `width` pixels
@@ -39,9 +39,9 @@ public:
                      double zoom) const;
 
     /// Warnings about marks laid out here: labels without space, and characters that no font has.
-    std::vector<std::string> warningsOf(const Marks& marks) const;
+    std::vector<std::string> listWarnings(const Marks& marks) const;
 
-    /// Lays out words over a whole picture, and draws them. @returns warningsOf() its marks
+    /// Lays out words over a whole picture, and draws them. @returns listWarnings() its marks
     std::vector<std::string> paint(const PlacedWords& words, const View& view, double size,
                                    const std::optional<std::array<float, 3>>& color,
                                    const std::array<float, 4>& background, Picture& picture, const Clip& clip = {},

@@ -17,7 +17,7 @@
 namespace nacre::app {
 namespace {
 
-LabelScope scopeOf(std::string_view text) {
+LabelScope parseScope(std::string_view text) {
     LabelScope scope = LabelScope::selection;
     eachPiece(
         text, [](std::string_view) {}, [&](const LabelField& field) { scope = std::max(scope, field.scope); });
@@ -91,7 +91,7 @@ struct DrawnAtoms {
         const auto put = [&](std::size_t i, const glm::dmat4x3& transform) {
             // The balls of an atom come before those of its bonds.
             const std::uint32_t number = scene.sphereLooks[i].atom;
-            if (scene.contactOf(number) || places[number - 1].radius >= 0) return;
+            if (scene.findContact(number) || places[number - 1].radius >= 0) return;
             places[number - 1] = {transform * glm::dvec4(scene.spheres[i].center, 1.0),
                                   static_cast<double>(scene.spheres[i].radius)};
         };
@@ -137,8 +137,8 @@ struct DrawnAtoms {
 };
 
 /// The drawn atoms of a selection. An empty result is an error unless allowed; then `placed` lists the selection.
-std::vector<std::uint32_t> drawnOf(const Selection& selection, const ResidueFacts& facts, const DrawnAtoms& drawn,
-                                   const char* what, WordsOfHidden hidden, PlacedWords& placed) {
+std::vector<std::uint32_t> selectDrawn(const Selection& selection, const ResidueFacts& facts, const DrawnAtoms& drawn,
+                                       const char* what, WordsOfHidden hidden, PlacedWords& placed) {
     const std::vector<bool> chosen = selectAtoms(facts, selection);
     std::vector<std::uint32_t> atoms;
     for (std::uint32_t i = 0; i < chosen.size(); ++i)
@@ -194,17 +194,17 @@ private:
 void placeLabel(const Label& label, const ResidueFacts& facts, const DrawnAtoms& drawn, const LabelRules& rules,
                 WordsOfHidden hidden, PlacedWords& placed) {
     const Molecule& molecule = facts.molecule();
-    const LabelScope scope = scopeOf(label.text);
+    const LabelScope scope = parseScope(label.text);
     // Groups of atoms per label, in file order of their first atom.
-    std::map<std::uint32_t, std::size_t> groupOf;
+    std::map<std::uint32_t, std::size_t> groupIndex;
     std::vector<std::vector<std::uint32_t>> groups;
-    for (const std::uint32_t atom : drawnOf(label.selection, facts, drawn, "cannot label", hidden, placed)) {
+    for (const std::uint32_t atom : selectDrawn(label.selection, facts, drawn, "cannot label", hidden, placed)) {
         const std::uint32_t residue = molecule.atoms[atom].residue;
         const std::uint32_t key = scope == LabelScope::atom      ? atom
                                   : scope == LabelScope::residue ? residue
                                   : scope == LabelScope::chain   ? molecule.residues[residue].chain
                                                                  : 0;
-        const auto [found, added] = groupOf.emplace(key, groups.size());
+        const auto [found, added] = groupIndex.emplace(key, groups.size());
         if (added) groups.emplace_back();
         groups[found->second].push_back(atom);
     }
@@ -234,7 +234,7 @@ void placeMeasure(const Measure& measure, const ResidueFacts& facts, const Drawn
     PlacedMeasure result;
     std::optional<std::uint32_t> before;
     for (const Selection& point : measure.points) {
-        const std::vector<std::uint32_t> atoms = drawnOf(point, facts, drawn, "cannot measure", hidden, placed);
+        const std::vector<std::uint32_t> atoms = selectDrawn(point, facts, drawn, "cannot measure", hidden, placed);
         if (atoms.empty()) return;
         if (atoms.size() > 1)
             throw Error("cannot measure", point.text,
@@ -281,7 +281,7 @@ PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Repr
     placed.title = words.title;
     placed.scaleBar = words.scaleBar;
     if (words.legend) placed.legends = scene.legends;
-    if (words.axes) placed.axes = crossOf({});
+    if (words.axes) placed.axes = makeAxes({});
     if (words.distances) placeDistances(scene, placed);
     if (words.labels.empty() && words.measures.empty()) return placed;
     const DrawnAtoms drawn(facts.molecule(), scene);

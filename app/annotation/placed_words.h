@@ -43,7 +43,7 @@ struct PlacedAxis {
     std::uint32_t color = 0;  ///< packed
 };
 /// The x, y and z axes, or those of the unit cell: a, b and c.
-std::vector<PlacedAxis> crossOf(const std::optional<std::array<glm::dvec3, 3>>& cell);
+std::vector<PlacedAxis> makeAxes(const std::optional<std::array<glm::dvec3, 3>>& cell);
 /// Packed colours of x, y, z and of a, b, c.
 constexpr std::uint32_t kAxisColors[] = {packedColor(0xc8322d), packedColor(0x2d8a3c), packedColor(0x2f5fc4)};
 

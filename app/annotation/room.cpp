@@ -36,7 +36,8 @@ bool crosses(const glm::dvec2& a, const glm::dvec2& b, const Area& area) {
 
 }  // namespace
 
-Room::Room(const View& v, double em, const TextWidth& width) : view(v), size(em), margin(0.9 * em), widthOf(width) {
+Room::Room(const View& v, double em, const TextWidth& width)
+    : view(v), size(em), margin(0.9 * em), measureWidth(width) {
     frame = {glm::dvec2(margin / 2), glm::dvec2(view.width, view.height) - margin / 2};
 }
 
@@ -53,17 +54,17 @@ Room::Seen Room::seen(const glm::dvec3& place) const {
 
 double Room::widthOfRuns(const std::string& text, double em) const {
     double width = 0;
-    for (const TextRun& run : runsOf(text)) width += widthOf(run.text, run.level == 0 ? em : kSmall * em);
+    for (const TextRun& run : parseMarkup(text)) width += measureWidth(run.text, run.level == 0 ? em : kSmall * em);
     return width;
 }
 
 void Room::put(const std::string& text, glm::dvec2 at, double em) {
     const glm::dvec2 begin = at;
-    for (const TextRun& run : runsOf(text)) {
+    for (const TextRun& run : parseMarkup(text)) {
         const double own = run.level == 0 ? em : kSmall * em;
         const double shift = run.level > 0 ? -kRaised * em : run.level < 0 ? kLowered * em : 0;
         marks.texts.push_back({at + glm::dvec2(0, shift), own, run.text, ink});
-        at.x += widthOf(run.text, own);
+        at.x += measureWidth(run.text, own);
     }
     const Area area{begin - glm::dvec2(0, kRise * em), glm::dvec2(at.x, begin.y + kDrop * em)};
     taken.push_back(area.grown(0.12 * em));

@@ -35,7 +35,7 @@ struct Held {
 };
 
 struct Room {
-    Room(const View& view, double size, const TextWidth& widthOf);
+    Room(const View& view, double size, const TextWidth& measureWidth);
 
     struct Seen {
         glm::dvec2 at{};
@@ -61,7 +61,7 @@ struct Room {
     const View& view;
     double size, margin, titleDepth = 0;
     std::uint32_t ink = 0;  ///< colour of new marks, as in TextMark
-    const TextWidth& widthOf;
+    const TextWidth& measureWidth;
     Area frame;
     std::vector<Area> taken;
     std::vector<std::pair<glm::dvec2, glm::dvec2>> leaders;

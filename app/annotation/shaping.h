@@ -32,11 +32,11 @@ public:
     ~Shaper();
     Shaper(const Shaper&) = delete;
 
-    /// @param faceOf  the face that draws a character
-    ShapedLine shape(const std::string& text, const std::function<FT_Face(char32_t)>& faceOf);
+    /// @param findFace  the face that draws a character
+    ShapedLine shape(const std::string& text, const std::function<FT_Face(char32_t)>& findFace);
 
 private:
-    hb_font_t* fontOf(FT_Face face);
+    hb_font_t* makeFont(FT_Face face);
     std::map<FT_Face, hb_font_t*> fonts_;
 };
 

@@ -18,15 +18,17 @@ constexpr char32_t kFirstLetter = 0x621, kTatweel = 0x640, kLam = 0x644;
 constexpr std::array<int, 42> kForms = {1, 2, 2, 2, 2, 4, 2, 4, 2, 4, 4, 4, 4, 4, 2, 2, 2, 2, 4, 4, 4,
                                         4, 4, 4, 4, 4, 0, 0, 0, 0, 0, 0, 4, 4, 4, 4, 4, 4, 4, 2, 2, 4};
 
-int formsOf(char32_t c) { return c >= kFirstLetter && c < kFirstLetter + kForms.size() ? kForms[c - kFirstLetter] : 0; }
-char32_t firstFormOf(char32_t c) {
+int countForms(char32_t c) {
+    return c >= kFirstLetter && c < kFirstLetter + kForms.size() ? kForms[c - kFirstLetter] : 0;
+}
+char32_t findFirstForm(char32_t c) {
     char32_t form = 0xfe80;
-    for (char32_t before = kFirstLetter; before < c; ++before) form += static_cast<char32_t>(formsOf(before));
+    for (char32_t before = kFirstLetter; before < c; ++before) form += static_cast<char32_t>(countForms(before));
     return form;
 }
-bool isMark(char32_t c) { return bidiClassOf(c) == BidiClass::NSM; }
-bool joinsNext(char32_t c) { return formsOf(c) == 4 || c == kTatweel; }
-bool joinsPrevious(char32_t c) { return formsOf(c) > 1 || c == kTatweel; }
+bool isMark(char32_t c) { return findBidiClass(c) == BidiClass::NSM; }
+bool joinsNext(char32_t c) { return countForms(c) == 4 || c == kTatweel; }
+bool joinsPrevious(char32_t c) { return countForms(c) > 1 || c == kTatweel; }
 
 /// The isolated form of lam with this alef, if they form a ligature.
 std::optional<char32_t> lamWith(char32_t alef) {
@@ -59,10 +61,10 @@ std::vector<char32_t> joined(std::vector<char32_t> text) {
         std::size_t next = i + 1;
         while (next < text.size() && isMark(text[next])) ++next;
         const bool following = joinsNext(c) && next < text.size() && joinsPrevious(text[next]);
-        if (formsOf(c) == 0)
+        if (countForms(c) == 0)
             out.push_back(c);
         else
-            out.push_back(firstFormOf(c) + (following ? 2 : 0) + (previous ? 1 : 0));
+            out.push_back(findFirstForm(c) + (following ? 2 : 0) + (previous ? 1 : 0));
         if (!isMark(c)) before = c;
     }
     return out;
@@ -72,7 +74,7 @@ void append(std::string& text, char32_t c) {
     const std::u16string one = c < 0x10000 ? std::u16string{static_cast<char16_t>(c)}
                                            : std::u16string{static_cast<char16_t>(0xd7c0 + (c >> 10)),
                                                             static_cast<char16_t>(0xdc00 + (c & 0x3ff))};
-    text += utf8Of(one);
+    text += toUtf8(one);
 }
 
 }  // namespace
@@ -86,7 +88,7 @@ std::string visualText(const std::string& text) {
         std::vector<char32_t> part(first, first + static_cast<std::ptrdiff_t>(run.count));
         if (!run.rightToLeft) {
             for (const char32_t c : part)
-                if (bidiClassOf(c) != BidiClass::BN) append(out, c);
+                if (findBidiClass(c) != BidiClass::BN) append(out, c);
             continue;
         }
         part = joined(std::move(part));
@@ -94,7 +96,7 @@ std::string visualText(const std::string& text) {
             std::size_t base = end - 1;
             while (base > 0 && isMark(part[base])) --base;
             for (std::size_t i = base; i < end; ++i)  // marks stay after their letter
-                if (bidiClassOf(part[i]) != BidiClass::BN)
+                if (findBidiClass(part[i]) != BidiClass::BN)
                     append(out, static_cast<char32_t>(hb_unicode_mirroring(hb_unicode_funcs_get_default(), part[i])));
             end = base;
         }

@@ -112,7 +112,7 @@ bool isThere(const std::string& path) {
     return path.empty() || (stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0);
 }
 
-std::uint64_t bytesOf(const std::string& path) {
+std::uint64_t fileSize(const std::string& path) {
     struct stat status {};
     return stat(path.c_str(), &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
 }
@@ -171,10 +171,10 @@ private:
 
     JobJson doJob(const BatchLine& line) {
         const Clock::time_point start = Clock::now();
-        JobJson told = toldOf(line);
+        JobJson told = readNames(line);
         HeardMessages heard;
         try {
-            const PictureDescription job = jobOf(line.whole(), options_);
+            const PictureDescription job = parseJob(line.whole(), options_);
             if (told["input"].is_null()) told["input"] = job.input.path;
             files_.claim(job);
             if (options_.resume && isThere(job.output) && isThere(job.layers) && isThere(job.stats) &&
@@ -185,7 +185,7 @@ private:
             draw(job);
             told["status"] = "done";
             told["ms"] = millisecondsSince(start);
-            told["bytes"] = bytesOf(job.output);
+            told["bytes"] = fileSize(job.output);
         } catch (const NoDevice&) {
             throw;
         } catch (const std::bad_alloc&) {
@@ -199,7 +199,7 @@ private:
     }
 
     /// The file names in a line, even if the line has errors.
-    static JobJson toldOf(const BatchLine& line) {
+    static JobJson readNames(const BatchLine& line) {
         JobJson told = {{"job", line.number}, {"input", nullptr}, {"output", nullptr}};
         const JobJson job = parseJson<JobJson>(line.text);
         for (const char* name : {"input", "output"})

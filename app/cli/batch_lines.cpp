@@ -90,16 +90,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::size_t placeOf(const std::string& path) {
+std::size_t fileKey(const std::string& path) {
     std::error_code error;
     const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
     return std::hash<std::string>{}(error ? path : place.string());
 }
 
-std::vector<std::string> inputsOf(const PictureDescription& job) {
-    std::vector<std::string> inputs{filePathOf(job.input), job.view, trajectoryPathOf(job.input)};
+std::vector<std::string> listInputs(const PictureDescription& job) {
+    std::vector<std::string> inputs{resolveInputPath(job.input), job.view, resolveTrajectoryPath(job.input)};
     for (const FurtherInput& further : job.input.further)
-        inputs.push_back(filePathOf(furtherInput(job.input, further)));
+        inputs.push_back(resolveInputPath(furtherInput(job.input, further)));
     return inputs;
 }
 
@@ -117,7 +117,7 @@ bool isOther(const std::string& path) {
 }  // namespace
 
 BatchFiles::BatchFiles(const std::string& jobs) {
-    if (jobs != "-") files_.emplace(placeOf(jobs), false);
+    if (jobs != "-") files_.emplace(fileKey(jobs), false);
 }
 
 void BatchFiles::claim(const PictureDescription& job) {
@@ -126,15 +126,15 @@ void BatchFiles::claim(const PictureDescription& job) {
     if (isOther(job.stats)) throw UsageError("\"stats\": the existing file is not a stats file: " + job.stats);
     const std::lock_guard lock(turn_);
     for (const auto& [name, path] : outputs) {
-        const auto known = path.empty() ? files_.end() : files_.find(placeOf(path));
+        const auto known = path.empty() ? files_.end() : files_.find(fileKey(path));
         if (known == files_.end()) continue;
         throw UsageError("\"" + std::string(name) + "\": an earlier job " +
                          (known->second ? "writes the same file: " : "reads this file: ") + path);
     }
-    for (const std::string& path : inputsOf(job))
-        if (!path.empty()) files_.emplace(placeOf(path), false);
+    for (const std::string& path : listInputs(job))
+        if (!path.empty()) files_.emplace(fileKey(path), false);
     for (const auto& [name, path] : outputs)
-        if (!path.empty()) files_.emplace(placeOf(path), true);
+        if (!path.empty()) files_.emplace(fileKey(path), true);
 }
 
 }  // namespace nacre::app

@@ -22,7 +22,7 @@ void printTable(const Json& report, std::ostream& out) {
     printFrames(report, out);
 }
 
-Json benchOf(const BenchOptions& options, const InputOptions& input) {
+Json runBench(const BenchOptions& options, const InputOptions& input) {
     Progress progress;
     const auto start = Clock::now();
     PictureDescription picture = options.picture;
@@ -51,7 +51,7 @@ void benchCommand(const BenchOptions& options, std::ostream& out) {
     for (const std::string& path : options.paths) try {
             InputOptions input = options.picture.input;
             input.path = path;
-            reports.push_back(benchOf(options, input));
+            reports.push_back(runBench(options, input));
             if (options.json) continue;
             if (reports.size() > 1) out << "\n";
             printTable(reports.back(), out);

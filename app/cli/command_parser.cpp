@@ -136,7 +136,7 @@ std::string example(const CommandSpec& command) {
 }
 
 /// "nacre render INPUT -o FILE [OPTION...]": the minimal command.
-std::string usageOf(const CommandSpec& command) {
+std::string formatUsage(const CommandSpec& command) {
     std::string usage = "nacre " + command.name;
     for (const OptionSpec& option : command.options)
         if (option.positional()) usage += " " + option.names;
@@ -206,7 +206,7 @@ ParsedCommand parseCommands(const CommandSpec& program, std::span<const CommandS
     std::list<std::string> made;
     completeBare(*chosen, words, made);
     if (words.size() > 1) refuseUnknown(parsed.name, *chosen, std::span(words).subspan(parsed.name.empty() ? 1 : 2));
-    if (words.size() == 2 && needsWords(*chosen)) throw UsageError("usage: " + usageOf(*chosen) + example(*chosen));
+    if (words.size() == 2 && needsWords(*chosen)) throw UsageError("usage: " + formatUsage(*chosen) + example(*chosen));
     try {
         app.parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::CallForHelp&) {

@@ -36,7 +36,7 @@ std::string plainHelp(const std::string& help) {
     return text;
 }
 
-const OptionSpec* positionalOf(const CommandSpec& command) {
+const OptionSpec* findPositional(const CommandSpec& command) {
     for (const OptionSpec& option : command.options)
         if (option.positional()) return &option;
     return nullptr;
@@ -59,7 +59,7 @@ std::string bashScript(const CommandSpec& program, std::span<const CommandSpec> 
             std::vector<std::string> patterns;
             for (const std::string& name : writtenNames(option))
                 patterns.push_back("'" + command.name + " " + name + "'");
-            const std::vector<std::string> choices = choicesOf(option);
+            const std::vector<std::string> choices = listChoices(option);
             if (takesFiles(option))
                 lists.push_back(wordList(patterns, "|"));
             else if (choices.empty())
@@ -90,8 +90,8 @@ std::string bashScript(const CommandSpec& program, std::span<const CommandSpec> 
         "    esac\n    if [[ $current == -* || -z $command ]]; then\n"
         "        COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n";
     for (const CommandSpec& command : commands)
-        if (const OptionSpec* input = positionalOf(command))
-            if (const std::vector<std::string> choices = choicesOf(*input); !choices.empty())
+        if (const OptionSpec* input = findPositional(command))
+            if (const std::vector<std::string> choices = listChoices(*input); !choices.empty())
                 script += "    elif [[ $command == " + command.name + " ]]; then\n        COMPREPLY=($(compgen -W '" +
                           wordList(choices, " ") + "' -- \"$current\"))\n";
     script +=
@@ -102,7 +102,7 @@ std::string bashScript(const CommandSpec& program, std::span<const CommandSpec> 
 
 std::string zshValue(const OptionSpec& option) {
     if (option.flag()) return "";
-    const std::vector<std::string> choices = choicesOf(option);
+    const std::vector<std::string> choices = listChoices(option);
     const std::string what = ":" + plainHelp(option.positional() ? option.names : option.type) + ":";
     const std::string words = "(" + wordList(choices, " ") + ")";
     if (takesFiles(option)) return what + "_sequence _files";
@@ -163,14 +163,14 @@ std::string fishScript(const CommandSpec& program, std::span<const CommandSpec> 
         const std::string seen = "complete -c nacre -n '__fish_seen_subcommand_from " + command.name + "'";
         for (const OptionSpec& option : command.options) {
             if (option.positional()) {
-                if (const std::vector<std::string> choices = choicesOf(option); !choices.empty())
+                if (const std::vector<std::string> choices = listChoices(option); !choices.empty())
                     script += seen + " -f -a '" + wordList(choices, " ") + "'\n";
                 continue;
             }
             script += seen;
             for (const std::string& name : writtenNames(option))
                 script += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-            const std::vector<std::string> choices = choicesOf(option);
+            const std::vector<std::string> choices = listChoices(option);
             if (takesFiles(option))
                 script += " -x -a '(__fish_complete_list , __fish_complete_path)'";
             else if (!choices.empty())

@@ -41,7 +41,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
             forgetSelfTest(folder, devices[i].driverKey);
             progress.begin("testing device " + std::to_string(i));
             devices[i].selfTest = describe(testPaths(device, devices[i], TestedPaths::every));
-            traffic[i] = countedOf(devices[i], device);
+            traffic[i] = queryTraffic(devices[i], device);
         }
         // A software device uses the path of its caps.
         if (devices[i].type != "software") addSelfTest(devices[i], folder);

@@ -60,7 +60,7 @@ void writeMolViewSpec(const Molecule& molecule, const ExportCommandOptions& opti
     picture.background = drawing.settings.background;
     const mvs::WrittenScene written =
         mvs::writeScene(molecule, picture, sceneVolumes(picture),
-                        cameraOf(drawing.settings.view, drawing.run.center, !molecule.guide), picture.output);
+                        makeCamera(drawing.settings.view, drawing.run.center, !molecule.guide), picture.output);
     for (const std::string& note : written.notes) sayNote(note);
     writeText(file, written.json);
 }
@@ -74,7 +74,7 @@ void exportCommand(const ExportCommandOptions& options) {
     Progress progress;
     const Molecule molecule = readMoleculeAndMaps(options.picture, progress);
     progress.begin("building the scene");
-    if (extensionOf(options.picture.output) == ".mvsj") return writeMolViewSpec(molecule, options, file);
+    if (fileExtension(options.picture.output) == ".mvsj") return writeMolViewSpec(molecule, options, file);
     Representation scene = buildScene(molecule, options.picture);
     addMapSurfaces(molecule, options.picture, scene);
     for (const std::string& warning : scene.warnings) sayWarning(warning);
@@ -86,7 +86,7 @@ void exportCommand(const ExportCommandOptions& options) {
     const std::string& title = molecule.file.title;
     const SceneFileOptions titled{
         title.empty() ? std::filesystem::path(options.picture.input.path).filename().string() : title, options.scale};
-    const std::string bytes = sceneFile(exported, extensionOf(options.picture.output), titled);
+    const std::string bytes = sceneFile(exported, fileExtension(options.picture.output), titled);
     writeText(file, bytes);
     if (stats) writeText(*stats, exportStats(exported, bytes.size()));
 }

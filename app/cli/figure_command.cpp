@@ -39,7 +39,7 @@ void paintLetter(const WordPainter& painter, const std::string& letter, const Pi
     painter.paint(marks, picture.rgba.data(), picture.width, 0, picture.height);
 }
 
-std::string letterOf(PanelLetters letters, std::size_t panel) {
+std::string panelLetter(PanelLetters letters, std::size_t panel) {
     if (letters == PanelLetters::off) return "";
     return std::string(1, static_cast<char>((letters == PanelLetters::capital ? 'A' : 'a') + panel));
 }
@@ -51,7 +51,7 @@ struct Panel {
     Drawing drawing;
 };
 
-std::vector<std::unique_ptr<Panel>> panelsOf(const FigureOptions& options) {
+std::vector<std::unique_ptr<Panel>> readPanels(const FigureOptions& options) {
     std::vector<std::unique_ptr<Panel>> panels;
     BatchLines lines(options.batch.path, [] { return false; });
     while (const auto line = lines.next()) {
@@ -60,7 +60,7 @@ std::vector<std::unique_ptr<Panel>> panelsOf(const FigureOptions& options) {
                         "more than " + std::to_string(kMostPanels) + " panels");
         auto panel = std::make_unique<Panel>();
         try {
-            panel->picture = panelOf(line->whole(), options, panel->line);
+            panel->picture = parsePanel(line->whole(), options, panel->line);
         } catch (const UsageError& error) {
             throw Error("cannot draw figure", options.batch.path,
                         "line " + std::to_string(line->number) + ": " + error.what());
@@ -98,7 +98,7 @@ PictureDescription withCamera(const Panel& panel, const Camera& shared) {
     }
     picture.camera = shared;
     aim.uncover = uncoveredBy(aim);
-    for (std::optional<Selection>* part : {&aim.axesOf, &aim.left, &aim.center, &aim.lookAt, &aim.zoomTo})
+    for (std::optional<Selection>* part : {&aim.orientBy, &aim.left, &aim.center, &aim.lookAt, &aim.zoomTo})
         part->reset();
     aim.principal = aim.fromSide = aim.fits = false;
     if (!panel.line.scales) return picture;
@@ -112,7 +112,7 @@ bool isWhole(const Panel& panel) { return !panel.line.scales && !panel.picture.a
 
 /// The camera of the panels: the first one's, moved back so that every panel fits. The panel that needs the most room,
 /// including its words, decides.
-Camera cameraOf(const std::vector<std::unique_ptr<Panel>>& panels) {
+Camera makeCamera(const std::vector<std::unique_ptr<Panel>>& panels) {
     const PictureDescription& first = panels.front()->picture;
     Camera shared = panels.front()->drawing.placed().camera;
     if (!first.aim.fits || !isWhole(*panels.front())) return shared;
@@ -147,7 +147,7 @@ Camera cameraOf(const std::vector<std::unique_ptr<Panel>>& panels) {
 
 void figureCommand(const FigureOptions& options) {
     OutputFile file(options.output, ".png");
-    const std::vector<std::unique_ptr<Panel>> panels = panelsOf(options);
+    const std::vector<std::unique_ptr<Panel>> panels = readPanels(options);
     const PictureDescription& first = panels.front()->picture;
     const auto bar = std::find_if(panels.rbegin(), panels.rend(), [](const auto& p) { return !p->line.scales; });
     Progress progress;
@@ -161,7 +161,7 @@ void figureCommand(const FigureOptions& options) {
     progress.begin("drawing");
     panels.front()->drawing.prepare(panels.front()->molecule, first);
     const Clip clip = panels.front()->drawing.placed().effects.clip;
-    const Camera camera = cameraOf(panels);
+    const Camera camera = makeCamera(panels);
     PictureGrid figure(first.size, panels.size(), static_cast<std::size_t>(options.columns),
                        static_cast<std::uint32_t>(std::lround(options.gapPoints * *first.dpi / 72)), first.background);
     for (std::size_t i = 0; i < panels.size(); ++i) {
@@ -172,13 +172,13 @@ void figureCommand(const FigureOptions& options) {
         std::vector<std::string> warnings = panel.drawing.warnings;
         Picture picture = panel.drawing.draw(canvas, &warnings);
         for (const std::string& warning : warnings) sayWarning("panel " + std::to_string(i + 1) + ": " + warning);
-        if (const std::string letter = letterOf(options.letters, i); !letter.empty())
+        if (const std::string letter = panelLetter(options.letters, i); !letter.empty())
             paintLetter(painter, letter, shown, picture);
         figure.put(i, picture);
         panel.drawing.forget();
         progress.advance(static_cast<double>(i + 1) / static_cast<double>(panels.size()));
     }
-    writePicture(file, figure.picture(), formatOf(first));
+    writePicture(file, figure.picture(), chooseFormat(first));
 }
 
 }  // namespace nacre::app

@@ -155,7 +155,7 @@ void addRoffLines(std::ostringstream& page, const std::string& text) {
     page << ".fi\n";
 }
 
-std::string synopsisOf(const CommandSpec& command) {
+std::string formatSynopsis(const CommandSpec& command) {
     std::string text = "\\fBnacre " + command.name + "\\fR";
     for (const OptionSpec& option : command.options)
         if (option.positional()) text += " \\fI" + option.names + "\\fR" + (option.repeatable ? " ..." : "");
@@ -285,7 +285,7 @@ std::string manualPage(const CommandSpec& program, std::span<const CommandSpec> 
     page << ".TH NACRE 1 \"\" \"nacre\" \"User Commands\"\n"
          << ".SH NAME\nnacre \\- draw molecules\n.SH SYNOPSIS\n";
     for (const CommandSpec& command : commands)
-        page << (&command == &commands.front() ? "" : ".br\n") << synopsisOf(command) << '\n';
+        page << (&command == &commands.front() ? "" : ".br\n") << formatSynopsis(command) << '\n';
     page << ".SH DESCRIPTION\n"
          << roffFlow(program.about)
          << " It reads PDB, mmCIF and other structure files, works out the bonds, and draws on Vulkan, with or without "

@@ -55,7 +55,7 @@ void line(std::ostream& out, const char* label, const std::string& text) {
     if (!text.empty()) out << "  " << std::left << std::setw(12) << label << printable(text) << '\n';
 }
 
-std::string textOf(const Json& value) { return value.is_null() ? "" : value.get<std::string>(); }
+std::string toText(const Json& value) { return value.is_null() ? "" : value.get<std::string>(); }
 
 std::string listed(const Json& json, std::initializer_list<std::pair<const char*, const char*>> entries) {
     std::string text;
@@ -153,11 +153,11 @@ std::string readingLine(const Json& entry) {
                   from.is_null() ? 0 : from.get<std::uint64_t>()};
     for (const ReadAction action : {ReadAction::guessed, ReadAction::leftOut})
         if (entry["action"] == readActionName(action)) note.action = action;
-    return sentenceOf(note);
+    return describeNote(note);
 }
 
 /// ", which repeats along a and b"; empty for a box that repeats along all of its vectors.
-std::string repeatsOf(const Json& json) {
+std::string describeRepeats(const Json& json) {
     std::string axes;
     for (std::size_t i = 0; i < 3; ++i)
         if (json["box_periodic"][i].get<bool>()) axes += (axes.empty() ? "" : " and ") + std::string(1, "abc"[i]);
@@ -166,7 +166,7 @@ std::string repeatsOf(const Json& json) {
 }
 
 /// "A, B: HIV-1 protease; C: DNA": groups chains of one name.
-std::string namesOf(const Json& names) {
+std::string groupNames(const Json& names) {
     std::map<std::string, std::string> byName;
     for (const auto& [identifier, name] : names.items()) {
         std::string& of = byName[name.get<std::string>()];
@@ -182,7 +182,7 @@ std::string namesOf(const Json& names) {
 std::string infoText(const std::string& name, const Json& json) {
     std::ostringstream out;
     out << printable(name) << " (" << json["format"].get<std::string>() << ")\n";
-    for (const char* key : {"title", "organism", "method"}) line(out, key, textOf(json[key]));
+    for (const char* key : {"title", "organism", "method"}) line(out, key, toText(json[key]));
     if (!json["resolution"].is_null()) line(out, "resolution", plainNumber(json["resolution"].get<double>()) + " Å");
     line(out, "atoms", std::to_string(json["atoms"].get<std::int64_t>()));
     line(out, "of these",
@@ -200,9 +200,9 @@ std::string infoText(const std::string& name, const Json& json) {
          listed(json, {{"chains", "identifiers"}, {"chains_auth", "by author"}, {"chains_label", "by label"}}));
     if (!json["chain_list"].is_null()) {
         sequences(out, json["chain_list"]);
-        line(out, "chain names", namesOf(json["chain_names"]));
+        line(out, "chain names", groupNames(json["chain_names"]));
         line(out, "ligands", namesAndCounts(json["ligands"]));
-        line(out, "their names", namesOf(json["component_names"]));
+        line(out, "their names", groupNames(json["component_names"]));
         line(out, "ions", namesAndCounts(json["ions"]));
         line(out, "water", listed(json, {{"waters", "molecules"}}));
     }
@@ -226,7 +226,7 @@ std::string infoText(const std::string& name, const Json& json) {
          listed(json["bonds_known"],
                 {{"between_residues", "between residues"}, {"disulfides", "disulfides"}, {"to_metals", "to metals"}}));
     if (!json["bbox"].is_null()) line(out, "box", json["bbox"][0].dump() + " to " + json["bbox"][1].dump() + " Å");
-    if (!json["box_vectors"].is_null()) line(out, "cell", json["box_vectors"].dump() + " Å" + repeatsOf(json));
+    if (!json["box_vectors"].is_null()) line(out, "cell", json["box_vectors"].dump() + " Å" + describeRepeats(json));
     if (!json["partial_charge"].is_null())
         line(out, "charge", plainNumber(json["partial_charge"].get<double>()) + " e, the sum of partial charges");
     const char* label = "reading";
@@ -249,8 +249,8 @@ struct InfoOfInput {
     bool isMap = false;
 };
 
-void addInteractionsOf(const Molecule& molecule, const InputOptions& input, const InfoOptions& options,
-                       InfoOfInput& info) {
+void appendInteractions(const Molecule& molecule, const InputOptions& input, const InfoOptions& options,
+                        InfoOfInput& info) {
     ContactOptions contacts = options.picture.look.contacts;
     if (!input.further.empty())
         for (std::optional<Selection>* selection : {&contacts.of, &contacts.with})
@@ -267,7 +267,7 @@ void addInteractionsOf(const Molecule& molecule, const InputOptions& input, cons
         }
         return;
     }
-    const std::vector<Interaction> interactions = interactionsOf(molecule, contacts, options.picture.look.assembly);
+    const std::vector<Interaction> interactions = listInteractions(molecule, contacts, options.picture.look.assembly);
     if (options.output == InfoOutput::csv)
         info.text = interactionCsv(molecule, interactions);
     else if (options.output == InfoOutput::text)
@@ -329,11 +329,11 @@ private:
 
 InfoOfInput infoOfMap(const InputOptions& input) {
     InfoOfInput info{mapInfoJson(readMapInput(input)), {}, true};
-    putBytes(openPathOf(input), info.json);
+    putBytes(openedPath(input), info.json);
     return info;
 }
 
-InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
+InfoOfInput gatherInfo(const InputOptions& input, const InfoOptions& options) {
     if (isMap(input)) return infoOfMap(input);
     Progress progress;
     progress.begin("reading");
@@ -346,9 +346,9 @@ InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
     }
     if (options.picture.look.contacts.of) {
         progress.begin("finding interactions");
-        addInteractionsOf(molecule, input, options, info);
+        appendInteractions(molecule, input, options, info);
     }
-    putBytes(openPathOf(input), info.json);
+    putBytes(openedPath(input), info.json);
     return info;
 }
 
@@ -361,7 +361,7 @@ void infoTogether(const InfoOptions& options, InfoWriter& writer) {
         addInput(input, path);
         names += (names.empty() ? "" : " + ") + path;
     }
-    writer.add(names, infoOf(input, options));
+    writer.add(names, gatherInfo(input, options));
 }
 
 }  // namespace
@@ -376,7 +376,7 @@ void infoCommand(const InfoOptions& options, std::ostream& out) {
                 InputOptions input = options.picture.input;
                 input.alone = input.describedOnly = true;
                 input.path = path;
-                writer.add(path, infoOf(input, options));
+                writer.add(path, gatherInfo(input, options));
             } catch (const Error& error) {
                 if (failure) sayError(failure->what());
                 failure = error;

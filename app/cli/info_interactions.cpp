@@ -21,7 +21,7 @@ public:
     explicit Counter(const Molecule& molecule) : molecule_(molecule) {}
 
     void add(const Interaction& contact, int occasion) {
-        std::string first = nameOf(contact.a), second = nameOf(contact.b);
+        std::string first = makeName(contact.a), second = makeName(contact.b);
         if (second < first) std::swap(first, second);
         const std::string key = std::string(interactionKindName(contact.kind)) + "\t" + first + "\t" + second;
         const auto [place, added] = index_.emplace(key, counted_.size());
@@ -50,7 +50,7 @@ public:
 
 private:
     /// A name independent of a ring's or group's first atom.
-    std::string nameOf(const InteractionEnd& end) const {
+    std::string makeName(const InteractionEnd& end) const {
         std::vector<std::uint32_t> atoms = end.atoms;
         std::sort(atoms.begin(), atoms.end(), [&](std::uint32_t l, std::uint32_t r) {
             return molecule_.atoms[l].name.view() < molecule_.atoms[r].name.view();
@@ -82,7 +82,7 @@ std::string joined(const std::vector<Value>& values) {
 }
 
 std::string endCells(const Molecule& molecule, const InteractionEnd& end) {
-    const EndFields fields = fieldsOf(molecule, end.atoms);
+    const EndFields fields = endFields(molecule, end.atoms);
     return csvCell(fields.chain) + "," + std::to_string(fields.model) + "," + csvCell(fields.residue) + "," +
            std::to_string(fields.number) + "," + csvCell(fields.insertion) + "," + csvCell(joined(fields.atoms)) + "," +
            joined(fields.ids) + "," + (end.image ? "1" : "0");
@@ -106,7 +106,7 @@ std::string decimals(double value, int digits) {
 }
 
 std::string endName(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
-    const EndFields fields = fieldsOf(molecule, atoms);
+    const EndFields fields = endFields(molecule, atoms);
     return printable(fields.chain + "/" + fields.residue + " " + std::to_string(fields.number) + fields.insertion +
                      " " + joined(fields.atoms));
 }
@@ -161,16 +161,16 @@ ContactFrequencies contactFrequencies(const Molecule& molecule, const ContactOpt
         }
         return {counter.sorted(), frames};
     }
-    const auto modelOf = [&](std::uint32_t atom) {
+    const auto findModel = [&](std::uint32_t atom) {
         return molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model;
     };
     std::set<int> models;
     for (const Chain& chain : molecule.chains) models.insert(chain.model);
     std::vector<Interaction> found = finder.find(molecule, query);
     std::stable_sort(found.begin(), found.end(), [&](const Interaction& l, const Interaction& r) {
-        return modelOf(l.a.atoms.front()) < modelOf(r.a.atoms.front());
+        return findModel(l.a.atoms.front()) < findModel(r.a.atoms.front());
     });
-    for (const Interaction& contact : found) counter.add(contact, modelOf(contact.a.atoms.front()));
+    for (const Interaction& contact : found) counter.add(contact, findModel(contact.a.atoms.front()));
     return {counter.sorted(), molecule.modelsAreInputs ? 1 : models.size()};
 }
 

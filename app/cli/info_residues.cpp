@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const char* nameOf(SecondaryStructure secondary) {
+const char* structureName(SecondaryStructure secondary) {
     switch (secondary) {
         case SecondaryStructure::helix:
             return "helix";
@@ -38,7 +38,7 @@ Json residueList(const Molecule& molecule) {
              {"number", residue.number},
              {"insertion", residue.insertionCode ? std::string(1, residue.insertionCode) : ""},
              {"name", residue.name.view()},
-             {"secondary", facts.kinds()[i] == ResidueKind::protein ? Json(nameOf(facts.folds()[i])) : Json()}});
+             {"secondary", facts.kinds()[i] == ResidueKind::protein ? Json(structureName(facts.folds()[i])) : Json()}});
     }
     return list;
 }

@@ -24,7 +24,7 @@ void movieCommand(const MovieOptions& options) {
     // Opens the file, or the program that writes it, before any work; only the number of frames is unknown.
     MovieShape shape{options.picture.size, options.framesPerSecond, isTransparent(options), 1};
     const bool snapshots = showsSnapshots(options);
-    if (options.views.empty() && !snapshots) shape.frames = framesOf(options, 1);
+    if (options.views.empty() && !snapshots) shape.frames = countFrames(options, 1);
     MovieReport report(options.report);
     const std::unique_ptr<MovieFile> file = makeMovieFile(path, shape);
     StopRequest stop;  // from here on; a second signal removes unfinished files as usual
@@ -50,7 +50,7 @@ void movieCommand(const MovieOptions& options) {
             progress.begin("drawing frames");
         } else {
             progress.advanceTo(drawn, frames);
-            report.drawn(drawn, frames, scenes.modelOf(drawn - 1));
+            report.drawn(drawn, frames, scenes.shownModel(drawn - 1));
         }
         return !stop.asked();
     };

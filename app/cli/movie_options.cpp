@@ -133,7 +133,7 @@ void checkMotion(const MovieOptions& options) {
         throw UsageError("--camera model and --views exclude each other: --views move the camera");
     if (sequence && options.picture.input.path == "-" && !trajectory)
         throw UsageError("--models reads INPUT several times: name a file, not standard input");
-    if (!snapshots && framesOf(options, 1) > kMostMovieFrames)
+    if (!snapshots && countFrames(options, 1) > kMostMovieFrames)
         throw UsageError("more than " + std::to_string(kMostMovieFrames) + " frames: lower --seconds or --fps");
 }
 
@@ -141,16 +141,16 @@ bool isGiven(const MovieOptions& options, const char* name) {
     return std::any_of(options.given.begin(), options.given.end(), [&](const OptionValue& v) { return v.key == name; });
 }
 
-std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models) {
+std::uint64_t countFrames(const MovieOptions& options, std::uint64_t models) {
     const std::size_t views = options.views.size();
     const bool moving = !options.picture.input.trajectory.path.empty();
-    double seconds = secondsOf(options, models, moving);
+    double seconds = movieSeconds(options, models, moving);
     if (views) seconds = kStretchSeconds * static_cast<double>(options.loop ? views : views - 1);
     seconds = options.seconds.value_or(seconds);
     return static_cast<std::uint64_t>(std::max(std::llround(seconds * options.framesPerSecond), 1ll));
 }
 
-double timeOf(const MovieOptions& options, std::uint64_t frame, std::uint64_t frames) {
+double frameTime(const MovieOptions& options, std::uint64_t frame, std::uint64_t frames) {
     const std::uint64_t whole = goesRound(options) ? frames : std::max<std::uint64_t>(frames - 1, 1);
     return static_cast<double>(frame) / static_cast<double>(whole);
 }

@@ -16,9 +16,9 @@ void checkMotion(const MovieOptions& options);
 bool isGiven(const MovieOptions& options, const char* name);
 
 /// Number of frames. @param models  of the molecule, if the movie shows them
-std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models);
+std::uint64_t countFrames(const MovieOptions& options, std::uint64_t models);
 
 /// Time of a frame, 0..1. In a loop the last frame is before 1, which equals the start; otherwise it is at 1.
-double timeOf(const MovieOptions& options, std::uint64_t frame, std::uint64_t frames);
+double frameTime(const MovieOptions& options, std::uint64_t frame, std::uint64_t frames);
 
 }  // namespace nacre::app

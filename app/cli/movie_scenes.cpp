@@ -29,9 +29,9 @@ bool sameLook(const PictureDescription& a, PictureDescription b) {
     return (parts & kSeen) == 0 && !(a.maps.aroundFocus && has(parts, Facet::view));
 }
 
-std::string pathsOf(const InputOptions& input) {
-    std::string paths = filePathOf(input);
-    for (const FurtherInput& further : input.further) paths += ", " + filePathOf(furtherInput(input, further));
+std::string joinPaths(const InputOptions& input) {
+    std::string paths = resolveInputPath(input);
+    for (const FurtherInput& further : input.further) paths += ", " + resolveInputPath(furtherInput(input, further));
     return paths;
 }
 
@@ -40,10 +40,10 @@ void checkSameInput(const MovieOptions& options, const InputOptions& named) {
     const InputOptions& input = options.picture.input;
     const std::string file = named.namedBy, cannot = "cannot join views";
     if (input.namedBy.empty() || named.path.empty()) return;  // INPUT itself names it
-    if (pathsOf(named) != pathsOf(input) || (options.models == MovieModels::one && named.model != input.model))
-        throw Error(cannot, file, "it is of another molecule than the first: " + pathsOf(named));
-    if (!isGiven(options, "trajectory") && trajectoryPathOf(named) != input.trajectory.path)
-        throw Error(cannot, file, "it is of another trajectory than the first: " + trajectoryPathOf(named));
+    if (joinPaths(named) != joinPaths(input) || (options.models == MovieModels::one && named.model != input.model))
+        throw Error(cannot, file, "it is of another molecule than the first: " + joinPaths(named));
+    if (!isGiven(options, "trajectory") && resolveTrajectoryPath(named) != input.trajectory.path)
+        throw Error(cannot, file, "it is of another trajectory than the first: " + resolveTrajectoryPath(named));
 }
 
 /// A key view as in `nacre render --view`, with the options given. @throws Error
@@ -114,7 +114,7 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
     }
     if (options.models == MovieModels::sequence) takeRange(input.path);
     loadMaps(options.picture, downloadProgress(progress_));
-    frames_ = morph ? models_ : framesOf(options, models_);
+    frames_ = morph ? models_ : countFrames(options, models_);
     if (frames_ > kMostMovieFrames)
         throw Error("movie too long", input.path, "more than " + std::to_string(kMostMovieFrames) + " frames");
     progress_.begin("building the scene");
@@ -157,7 +157,7 @@ void MovieScenes::layModels(const InputOptions& input) {
 void MovieScenes::layMorph(const InputOptions& input) {
     molecule_ = loadMolecule(input, downloadProgress(progress_));
     const std::uint64_t keys = std::max<std::uint64_t>(molecule_.others.size() + 1, 2);
-    models_ = framesOf(options_, keys);
+    models_ = countFrames(options_, keys);
     motion_ = std::make_unique<Motion>(morphOfModels(std::make_shared<const Molecule>(molecule_), 1,
                                                      morphPlaces(options_, models_, keys), options_.loop, input.path),
                                        molecule_, motionOptions(input.trajectory, molecule_));
@@ -180,7 +180,7 @@ void MovieScenes::addKeys() {
         drawing.prepare(molecule_, options);
         key.view = drawing.settings.view;
         key.clip = drawing.settings.effects.clip;
-        lenses.push_back(lensOf(key.view, drawing.run.center));
+        lenses.push_back(makeLens(key.view, drawing.run.center));
         if (lenses.back().projection != lenses.front().projection)
             throw Error("cannot join views", file, "it is not of the same --projection as the first");
         if (same == looks_.end()) addLook(options);
@@ -208,7 +208,7 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
         molecule_ = file_->read(model);
         molecules_ = model;
     }
-    const std::optional<Bounds> frame = file_ && !motion_ ? frameOf(look) : std::nullopt;
+    const std::optional<Bounds> frame = file_ && !motion_ ? findFrame(look) : std::nullopt;
     look.framed = frame.has_value();
     look.drawing.forget();
     if (severalModels() && !motion_) look.options.input.model = model;  // for titles
@@ -229,10 +229,10 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
 
 /// The shared bounds of all models. The first model knows the others' positions; but the default style depends on the
 /// model, and each style has its own bounds.
-std::optional<Bounds> MovieScenes::frameOf(Look& look) const {
+std::optional<Bounds> MovieScenes::findFrame(Look& look) const {
     const DrawnAtomsOptions& drawn = look.options.drawn;
     RepresentationOptions shared = look.options.look;
-    if (!shared.style) shared.style = appearanceOf(molecule_, drawnAtoms(molecule_, drawn), shared).style;
+    if (!shared.style) shared.style = makeAppearance(molecule_, drawnAtoms(molecule_, drawn), shared).style;
     const auto known = look.frames.find(*shared.style);
     if (known != look.frames.end()) return known->second;
     return look.frames[*shared.style] = sharedFrame(file_->first(), drawn, shared);
@@ -311,14 +311,14 @@ int MovieScenes::modelAt(std::uint64_t frame) const {
                             static_cast<std::int64_t>(frame * models_ / frames_) * options_.range.step);
 }
 
-std::optional<int> MovieScenes::modelOf(std::uint64_t frame) const {
+std::optional<int> MovieScenes::shownModel(std::uint64_t frame) const {
     return severalModels() ? std::optional(modelAt(frame)) : std::nullopt;
 }
 
 Picture MovieScenes::draw(std::uint64_t frame) {
     if (frame != next_) forgetWords();
     next_ = frame + 1;
-    const double time = timeOf(options_, frame, frames_);
+    const double time = frameTime(options_, frame, frames_);
     const int model = modelAt(frame);
     if (path_) {
         const Easing easing = options_.easing.value_or(options_.loop ? Easing::linear : Easing::smooth);
@@ -333,7 +333,7 @@ Picture MovieScenes::draw(std::uint64_t frame) {
     const bool aimed = options_.picture.aim.any() && file_ && !motion_ && model != 1;
     const bool elsewhere = center != center_ || view.pixelsPerAngstrom != first_.pixelsPerAngstrom;
     if (!look.options.look.ownFrame && (aimed || (elsewhere && !look.framed))) {
-        view = viewThrough(lensOf(first_, center_), view, center);
+        view = viewThrough(makeLens(first_, center_), view, center);
         settings.effects.clip = firstClip_;
     }
     view = viewAt(options_, view, time);

@@ -24,7 +24,7 @@ public:
     /// A frame, 0..frames() - 1, in any order. @throws Error
     virtual Picture draw(std::uint64_t frame) = 0;
     /// The model, record, frame of a trajectory or snapshot that a frame shows, from 1; none if all show the same.
-    virtual std::optional<int> modelOf(std::uint64_t frame) const = 0;
+    virtual std::optional<int> shownModel(std::uint64_t frame) const = 0;
     /// Called with the finished share while occlusion is baked.
     std::function<void(double)> onBake;
 };
@@ -44,7 +44,7 @@ public:
     std::uint64_t frames() const override { return frames_; }
     /// In sequence, words follow their atoms.
     Picture draw(std::uint64_t frame) override;
-    std::optional<int> modelOf(std::uint64_t frame) const override;
+    std::optional<int> shownModel(std::uint64_t frame) const override;
 
 private:
     /// An appearance: key views that differ only in their cameras share it.
@@ -69,7 +69,7 @@ private:
     void addKeys();
     Look& ready(std::size_t look, int model);
     void takeRange(const std::string& path);
-    std::optional<Bounds> frameOf(Look& look) const;
+    std::optional<Bounds> findFrame(Look& look) const;
     void letGo(std::size_t a, std::size_t b);
     void forgetWords();
     Picture drawKeys(double place, int model);

@@ -81,7 +81,7 @@ bool showsSnapshots(const MovieOptions& options) {
     if (options.picture.input.snapshot == kAllSnapshots) return true;
     const bool moves =
         options.spin || options.rock || options.sweep || options.models != MovieModels::one || !options.views.empty();
-    return !moves && !isGiven(options, "snapshot") && mvs::isSceneFile(filePathOf(options.picture.input));
+    return !moves && !isGiven(options, "snapshot") && mvs::isSceneFile(resolveInputPath(options.picture.input));
 }
 
 MovieSnapshots::MovieSnapshots(const MovieOptions& options, Progress& progress)
@@ -103,12 +103,12 @@ MovieSnapshots::MovieSnapshots(const MovieOptions& options, Progress& progress)
     loadMaps(options.picture, downloadProgress(progress_));
 }
 
-SnapshotPlace MovieSnapshots::placeOf(std::uint64_t frame) const {
+SnapshotPlace MovieSnapshots::findPlace(std::uint64_t frame) const {
     return timeline_.at(static_cast<double>(frame) * secondsPerFrame_);
 }
 
-std::optional<int> MovieSnapshots::modelOf(std::uint64_t frame) const {
-    return static_cast<int>(placeOf(frame).from) + 1;
+std::optional<int> MovieSnapshots::shownModel(std::uint64_t frame) const {
+    return static_cast<int>(findPlace(frame).from) + 1;
 }
 
 void MovieSnapshots::load(std::size_t number, std::optional<double> seconds, Shot& shot) {
@@ -131,11 +131,11 @@ MovieSnapshots::Shot& MovieSnapshots::ready(std::size_t number, double time) {
         load(number, seconds ? std::optional(0.0) : std::nullopt, *made);
         for (const std::string& warning : made->drawing.warnings)
             sayWarning("snapshot " + std::to_string(number + 1) + ": " + warning);
-        made->lens = lensOf(made->drawing.settings.view, made->drawing.run.center);
+        made->lens = makeLens(made->drawing.settings.view, made->drawing.run.center);
         made->canvas = std::make_unique<Canvas>(options_.picture.device);
     }
     if (made->seconds != seconds) load(number, seconds, *made);
-    if (timeline_.times(number).camera) made->lens = lensOf(made->drawing.settings.view, made->drawing.run.center);
+    if (timeline_.times(number).camera) made->lens = makeLens(made->drawing.settings.view, made->drawing.run.center);
     made->drawing.settings.occlusion.onProgress = [this](double share) {
         if (onBake) onBake(share);
     };
@@ -153,7 +153,7 @@ Picture MovieSnapshots::drawFrom(std::size_t number, double seconds, const Lens*
     return shot.drawing.drawAs(settings, shot.canvas->renderer);
 }
 
-double MovieSnapshots::shareOf(const SnapshotPlace& place) const {
+double MovieSnapshots::easedShare(const SnapshotPlace& place) const {
     const std::string& named = timeline_.times(place.from).easing;
     if (!options_.easing && !named.empty())
         if (const auto share = mvs::easedByName(named, place.share)) return *share;
@@ -161,12 +161,12 @@ double MovieSnapshots::shareOf(const SnapshotPlace& place) const {
 }
 
 Picture MovieSnapshots::draw(std::uint64_t frame) {
-    const SnapshotPlace place = placeOf(frame);
+    const SnapshotPlace place = findPlace(frame);
     const std::size_t to = (place.from + 1) % shots_.size();
     for (std::size_t i = 0; i < shots_.size(); ++i)
         if (i != place.from && i != to) shots_[i].reset();
     if (place.share == 0) return drawFrom(place.from, place.seconds, nullptr);
-    const double share = shareOf(place);
+    const double share = easedShare(place);
     const std::vector<Lens> lenses{ready(place.from, place.seconds).lens, ready(to, 0).lens};
     if (lenses[0].projection != lenses[1].projection)
         return share < 0.5 ? drawFrom(place.from, place.seconds, nullptr) : drawFrom(to, 0, nullptr);

@@ -53,7 +53,7 @@ public:
 
     std::uint64_t frames() const override { return frames_; }
     Picture draw(std::uint64_t frame) override;
-    std::optional<int> modelOf(std::uint64_t frame) const override;
+    std::optional<int> shownModel(std::uint64_t frame) const override;
 
 private:
     struct Shot {
@@ -63,12 +63,12 @@ private:
         Lens lens;
         std::optional<double> seconds;  ///< of its animation
     };
-    SnapshotPlace placeOf(std::uint64_t frame) const;
+    SnapshotPlace findPlace(std::uint64_t frame) const;
     /// @param seconds  since the snapshot came to rest
     Shot& ready(std::size_t number, double seconds);
     void load(std::size_t number, std::optional<double> seconds, Shot& shot);
     Picture drawFrom(std::size_t number, double seconds, const Lens* lens);
-    double shareOf(const SnapshotPlace& place) const;
+    double easedShare(const SnapshotPlace& place) const;
 
     const MovieOptions& options_;
     Progress& progress_;

@@ -109,7 +109,7 @@ std::vector<std::string> longerNames(const std::string& word, const CommandSpec&
 std::vector<std::string> optionsThatTake(const std::string& word, const CommandSpec& command) {
     std::vector<std::string> taking;
     for (const OptionSpec& option : command.options) {
-        const std::vector<std::string> choices = choicesOf(option);
+        const std::vector<std::string> choices = listChoices(option);
         if (std::find(choices.begin(), choices.end(), word) != choices.end())
             taking.push_back(option.longName() + " " + word);
     }
@@ -143,7 +143,7 @@ bool takesFile(const OptionSpec& option) {
 
 bool takesFiles(const OptionSpec& option) { return option.type.find(".json,") != std::string::npos; }
 
-std::vector<std::string> choicesOf(const OptionSpec& option) {
+std::vector<std::string> listChoices(const OptionSpec& option) {
     std::vector<std::string> choices = option.choices;
     if (option.flag() || takesFile(option) || takesValue(option, "nosuchword")) return choices;
     std::string type = option.type;

@@ -14,7 +14,7 @@ std::vector<std::string> writtenNames(const OptionSpec& option);
 
 /// The values that can be listed: both of "on|off", otherwise the words of the option's help that it accepts, unless it
 /// accepts any word. Sets the option repeatedly.
-std::vector<std::string> choicesOf(const OptionSpec& option);
+std::vector<std::string> listChoices(const OptionSpec& option);
 
 /// A suggestion for an unknown option: " (did you mean '--color'?)", or empty. Considers other programs' names, the
 /// nearest name, names that contain it, and options that accept it as a value. Sets options.

@@ -45,10 +45,10 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
     for (OptionSpec& option : command.options)
         if (option.longName() == "--device") option.excludes = "--caps";
     const std::vector<std::string> names = capabilitySetNames();
-    OptionSpec caps{"--caps", "NAME", "none", "A capability set instead of a device: " + listOf(names),
+    OptionSpec caps{"--caps", "NAME", "none", "A capability set instead of a device: " + joinWords(names),
                     [&options, names](const std::string& text) {
                         if (std::find(names.begin(), names.end(), text) == names.end())
-                            refuse(text, "one of " + listOf(names), names);
+                            refuse(text, "one of " + joinWords(names), names);
                         options.caps = text;
                     }};
     command.options.insert(command.options.begin(), caps);  // before --device, which refers to it
@@ -77,7 +77,7 @@ void addExport(CommandSpec& command, ExportCommandOptions& options) {
                [&](const std::string& text) {
                    std::vector<std::string> endings = sceneEndings();
                    endings.push_back(".mvsj");
-                   if (!isSceneName(text) && extensionOf(text) != ".mvsj") refuseEnding(text, endings);
+                   if (!isSceneName(text) && fileExtension(text) != ".mvsj") refuseEnding(text, endings);
                    picture.output = text;
                })
         .required = true;
@@ -103,9 +103,9 @@ void addExport(CommandSpec& command, ExportCommandOptions& options) {
 
 /// @throws UsageError
 void checkExport(const ExportCommandOptions& options) {
-    if (options.scene.instances && extensionOf(options.picture.output) != ".glb")
+    if (options.scene.instances && fileExtension(options.picture.output) != ".glb")
         throw UsageError("--atoms instanced is for .glb");
-    if (options.picture.occlusion.directions > 0 && extensionOf(options.picture.output) != ".glb")
+    if (options.picture.occlusion.directions > 0 && fileExtension(options.picture.output) != ".glb")
         throw UsageError("--occlusion is for .glb");
     if (options.picture.occlusion.directions > 0 && options.scene.instances)
         throw UsageError("--occlusion needs vertices, which --atoms instanced shares: leave one of them out");
@@ -158,7 +158,7 @@ void addInfoOutputs(CommandSpec& command, InfoOptions& options) {
         "As JSON, an object per line and INPUT, each as soon as it is read");
 }
 
-std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& window) {
+std::vector<CommandSpec> makeCommands(CommandLine& line, PictureDescription& window) {
     CommandSpec render{"render", "Draw a molecule into a picture file", kRenderExamples};
     addRender(render, line.render);
     CommandSpec movie{"movie", "Draw a movie: spin, rock, models, trajectories, saved views", kMovieExamples};
@@ -235,7 +235,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     return commands;
 }
 
-Command commandOf(const std::string& name) {
+Command parseCommand(const std::string& name) {
     constexpr std::pair<const char*, Command> kCommands[] = {{"render", Command::render},
                                                              {"movie", Command::movie},
                                                              {"batch", Command::batch},
@@ -267,7 +267,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     bool version = false, notices = false;
     program.flag("--version", version, "Commit, Vulkan headers, device and driver");
     program.flag("--notices", notices, "Licences of Nacre and its dependencies");
-    const std::vector<CommandSpec> commands = commandsOf(line, window);
+    const std::vector<CommandSpec> commands = makeCommands(line, window);
     const bool isHelp = argc > 2 && std::string_view(argv[1]) == "help";
     if (isHelp && std::none_of(commands.begin(), commands.end(), [&](const auto& c) { return c.name == argv[2]; })) {
         line.help = helpTopic(argv[2], commands);
@@ -279,7 +279,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     if (!line.help.empty()) return line;
     if ((parsed.name.empty() ? 0 : 1) + (version ? 1 : 0) + (notices ? 1 : 0) > 1)
         throw UsageError("more than one command");
-    line.command = version ? Command::version : notices ? Command::notices : commandOf(parsed.name);
+    line.command = version ? Command::version : notices ? Command::notices : parseCommand(parsed.name);
     if (parsed.name == "completion") line.help = completionScript(line.shell, program, commands);
     if (parsed.name == "man") line.help = manualPage(program, commands);
     if (line.command == Command::render) completePicture(line.render);

@@ -79,7 +79,7 @@ void PictureJob::drawPicture(Renderer& renderer) {
         else if (settings.fine || drawing_.words.any())
             picture_ = renderer.render(settings);
         else
-            codes_ = renderer.renderCoded(settings, hasAlpha(formatOf(options_), options_.output));
+            codes_ = renderer.renderCoded(settings, hasAlpha(chooseFormat(options_), options_.output));
     };
     if (!isCaptured(renderer)) return draw();
     renderer.beginCapture(captureFile_ ? captureStem(*captureFile_) : "");
@@ -110,12 +110,12 @@ void PictureJob::drawInParts(Renderer& renderer) {
         painter.emplace();
         Marks marks = painter->layOut(drawing_.words, view, options_.words.size, options_.words.color,
                                       settings.background, settings.effects.clip);
-        for (const std::string& warning : painter->warningsOf(marks)) sayWarning(warning);
+        for (const std::string& warning : painter->listWarnings(marks)) sayWarning(warning);
         picture.setMarks(*painter, std::move(marks));
     }
     writePicture(
         pictureFile_, view.width, view.height, [&](std::uint32_t first, std::uint32_t) { return picture.rows(first); },
-        formatOf(options_));
+        chooseFormat(options_));
     written_ = true;
     frame_ = picture.stats();
     drawing_.run.parts = picture.parts();
@@ -149,11 +149,11 @@ void PictureJob::write() {
     if (layersFile_) writeLayers(*layersFile_, *layers_);
     layers_.reset();
     if (codes_) {
-        writePicture(pictureFile_, *codes_, formatOf(options_).dpi);
+        writePicture(pictureFile_, *codes_, chooseFormat(options_).dpi);
     } else if (!written_) {
         if (!drawing_.stereo().on()) ofWords_ = drawing_.addWords(drawing_.settings, picture_);
         for (const std::string& warning : ofWords_) sayWarning(warning);
-        writePicture(pictureFile_, picture_, formatOf(options_));
+        writePicture(pictureFile_, picture_, chooseFormat(options_));
     }
     if (viewFile_) writeText(*viewFile_, savedViewJson(withPathsIn(options_.saveView, drawing_.placed())));
     if (!statsFile_) return;

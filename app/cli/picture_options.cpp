@@ -142,9 +142,9 @@ void addBatch(CommandSpec& command, BatchOptions& options) {
     addPicture(command, options.tried, kOfTheDevice);
 }
 
-PictureDescription jobOf(const std::string& json, const BatchOptions& batch) {
+PictureDescription parseJob(const std::string& json, const BatchOptions& batch) {
     std::vector<OptionValue> values = batch.common;
-    for (OptionValue& value : optionValuesOf(json)) {
+    for (OptionValue& value : parseOptionValues(json)) {
         if (has(kOfTheDevice, option(value.key).topic) || value.key == "capture")
             throw UsageError("\"" + value.key + "\" is the batch's: all jobs are drawn by one device");
         if (value.value == "-" || isStandardOutput(value.value))
@@ -182,12 +182,12 @@ void addFigure(CommandSpec& command, FigureOptions& options) {
     addPicture(command, batch.tried, kOfTheDevice);
 }
 
-PictureDescription panelOf(const std::string& json, const FigureOptions& options, PanelLine& line) {
+PictureDescription parsePanel(const std::string& json, const FigureOptions& options, PanelLine& line) {
     const auto isOneOf = [](const std::string& key, std::initializer_list<const char*> keys) {
         return std::ranges::find(keys, key) != keys.end();
     };
     std::vector<OptionValue> values = options.batch.common;
-    for (OptionValue& value : optionValuesOf(json, "a panel")) {
+    for (OptionValue& value : parseOptionValues(json, "a panel")) {
         const Option& option = nacre::app::option(value.key);
         if (has(kOfTheDevice, option.topic) || has(Topics{} | Topic::files, option.topic))
             throw UsageError("\"" + value.key + "\" is the figure's, on the command line");
@@ -265,7 +265,7 @@ void checkMovie(MovieOptions& options) {
         applySavedView(options.views.front(), first);
         picture.view = first.view;
         const TrajectoryOptions given = picture.input.trajectory;
-        picture.input = inputOf(first, picture.input);
+        picture.input = makeInput(first, picture.input);
         picture.input.namedBy = first.input.namedBy;
         if (!given.path.empty()) picture.input.trajectory = given;
         if (given.frame != 1) picture.input.trajectory.frame = given.frame;

@@ -37,13 +37,13 @@ bool checkWindow(PictureDescription& first);
 void addBatch(CommandSpec& command, BatchOptions& options);
 
 /// The picture of a job's line, after the options common to all. @throws UsageError
-PictureDescription jobOf(const std::string& json, const BatchOptions& batch);
+PictureDescription parseJob(const std::string& json, const BatchOptions& batch);
 
 /// @param options  receives values; outlives the command
 void addFigure(CommandSpec& command, FigureOptions& options);
-/// Like jobOf(), for a panel. @param line  receives the line's own settings, beyond the common options @throws
+/// Like parseJob(), for a panel. @param line  receives the line's own settings, beyond the common options @throws
 /// UsageError
-PictureDescription panelOf(const std::string& json, const FigureOptions& options, PanelLine& line);
+PictureDescription parsePanel(const std::string& json, const FigureOptions& options, PanelLine& line);
 
 /// Options of `nacre serve`.
 void addServe(CommandSpec& command, ServeOptions& options);

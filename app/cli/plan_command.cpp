@@ -19,14 +19,14 @@
 namespace nacre::app {
 namespace {
 
-const graph::EncodedFormat& formatOf(EncodedDepth rung) {
+const graph::EncodedFormat& findFormat(EncodedDepth rung) {
     for (const graph::EncodedFormat& format : graph::encodedFormats())
         if (format.rung == rung) return format;
     return graph::encodedFormats().front();
 }
 
 /// The capability set or the real device, changed by the options.
-graph::FrameCaps capsOf(const PlanOptions& options) {
+graph::FrameCaps chooseCaps(const PlanOptions& options) {
     const DeviceOptions& device = options.picture.device;
     if (options.caps.empty()) return deviceCaps(device);
     graph::FrameCaps caps = graph::capabilitySet(options.caps);
@@ -34,7 +34,7 @@ graph::FrameCaps capsOf(const PlanOptions& options) {
     caps.multisampling = device.multisampling;
     if (device.encoded == EncodedDepth::automatic) return caps;
     // Formats are sorted finest first: a device blends its own and all coarser ones.
-    const graph::EncodedFormat& wanted = formatOf(device.encoded);
+    const graph::EncodedFormat& wanted = findFormat(device.encoded);
     if (wanted.rung < caps.encoded.rung)
         throw Error("cannot encode depth", std::string(wanted.name), caps.plan.name + " does not blend that format");
     if (wanted.rung != caps.encoded.rung) caps.encoded = wanted;
@@ -66,22 +66,22 @@ struct PlannedFrame {
     graph::Plan plan;
 };
 
-enum class FrameOf { picture, headset };
+enum class FrameTarget { picture, headset };
 
-FrameRequest requestOf(const RenderSettings& settings, Part part, FrameOf of) {
-    return {settings, part, Ending::readBack, 0, false, settings.view.other.has_value(), of == FrameOf::headset};
+FrameRequest makeRequest(const RenderSettings& settings, Part part, FrameTarget of) {
+    return {settings, part, Ending::readBack, 0, false, settings.view.other.has_value(), of == FrameTarget::headset};
 }
 
 PlannedFrame framePlanned(const RenderSettings& settings, Part part, const SceneFacts& scene,
-                          const graph::FrameCaps& caps, FrameOf of = FrameOf::picture) {
+                          const graph::FrameCaps& caps, FrameTarget of = FrameTarget::picture) {
     PlannedFrame planned;
-    planned.choice = choose(requestOf(settings, part, of), scene, caps);
+    planned.choice = choose(makeRequest(settings, part, of), scene, caps);
     FrameShape shape;
     shape.choice = planned.choice;
     shape.choice.ending = Ending::left;
     shape.extent = {settings.view.width, settings.view.height};
     shape.atlas = {VK_FORMAT_R8_UNORM, {1024, 1024}};
-    shape.targets = targetsOf(planned.choice);
+    shape.targets = screenTargets(planned.choice);
     if (planned.choice.foveated)
         shape.density = densityMapFor(shape.extent, planned.choice.views, caps.plan.densityTexel);
     planned.frame = declareFrame(shape);
@@ -93,7 +93,7 @@ PlannedFrame framePlanned(const RenderSettings& settings, Part part, const Scene
 }
 
 /// A frame of a window at rest, behind the first.
-RestPlan restOf(const RenderSettings& settings, const SceneFacts& scene, const graph::FrameCaps& caps) {
+RestPlan planRest(const RenderSettings& settings, const SceneFacts& scene, const graph::FrameCaps& caps) {
     static constexpr ScreenTarget kColor{"colour", VK_FORMAT_R8G8B8A8_SRGB, passes::Output::color, "impostor colour"};
     FrameShape shape;
     shape.choice = choose({settings.ofFrame(), Part::sample, Ending::nextSample}, scene, caps);
@@ -110,7 +110,7 @@ RestPlan restOf(const RenderSettings& settings, const SceneFacts& scene, const g
 }
 
 /// Samples per pixel of a picture where colours change.
-std::uint32_t samplesOf(const FrameChoice& choice) {
+std::uint32_t countSamples(const FrameChoice& choice) {
     return choice.refinement != Refinement::none ? RenderSettings::kEdgeSamples : choice.attachmentSamples();
 }
 
@@ -134,8 +134,9 @@ const char* opacityOption(const RepresentationOptions& look) {
 }
 
 /// Cost of each active effect alone: compares a frame with the effect to one without effects, with opaque meshes.
-std::vector<EffectCost> costsOf(const PlanOptions& options, const RenderSettings& settings, const SceneFacts& scene,
-                                const graph::FrameCaps& caps, const MotionSamples& motion) {
+std::vector<EffectCost> measureCosts(const PlanOptions& options, const RenderSettings& settings,
+                                     const SceneFacts& scene, const graph::FrameCaps& caps,
+                                     const MotionSamples& motion) {
     struct Alone {
         const char* name;
         Effects effects;
@@ -175,7 +176,7 @@ std::vector<EffectCost> costsOf(const PlanOptions& options, const RenderSettings
         const auto more = [](std::uint64_t a, std::uint64_t b) {
             return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
         };
-        EffectCost cost{one.name, visibilityName(with.choice.path), {}, samplesOf(with.choice), 0, 0, 0};
+        EffectCost cost{one.name, visibilityName(with.choice.path), {}, countSamples(with.choice), 0, 0, 0};
         for (const graph::PassDecl& pass : with.frame.graph.passes())
             if (!has(pass.name)) cost.passes.push_back(pass.name);
         cost.loaded = more(with.plan.total.loaded, none.plan.total.loaded);
@@ -183,7 +184,7 @@ std::vector<EffectCost> costsOf(const PlanOptions& options, const RenderSettings
         cost.tileBytes = more(graph::tileBytesPerPixel(with.plan), graph::tileBytesPerPixel(none.plan));
         costs.push_back(std::move(cost));
     }
-    if (asked.depthOfField.strength > 0) costs.push_back(costOfLens(settings, caps, samplesOf(none.choice)));
+    if (asked.depthOfField.strength > 0) costs.push_back(costOfLens(settings, caps, countSamples(none.choice)));
     return costs;
 }
 
@@ -196,7 +197,7 @@ std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& 
 }  // namespace
 
 PlanReport planReport(const PlanOptions& options) {
-    graph::FrameCaps caps = capsOf(options);
+    graph::FrameCaps caps = chooseCaps(options);
     caps.plan.merge = caps.plan.merge && options.merge;
     choosePath(caps);  // throws for a path that the device lacks
     const bool sampled = caps.multisampling == Multisampling::four;
@@ -210,25 +211,25 @@ PlanReport planReport(const PlanOptions& options) {
     SceneFacts facts;
     SceneCounts counts;
     const bool given = scene.has_value();
-    if (given) counts = countsOf(std::move(*scene), settings, facts);
+    if (given) counts = countPrimitives(std::move(*scene), settings, facts);
     counts.flat = counts.flat || sampled;
     const std::string lacks = lacksSamples(settings, facts.blends());
     if (motion.count > 1 && !sampled && !lacks.empty()) motion = {1, lacks};
 
-    const FrameOf of = options.headset ? FrameOf::headset : FrameOf::picture;
+    const FrameTarget of = options.headset ? FrameTarget::headset : FrameTarget::picture;
     const Part part = options.headset ? Part::motion : Part::whole;
     PlannedFrame planned = framePlanned(settings, part, facts, caps, of);
     PlanReport report;
     report.caps = caps.plan.name;
     report.plannedWith = caps.plan;
-    report.decisions = explain(requestOf(settings, part, of), facts, caps);
+    report.decisions = explain(makeRequest(settings, part, of), facts, caps);
     report.choice = planned.choice;
     if (!options.caps.empty()) report.facts = graph::capabilitySet(options.caps).facts;
     report.extent = {settings.view.width, settings.view.height};
     report.motion = motion;
-    report.samples = samplesOf(planned.choice);
-    if (!settings.view.other && settings.debug == DebugView::none) report.rest = restOf(settings, facts, caps);
-    report.costs = costsOf(options, settings, facts, caps, motion);
+    report.samples = countSamples(planned.choice);
+    if (!settings.view.other && settings.debug == DebugView::none) report.rest = planRest(settings, facts, caps);
+    report.costs = measureCosts(options, settings, facts, caps, motion);
     report.frame = std::move(planned.frame);
     report.plan = std::move(planned.plan);
     report.explained = options.explain;
@@ -245,8 +246,8 @@ PlanReport planReport(const PlanOptions& options) {
     if (given) {
         const VertexOutputs& vertices = report.choice.vertices;
         report.geometry =
-            geometryOf(report.frame.graph, counts, caps.plan.geometry, vertices.plates, vertices.impostor);
-        report.vertexBytes = vertexBytesOf(report.plan, report.geometry);
+            describeGeometry(report.frame.graph, counts, caps.plan.geometry, vertices.plates, vertices.impostor);
+        report.vertexBytes = countVertexBytes(report.plan, report.geometry);
         graph::FrameCaps unlimited = caps;
         unlimited.plan.geometry.mostVertexBytes = 0;
         const graph::Traffic without = framePlanned(settings, part, facts, unlimited, of).plan.total;
@@ -255,8 +256,8 @@ PlanReport planReport(const PlanOptions& options) {
     return report;
 }
 
-std::vector<NamedUse> usesOf(const PlanReport& report, const graph::RenderPassPlan& pass,
-                             const graph::Subpass& subpass) {
+std::vector<NamedUse> listUses(const PlanReport& report, const graph::RenderPassPlan& pass,
+                               const graph::Subpass& subpass) {
     const graph::Graph& g = report.frame.graph;
     std::vector<NamedUse> uses;
     const auto nameAt = [&](std::uint32_t attachment) { return g.images()[pass.attachments[attachment].image].name; };
@@ -279,9 +280,11 @@ const std::string& resourceName(const graph::Graph& graph, const graph::Use& use
     return use.isImage ? graph.images()[use.resource].name : graph.buffers()[use.resource].name;
 }
 
-std::string nameOf(const graph::Graph& graph, const graph::Subpass& subpass) { return joined(graph, subpass.passes); }
+std::string joinNames(const graph::Graph& graph, const graph::Subpass& subpass) {
+    return joined(graph, subpass.passes);
+}
 
-std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass) {
+std::string joinNames(const graph::Graph& graph, const graph::RenderPassPlan& pass) {
     std::vector<std::uint32_t> all;
     for (const graph::Subpass& subpass : pass.subpasses)
         all.insert(all.end(), subpass.passes.begin(), subpass.passes.end());
@@ -307,7 +310,7 @@ std::vector<std::string> stageNames(VkPipelineStageFlags stages) {
     return names;
 }
 
-std::uint64_t bytesOf(const graph::ImageDecl& image) {
+std::uint64_t countBytes(const graph::ImageDecl& image) {
     return std::uint64_t{graph::bytesPerTexel(image.desc.format)} * image.desc.extent.width * image.desc.extent.height *
            image.desc.layers * image.desc.samples;
 }

@@ -69,16 +69,16 @@ struct NamedUse {
     std::string image, how;
     bool writes = false;
 };
-std::vector<NamedUse> usesOf(const PlanReport& report, const graph::RenderPassPlan& pass,
-                             const graph::Subpass& subpass);
+std::vector<NamedUse> listUses(const PlanReport& report, const graph::RenderPassPlan& pass,
+                               const graph::Subpass& subpass);
 /// Name of a pass's resource.
 const std::string& resourceName(const graph::Graph& graph, const graph::Use& use);
 /// "opaque prepass + depth encoding"
-std::string nameOf(const graph::Graph& graph, const graph::Subpass& subpass);
-std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass);
+std::string joinNames(const graph::Graph& graph, const graph::Subpass& subpass);
+std::string joinNames(const graph::Graph& graph, const graph::RenderPassPlan& pass);
 /// "early tests", "colour output", ...
 std::vector<std::string> stageNames(VkPipelineStageFlags stages);
 /// Bytes of an image: all pixels, samples and layers.
-std::uint64_t bytesOf(const graph::ImageDecl& image);
+std::uint64_t countBytes(const graph::ImageDecl& image);
 
 }  // namespace nacre::app

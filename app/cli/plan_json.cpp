@@ -15,11 +15,11 @@ const char* storeName(graph::Store store) {
 }
 
 Json subpassJson(const PlanReport& report, const graph::RenderPassPlan& pass, const graph::Subpass& subpass) {
-    Json json{{"name", nameOf(report.frame.graph, subpass)}, {"reads", Json::array()}, {"writes", Json::array()}};
-    for (const NamedUse& use : usesOf(report, pass, subpass))
+    Json json{{"name", joinNames(report.frame.graph, subpass)}, {"reads", Json::array()}, {"writes", Json::array()}};
+    for (const NamedUse& use : listUses(report, pass, subpass))
         json[use.writes ? "writes" : "reads"].push_back(use.image);
     Json inputs = Json::array();
-    for (const NamedUse& use : usesOf(report, pass, subpass))
+    for (const NamedUse& use : listUses(report, pass, subpass))
         if (use.how == "input attachment") inputs.push_back(use.image);
     json["input_attachments"] = inputs;
     return json;
@@ -28,7 +28,7 @@ Json subpassJson(const PlanReport& report, const graph::RenderPassPlan& pass, co
 Json renderPassJson(const PlanReport& report, const graph::RenderPassPlan& pass) {
     const graph::Graph& g = report.frame.graph;
     const graph::Share& share = g.passes()[pass.subpasses.back().passes.back()].share;
-    Json json{{"name", nameOf(g, pass)},
+    Json json{{"name", joinNames(g, pass)},
               {"subpasses", Json::array()},
               {"attachments", Json::array()},
               {"dependencies", Json::array()},
@@ -47,7 +47,7 @@ Json renderPassJson(const PlanReport& report, const graph::RenderPassPlan& pass)
                                        {"samples", a.samples},
                                        {"views", pass.layers},
                                        {"transient", a.transient},
-                                       {"bytes", bytesOf(g.images()[a.image])}});
+                                       {"bytes", countBytes(g.images()[a.image])}});
     for (const graph::Dependency& d : pass.dependencies)
         json["dependencies"].push_back({{"from", d.from == VK_SUBPASS_EXTERNAL ? Json("external") : Json(d.from)},
                                         {"to", d.to},
@@ -67,7 +67,7 @@ Json fetchJson(const Fetch& fetch) {
 Json passesJson(const PlanReport& report) {
     Json list = Json::array();
     for (const graph::PassDecl& pass : report.frame.graph.passes()) {
-        const PassNotes notes = notesOf(pass, report.plannedWith.conservativeDepth);
+        const PassNotes notes = describePass(pass, report.plannedWith.conservativeDepth);
         list.push_back({{"name", pass.name},
                         {"depth_test", depthTimingName(notes.depth)},
                         {"depth_test_why", notes.why},

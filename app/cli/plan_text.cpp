@@ -44,7 +44,7 @@ std::string grouped(std::uint64_t value) {
 
 void renderPassText(std::ostream& out, const PlanReport& report, const graph::RenderPassPlan& pass) {
     const graph::Graph& g = report.frame.graph;
-    out << "render pass: " << nameOf(g, pass);
+    out << "render pass: " << joinNames(g, pass);
     const graph::Share& share = g.passes()[pass.subpasses.back().passes.back()].share;
     if (share.count > 1) out << ", share " << share.index + 1 << " of " << share.count << " of the primitives";
     out << '\n';
@@ -65,17 +65,17 @@ void renderPassText(std::ostream& out, const PlanReport& report, const graph::Re
                         a.store == graph::Store::store  ? "store"
                         : a.store == graph::Store::none ? "none"
                                                         : "-",
-                        a.transient ? "transient: none" : grouped(bytesOf(g.images()[a.image])) + " B"});
+                        a.transient ? "transient: none" : grouped(countBytes(g.images()[a.image])) + " B"});
     }
     table(out, "  ", rows);
     rows = {{"subpass", "passes", "reads", "writes"}};
     for (std::size_t s = 0; s < pass.subpasses.size(); ++s) {
         std::vector<std::string> reads, writes;
-        for (const NamedUse& use : usesOf(report, pass, pass.subpasses[s]))
+        for (const NamedUse& use : listUses(report, pass, pass.subpasses[s]))
             (use.writes ? writes : reads)
                 .push_back(use.how == "write" || use.how == "test, write" ? use.image
                                                                           : use.image + " (" + use.how + ")");
-        rows.push_back({std::to_string(s), nameOf(g, pass.subpasses[s]), list(reads), list(writes)});
+        rows.push_back({std::to_string(s), joinNames(g, pass.subpasses[s]), list(reads), list(writes)});
     }
     table(out, "  ", rows);
     rows = {{"dependency", "waits for", "before", "reach"}};
@@ -118,13 +118,13 @@ std::string fetchText(const Fetch& fetch) {
 void passesText(std::ostream& out, const PlanReport& report) {
     std::vector<Row> rows{{"pass", "depth test", "binning", "shading"}};
     for (const graph::PassDecl& pass : report.frame.graph.passes()) {
-        const PassNotes notes = notesOf(pass, report.plannedWith.conservativeDepth);
+        const PassNotes notes = describePass(pass, report.plannedWith.conservativeDepth);
         rows.push_back({pass.name, depthTimingName(notes.depth), fetchText(notes.binning), fetchText(notes.shading)});
     }
     out << "bytes fetched per sphere / cylinder / triangle\n";
     table(out, "  ", rows);
     for (const graph::PassDecl& pass : report.frame.graph.passes()) {
-        const PassNotes notes = notesOf(pass, report.plannedWith.conservativeDepth);
+        const PassNotes notes = describePass(pass, report.plannedWith.conservativeDepth);
         out << "  " << pass.name << '\n' << "    depth: " << notes.why << '\n' << "    " << notes.precision << '\n';
     }
     out << '\n';
@@ -200,7 +200,7 @@ void geometryText(std::ostream& out, const PlanReport& report) {
                         stored ? grouped(pass.varyingBytes) : ""});
     };
     for (const PassGeometry& pass : report.geometry) add(pass.name, pass);
-    add("total", sumOf(report.geometry));
+    add("total", sumGeometry(report.geometry));
     table(out, "  ", rows, 1);
     const std::uint64_t most = report.plannedWith.geometry.mostVertexBytes;
     if (most == 0) return;

@@ -18,7 +18,7 @@ std::string numberedName(const std::string& name, std::size_t number) {
            path.extension().string();
 }
 
-DeviceOptions deviceOf(const PictureDescription& options) {
+DeviceOptions chooseDevice(const PictureDescription& options) {
     DeviceOptions device = options.device;
     device.selfTests = cacheFolder(options.input.cache, "devices");
     device.onSelfTest = [] {
@@ -32,7 +32,7 @@ void renderSnapshots(PictureDescription options) {
     OpenScene scene(options.input);
     const std::size_t count = scene.times().size();
     const PictureDescription all = options;
-    Canvas canvas(deviceOf(options));
+    Canvas canvas(chooseDevice(options));
     for (std::size_t number = 1; number <= count; ++number) {
         options.input.snapshot = static_cast<int>(number);
         options.output = numberedName(all.output, number);
@@ -58,7 +58,7 @@ void renderCommand(const PictureDescription& options) {
     PictureJob job(options, progress);
     job.prepare();
     for (const std::string& warning : job.warnings()) sayWarning(warning);
-    Canvas canvas(deviceOf(options));
+    Canvas canvas(chooseDevice(options));
     canvas.renderer.makePipelinesAhead();
     job.draw(canvas);
     job.write();

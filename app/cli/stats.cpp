@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// By rows; GLM stores columns.
-Json rowsOf(const glm::dmat3& matrix) {
+Json toRows(const glm::dmat3& matrix) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back({matrix[0][row], matrix[1][row], matrix[2][row]});
     return rows;
@@ -80,7 +80,7 @@ Json geometryJson(const std::vector<PassGeometry>& passes, bool stored) {
                         {"vertices", pass.vertices},
                         {"triangles", pass.triangles},
                         {"varying_bytes", pass.varyingBytes}});
-    const PassGeometry sum = sumOf(passes);
+    const PassGeometry sum = sumGeometry(passes);
     const std::uint64_t bytes = stored ? sum.varyingBytes : 0;
     return {{"vertices", sum.vertices},
             {"triangles", sum.triangles},
@@ -136,7 +136,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                     {"radius", view.radius},
                     {"pixels_per_angstrom", view.pixelsPerAngstrom},
                     {"eye_distance", view.eyeDistance},
-                    {"rotation", rowsOf(view.rotation)},
+                    {"rotation", toRows(view.rotation)},
                     {"orientation", {q.w, q.x, q.y, q.z}},
                     {"zoom", run.zoom},
                     {"clip", run.clip},

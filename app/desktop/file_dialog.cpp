@@ -28,7 +28,7 @@ bool preferKdialog() {
 }
 
 /// Programs print one file per line.
-std::vector<std::string> linesOf(const std::optional<std::string>& answer) {
+std::vector<std::string> splitLines(const std::optional<std::string>& answer) {
     std::vector<std::string> lines;
     std::istringstream text(answer.value_or(""));
     for (std::string line; std::getline(text, line);)
@@ -38,17 +38,17 @@ std::vector<std::string> linesOf(const std::optional<std::string>& answer) {
 
 std::vector<std::string> askToOpen() {
     if (PortalAnswer answer = openByPortal(kOpen); answer.there) return answer.paths;
-    return linesOf(preferKdialog() ? runProgram({"kdialog", "--title", kOpen, "--multiple", "--separate-output",
-                                                 "--getopenfilename", "."})
-                                   : runProgram({"zenity", "--file-selection", "--multiple", "--separator=\n",
-                                                 std::string("--title=") + kOpen}));
+    return splitLines(preferKdialog() ? runProgram({"kdialog", "--title", kOpen, "--multiple", "--separate-output",
+                                                    "--getopenfilename", "."})
+                                      : runProgram({"zenity", "--file-selection", "--multiple", "--separator=\n",
+                                                    std::string("--title=") + kOpen}));
 }
 
 std::vector<std::string> askToSave(const std::string& title, const std::string& suggested) {
     if (PortalAnswer answer = saveByPortal(title, suggested); answer.there) return answer.paths;
-    return linesOf(preferKdialog() ? runProgram({"kdialog", "--title", title, "--getsavefilename", suggested})
-                                   : runProgram({"zenity", "--file-selection", "--save", "--confirm-overwrite",
-                                                 "--title=" + title, "--filename=" + suggested}));
+    return splitLines(preferKdialog() ? runProgram({"kdialog", "--title", title, "--getsavefilename", suggested})
+                                      : runProgram({"zenity", "--file-selection", "--save", "--confirm-overwrite",
+                                                    "--title=" + title, "--filename=" + suggested}));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Contents of a settings file in the user's folder.
-std::string contentOf(const std::string& underHome) {
+std::string readSettings(const std::string& underHome) {
     const std::string home = environmentVariable("HOME");
     if (home.empty()) return {};
     std::ifstream in(fs::path(home) / underHome);
@@ -111,9 +111,9 @@ bool systemIsDark() {
     if (hasProgram("gsettings"))
         if (const auto scheme = runProgram({"gsettings", "get", "org.gnome.desktop.interface", "color-scheme"}))
             if (scheme->find("dark") != std::string::npos) return true;
-    if (contentOf(".config/gtk-3.0/settings.ini").find("gtk-application-prefer-dark-theme=1") != std::string::npos)
+    if (readSettings(".config/gtk-3.0/settings.ini").find("gtk-application-prefer-dark-theme=1") != std::string::npos)
         return true;
-    return contentOf(".config/kdeglobals").find("Dark") != std::string::npos;
+    return readSettings(".config/kdeglobals").find("Dark") != std::string::npos;
 }
 
 }  // namespace nacre::app

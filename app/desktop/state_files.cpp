@@ -19,16 +19,16 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Path of a state or cache file; empty if the environment names no folder.
-std::string pathOf(const char* variable, const char* underHome, const char* name) {
+std::string makePath(const char* variable, const char* underHome, const char* name) {
     if (const char* set = std::getenv(variable); set && *set == '/') return fs::path(set) / "nacre" / name;
     if (const char* home = std::getenv("HOME"); home && *home == '/')
         return fs::path(home) / underHome / "nacre" / name;
     return {};
 }
 
-std::string viewPath() { return pathOf("XDG_STATE_HOME", ".local/state", "view.json"); }
-std::string windowPath() { return pathOf("XDG_STATE_HOME", ".local/state", "window.json"); }
-std::string pipelinePath() { return pathOf("XDG_CACHE_HOME", ".cache", "pipelines.bin"); }
+std::string viewPath() { return makePath("XDG_STATE_HOME", ".local/state", "view.json"); }
+std::string windowPath() { return makePath("XDG_STATE_HOME", ".local/state", "window.json"); }
+std::string pipelinePath() { return makePath("XDG_CACHE_HOME", ".cache", "pipelines.bin"); }
 
 /// Folder for saved files: empty, the current folder; if a desktop's menu started the program, that folder is not the
 /// user's, so uses the user's.
@@ -41,7 +41,7 @@ fs::path savingFolder() {
 
 constexpr std::uintmax_t kLargestList = 4u << 20;
 
-std::string hexOf(const std::vector<std::uint32_t>& pixels) {
+std::string toHex(const std::vector<std::uint32_t>& pixels) {
     constexpr char kDigits[] = "0123456789abcdef";
     std::string text;
     for (const std::uint32_t pixel : pixels)
@@ -53,7 +53,7 @@ std::string hexOf(const std::vector<std::uint32_t>& pixels) {
 }
 
 /// Empty unless the picture has this size.
-std::vector<std::uint32_t> pixelsOf(const std::string& hex, std::size_t count) {
+std::vector<std::uint32_t> decodePixels(const std::string& hex, std::size_t count) {
     std::vector<std::uint32_t> pixels;
     if (hex.size() != count * 6) return pixels;
     for (std::size_t i = 0; i < hex.size(); i += 6) {
@@ -108,8 +108,8 @@ void saveWindowState(const WindowState& state) {
     keepText(windowPath(), jsonText(json));
 }
 
-std::string recentPath() { return pathOf("XDG_STATE_HOME", ".local/state", "recent.json"); }
-std::string samplesPath() { return pathOf("XDG_CACHE_HOME", ".cache", "samples.json"); }
+std::string recentPath() { return makePath("XDG_STATE_HOME", ".local/state", "recent.json"); }
+std::string samplesPath() { return makePath("XDG_CACHE_HOME", ".cache", "samples.json"); }
 std::optional<PictureDescription> loadState() { return loadView(viewPath()); }
 void saveState(const PictureDescription& view) { keepView(viewPath(), view); }
 std::vector<std::byte> loadPipelineCache() { return loadPipelineCache(pipelinePath()); }
@@ -149,7 +149,7 @@ RecentFiles::RecentFiles(std::string path) : path_(std::move(path)) {
         file.name = entry.contains("name") && entry["name"].is_string() ? entry["name"].get<std::string>() : file.input;
         for (const PixelSize size : {kPicture, kBanner}) {
             if (!file.pixels.empty() || !entry.contains("picture") || !entry["picture"].is_string()) continue;
-            file.pixels = pixelsOf(entry["picture"], std::size_t{size.width} * size.height);
+            file.pixels = decodePixels(entry["picture"], std::size_t{size.width} * size.height);
             if (!file.pixels.empty()) file.width = size.width, file.height = size.height;
         }
         files_.push_back(std::move(file));
@@ -178,7 +178,7 @@ void RecentFiles::add(const std::string& input, const std::string& name, const P
 void RecentFiles::write() const {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const RecentFile& file : files_)
-        list.push_back({{"input", file.input}, {"name", file.name}, {"picture", hexOf(file.pixels)}});
+        list.push_back({{"input", file.input}, {"name", file.name}, {"picture", toHex(file.pixels)}});
     keepText(path_, jsonText(list));
 }
 

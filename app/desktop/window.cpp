@@ -23,7 +23,7 @@ std::string lastError() {
     return text ? text : "GLFW gives no reason";
 }
 
-WindowEvents& eventsOf(GLFWwindow* window) { return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window)); }
+WindowEvents& windowEvents(GLFWwindow* window) { return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window)); }
 
 glm::dvec2 inPixels(GLFWwindow* window, double x, double y) {
     int width = 1, height = 1, pixelWidth = 1, pixelHeight = 1;
@@ -106,24 +106,26 @@ Window::~Window() {
 
 void Window::connect() {
     glfwSetWindowUserPointer(window_, &events_);
-    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { eventsOf(w).resized(); });
-    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) { eventsOf(w).resized(); });
-    glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int iconified) { eventsOf(w).iconified(iconified != 0); });
-    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { eventsOf(w).damaged(); });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { windowEvents(w).resized(); });
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) { windowEvents(w).resized(); });
+    glfwSetWindowIconifyCallback(window_,
+                                 [](GLFWwindow* w, int iconified) { windowEvents(w).iconified(iconified != 0); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { windowEvents(w).damaged(); });
     glfwSetCursorPosCallback(window_,
-                             [](GLFWwindow* w, double x, double y) { eventsOf(w).pointer(inPixels(w, x, y)); });
+                             [](GLFWwindow* w, double x, double y) { windowEvents(w).pointer(inPixels(w, x, y)); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
         // The position of the last event: the current one may already differ.
         if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
         const MouseButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? MouseButton::left
                                   : button == GLFW_MOUSE_BUTTON_RIGHT ? MouseButton::right
                                                                       : MouseButton::middle;
-        eventsOf(w).button(which, action == GLFW_PRESS, {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
+        windowEvents(w).button(which, action == GLFW_PRESS,
+                               {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
         const auto held = [w](int key) { return glfwGetKey(w, key) == GLFW_PRESS; };
-        eventsOf(w).wheel(y, {held(GLFW_KEY_LEFT_SHIFT) || held(GLFW_KEY_RIGHT_SHIFT),
-                              held(GLFW_KEY_LEFT_CONTROL) || held(GLFW_KEY_RIGHT_CONTROL)});
+        windowEvents(w).wheel(y, {held(GLFW_KEY_LEFT_SHIFT) || held(GLFW_KEY_RIGHT_SHIFT),
+                                  held(GLFW_KEY_LEFT_CONTROL) || held(GLFW_KEY_RIGHT_CONTROL)});
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
         const Modifiers with{(mods & GLFW_MOD_SHIFT) != 0, (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0};
@@ -132,19 +134,20 @@ void Window::connect() {
             // With Ctrl there is no character: takes the layout's letter.
             const char* name = with.control && action != GLFW_RELEASE ? glfwGetKeyName(key, scancode) : nullptr;
             if (name && name[0] != '\0' && name[1] == '\0')
-                eventsOf(w).shortcut({static_cast<char32_t>(std::tolower(static_cast<unsigned char>(name[0]))), with});
+                windowEvents(w).shortcut(
+                    {static_cast<char32_t>(std::tolower(static_cast<unsigned char>(name[0]))), with});
             return;
         }
-        eventsOf(w).special(*special, action != GLFW_RELEASE, action == GLFW_REPEAT, with);
+        windowEvents(w).special(*special, action != GLFW_RELEASE, action == GLFW_REPEAT, with);
     });
     // Characters as typed: '+' and '?' are on different keys in every layout.
-    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int c) { eventsOf(w).character(c); });
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int c) { windowEvents(w).character(c); });
     glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
         glfwSetWindowShouldClose(w, GLFW_FALSE);
-        eventsOf(w).closing();
+        windowEvents(w).closing();
     });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
-        if (count > 0) eventsOf(w).dropped({paths, paths + count});
+        if (count > 0) windowEvents(w).dropped({paths, paths + count});
     });
 }
 

@@ -199,7 +199,7 @@ void WindowSession::writeScene(const std::string& path) {
     view.background = shown.background;
     const mvs::WrittenScene written =
         mvs::writeScene(*document.placed, view, sceneVolumes(view),
-                        cameraOf(shown.view, document.drawing.scene().center, !document.molecule->guide), path);
+                        makeCamera(shown.view, document.drawing.scene().center, !document.molecule->guide), path);
     writeText(file, written.json);
     std::string told = savedMessage(path);
     for (const std::string& note : written.notes) told += "; " + note;

@@ -147,8 +147,8 @@ void WindowSession::dropFiles(const std::vector<std::string>& paths) {
     const bool beside = panel_->opensTogether();
     while (panel_->closeTop()) {
     }
-    const bool structures =
-        std::any_of(paths.begin(), paths.end(), [](const auto& path) { return kindOf(path) == FileKind::structure; });
+    const bool structures = std::any_of(paths.begin(), paths.end(),
+                                        [](const auto& path) { return detectKind(path) == FileKind::structure; });
     if (!viewer().document() || !structures || beside) return openFiles(paths, beside);
     panel_->askToOpen(paths);
     viewer().schedule().overlayChanged();

@@ -57,7 +57,7 @@ bool isBelow(std::string_view host, std::string_view domain) {
 }
 
 /// Host and port of an address, in lower case. Empty: not allowed in scenes.
-std::string placeOf(const std::string& url) {
+std::string parseAuthority(const std::string& url) {
     const std::size_t first = url.starts_with("https://") ? 8 : 7;
     if (first == 7 && !url.starts_with("http://")) return {};
     const std::string place =
@@ -81,8 +81,8 @@ bool isPublic(const sockaddr& address) {
     return isPublic6(six.sin6_addr.s6_addr);
 }
 
-std::string hostOf(const std::string& url) {
-    const std::string place = placeOf(url);
+std::string parseHost(const std::string& url) {
+    const std::string place = parseAuthority(url);
     return place.substr(0, place.find(':'));
 }
 
@@ -100,7 +100,7 @@ bool isWithoutProxy(const std::string& host, const std::string& list) {
 
 HostRule hostRule(const std::string& url, const std::vector<std::string>& named) {
     const bool secure = url.starts_with("https://");
-    const std::string place = placeOf(url), host = hostOf(url);
+    const std::string place = parseAuthority(url), host = parseHost(url);
     if (host.empty()) return HostRule::refused;
     const auto isNamed = [&](const std::string& one) { return lowerCase(one) == place || lowerCase(one) == host; };
     if (std::ranges::any_of(named, isNamed)) return HostRule::named;

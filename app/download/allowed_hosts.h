@@ -9,7 +9,7 @@ struct sockaddr;
 namespace nacre::app {
 
 /// Host of an http or https address, in lower case, without its port. Empty: not allowed in scenes.
-std::string hostOf(const std::string& url);
+std::string parseHost(const std::string& url);
 /// Whether a list in the format of the environment's no_proxy names a host: "example.org,.lan,127.0.0.1" or "*".
 bool isWithoutProxy(const std::string& host, const std::string& list);
 

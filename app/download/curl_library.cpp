@@ -27,7 +27,7 @@ CurlLibrary loaded() {
     find(library, "curl_easy_getinfo", curl.getInfo);
     find(library, "curl_easy_perform", curl.perform);
     find(library, "curl_easy_header", curl.header);
-    find(library, "curl_easy_strerror", curl.textOf);
+    find(library, "curl_easy_strerror", curl.errorText);
     find(library, "curl_slist_append", curl.append);
     find(library, "curl_slist_free_all", curl.freeAll);
     return curl;
@@ -45,7 +45,7 @@ CurlLibrary loaded() {
 CurlLibrary started() {
     const CurlLibrary curl = loaded();
     const CURLcode code = curl.globalInit(CURL_GLOBAL_DEFAULT);
-    if (code != CURLE_OK) throw HttpFailure(curl.textOf(code), false);
+    if (code != CURLE_OK) throw HttpFailure(curl.errorText(code), false);
     return curl;
 }
 

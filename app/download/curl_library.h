@@ -14,7 +14,7 @@ struct CurlLibrary {
     decltype(&::curl_easy_getinfo) getInfo;
     decltype(&curl_easy_perform) perform;
     decltype(&curl_easy_header) header;
-    decltype(&curl_easy_strerror) textOf;
+    decltype(&curl_easy_strerror) errorText;
     decltype(&curl_slist_append) append;
     decltype(&curl_slist_free_all) freeAll;
 };

@@ -108,16 +108,16 @@ std::string pubchemFileName(const std::string& id) {
 }
 
 std::vector<Source> pdbSources(const std::string& id, const Environment& environment) {
-    const std::string bcif = baseOf(environment, "NACRE_PDB_URL", "https://models.rcsb.org");
-    const std::string mmcif = baseOf(environment, "NACRE_PDB_URL", "https://files.rcsb.org/download");
+    const std::string bcif = readBaseUrl(environment, "NACRE_PDB_URL", "https://models.rcsb.org");
+    const std::string mmcif = readBaseUrl(environment, "NACRE_PDB_URL", "https://files.rcsb.org/download");
     return {{"pdb-" + id + ".bcif.gz", Format::bcif, bcif + "/" + id + ".bcif.gz", "", ""},
             {"pdb-" + id + ".cif.gz", Format::mmcif, mmcif + "/" + id + ".cif.gz", "", ""}};
 }
 
 std::vector<Source> pubchemSources(const std::string& id, const Environment& environment) {
-    const std::string compound = baseOf(environment, "NACRE_PUBCHEM_URL", "https://pubchem.ncbi.nlm.nih.gov/rest/pug") +
-                                 "/compound/" + (isNumber(id) ? "cid/" + id : "name/" + percentEncoded(id)) +
-                                 "/record/SDF?record_type=";
+    const std::string compound =
+        readBaseUrl(environment, "NACRE_PUBCHEM_URL", "https://pubchem.ncbi.nlm.nih.gov/rest/pug") + "/compound/" +
+        (isNumber(id) ? "cid/" + id : "name/" + percentEncoded(id)) + "/record/SDF?record_type=";
     const std::string file = pubchemFileName(id);
     return {{file + "-3d.sdf", Format::sdf, compound + "3d", "", ""},
             {file + "-2d.sdf", Format::sdf, compound + "2d", "",
@@ -126,7 +126,7 @@ std::vector<Source> pubchemSources(const std::string& id, const Environment& env
 
 std::vector<Source> afdbSources(const std::string& id, const Environment& environment) {
     const std::string list =
-        baseOf(environment, "NACRE_AFDB_URL", "https://alphafold.ebi.ac.uk") + "/api/prediction/" + id;
+        readBaseUrl(environment, "NACRE_AFDB_URL", "https://alphafold.ebi.ac.uk") + "/api/prediction/" + id;
     return {{"afdb-" + lowerCase(id) + ".bcif", Format::bcif, list, "bcifUrl", ""},
             {"afdb-" + lowerCase(id) + ".cif", Format::mmcif, list, "cifUrl", ""}};
 }
@@ -155,7 +155,7 @@ std::string meantInput(const std::string& path) {
     return near.empty() ? near : (folder / near).string();
 }
 
-std::string baseOf(const Environment& environment, const char* variable, const char* usual) {
+std::string readBaseUrl(const Environment& environment, const char* variable, const char* usual) {
     std::string url = environment(variable);
     if (url.empty()) return usual;
     if (!url.starts_with("http://") && !url.starts_with("https://"))
@@ -176,7 +176,7 @@ std::optional<DatabaseId> parseDatabaseId(const std::string& input) {
     return std::nullopt;
 }
 
-std::vector<Source> sourcesOf(const DatabaseId& id, const Environment& environment) {
+std::vector<Source> listSources(const DatabaseId& id, const Environment& environment) {
     switch (id.database) {
         case Database::pdb:
             return pdbSources(id.id, environment);

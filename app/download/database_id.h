@@ -39,10 +39,10 @@ std::string meantInput(const std::string& path);
 /// Environment variables by name; empty if not set.
 using Environment = std::function<std::string(const char*)>;
 /// First part of an address: from a variable, or the default. @throws Error
-std::string baseOf(const Environment& environment, const char* variable, const char* usual);
+std::string readBaseUrl(const Environment& environment, const char* variable, const char* usual);
 
 /// Addresses to try, in order. NACRE_PDB_URL, NACRE_PUBCHEM_URL and NACRE_AFDB_URL replace their first parts. @throws
 /// Error if one is no http or https address
-std::vector<Source> sourcesOf(const DatabaseId& id, const Environment& environment = environmentVariable);
+std::vector<Source> listSources(const DatabaseId& id, const Environment& environment = environmentVariable);
 
 }  // namespace nacre::app

@@ -78,7 +78,7 @@ void get(const std::string& url, const HttpLimits& limits, HttpBody& body, const
 
 /// The file's own address, from AlphaFold DB's list of predictions. Like a redirect, it must not lead from https to
 /// http.
-std::string addressOf(const Source& source, const std::string& accession, const DownloadSettings& settings) {
+std::string findAddress(const Source& source, const std::string& accession, const DownloadSettings& settings) {
     if (source.jsonKey.empty()) return source.url;
     MemoryBody body;
     HttpLimits limits = settings.limits;
@@ -127,8 +127,8 @@ std::optional<Molecule> readKept(const DiskCache& cache, const Source& source, c
     std::optional<std::string> bytes = cache.read(source.cacheName);
     if (!bytes) return std::nullopt;
     try {
-        Molecule molecule = read(source, cache.pathOf(source.cacheName), *bytes, options);
-        if (settings.onContent) settings.onContent(cache.pathOf(source.cacheName), std::move(*bytes), source.format);
+        Molecule molecule = read(source, cache.entryPath(source.cacheName), *bytes, options);
+        if (settings.onContent) settings.onContent(cache.entryPath(source.cacheName), std::move(*bytes), source.format);
         return molecule;
     } catch (const Error&) {
         if (readable(source, *bytes)) throw;
@@ -195,7 +195,7 @@ void downloadFile(const std::string& input, const std::string& cacheName, const 
                   const DownloadSettings& settings, const std::function<void(const std::string&, std::string)>& read) {
     const DiskCache cache = downloadCache(settings);
     if (std::optional<std::string> kept = cache.read(cacheName)) try {
-            return read(cache.pathOf(cacheName), std::move(*kept));
+            return read(cache.entryPath(cacheName), std::move(*kept));
         } catch (const Error&) {
             cache.remove(cacheName);
         }
@@ -220,13 +220,13 @@ void downloadFile(const std::string& input, const std::string& cacheName, const 
 
 Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, const DownloadSettings& settings) {
     const DiskCache cache = downloadCache(settings);
-    const std::vector<Source> sources = sourcesOf(id, settings.environment);
+    const std::vector<Source> sources = listSources(id, settings.environment);
     for (const Source& source : sources)
         if (auto molecule = readKept(cache, source, options, settings)) return std::move(*molecule);
     requireOnline(id.input, cache, settings);
     Causes causes;
     for (const Source& source : sources) try {
-            return fetch(cache, source, addressOf(source, id.id, settings), options, settings);
+            return fetch(cache, source, findAddress(source, id.id, settings), options, settings);
         } catch (const NotInIt& problem) {
             std::rethrow_exception(problem.why);
         } catch (const FailureAt& failure) {

@@ -45,20 +45,20 @@ struct Transfer {
     std::exception_ptr bodyFailed;  // exceptions must not pass through C
 };
 
-std::string headerOf(CURL* handle, const char* name) {
+std::string readHeader(CURL* handle, const char* name) {
     curl_header* header = nullptr;
     if (curlLibrary().header(handle, name, 0, CURLH_HEADER, -1, &header) != CURLHE_OK) return {};
     return header->value;
 }
 
 /// The version for a later request (RFC 9110, 13.1.5: no weak ETag).
-std::string validatorOf(CURL* handle) {
-    std::string tag = headerOf(handle, "ETag");
+std::string readValidator(CURL* handle) {
+    std::string tag = readHeader(handle, "ETag");
     if (!tag.empty() && tag.rfind("W/", 0) != 0) return tag;
-    return headerOf(handle, "Last-Modified");
+    return readHeader(handle, "Last-Modified");
 }
 
-long statusOf(CURL* handle) {
+long readStatus(CURL* handle) {
     long status = 0;
     curlLibrary().getInfo(handle, CURLINFO_RESPONSE_CODE, &status);
     return status;
@@ -85,18 +85,18 @@ std::string tooLarge(const Transfer& transfer) {
 /// After the headers: decides whether the body continues or restarts. @returns false to abort
 bool begin(Transfer& transfer) {
     transfer.began = true;
-    const long status = statusOf(transfer.handle);
+    const long status = readStatus(transfer.handle);
     if (status != 200 && status != 206) return true;  // the body of an error is ignored
     curl_off_t length = -1;
     curlLibrary().getInfo(transfer.handle, CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
     if (status == 206) {
-        const auto range = contentRange(headerOf(transfer.handle, "Content-Range"));
+        const auto range = contentRange(readHeader(transfer.handle, "Content-Range"));
         if (transfer.asked == 0 || !range || range->first != transfer.asked) {
             transfer.refusal = "the server sent the wrong part of the file";
             return false;
         }
     } else {
-        transfer.body.restart(validatorOf(transfer.handle));
+        transfer.body.restart(readValidator(transfer.handle));
     }
     if (length >= 0) transfer.total = transfer.body.size() + static_cast<std::uint64_t>(length);
     if (transfer.total <= transfer.limits.maxBytes) return true;
@@ -108,7 +108,7 @@ std::size_t receive(char* bytes, std::size_t, std::size_t count, void* pointer) 
     Transfer& transfer = *static_cast<Transfer*>(pointer);
     try {
         if (!transfer.began && !begin(transfer)) return CURL_WRITEFUNC_ERROR;
-        const long status = statusOf(transfer.handle);
+        const long status = readStatus(transfer.handle);
         if (status != 200 && status != 206) {
             transfer.refusal = "-";  // the status is a sufficient reason
             return CURL_WRITEFUNC_ERROR;
@@ -142,7 +142,7 @@ curl_socket_t openPublic(void*, curlsocktype, curl_sockaddr* address) {
 }
 
 /// The first of some environment variables that has a value.
-std::string environmentOf(std::initializer_list<const char*> names) {
+std::string readEnvironment(std::initializer_list<const char*> names) {
     for (const char* name : names)
         if (const char* value = std::getenv(name); value && *value) return value;
     return {};
@@ -152,9 +152,9 @@ std::string environmentOf(std::initializer_list<const char*> names) {
 /// libcurl's own choice between the two is unknown when a connection is opened, so it is made here.
 void keepPublic(CURL* handle, const std::string& url) {
     const std::string proxy = url.starts_with("https:")
-                                  ? environmentOf({"https_proxy", "HTTPS_PROXY", "all_proxy", "ALL_PROXY"})
-                                  : environmentOf({"http_proxy", "all_proxy", "ALL_PROXY"});
-    const bool direct = proxy.empty() || isWithoutProxy(hostOf(url), environmentOf({"no_proxy", "NO_PROXY"}));
+                                  ? readEnvironment({"https_proxy", "HTTPS_PROXY", "all_proxy", "ALL_PROXY"})
+                                  : readEnvironment({"http_proxy", "all_proxy", "ALL_PROXY"});
+    const bool direct = proxy.empty() || isWithoutProxy(parseHost(url), readEnvironment({"no_proxy", "NO_PROXY"}));
     const auto set = curlLibrary().setOption;
     set(handle, CURLOPT_PROXY, direct ? "" : proxy.c_str());  // empty: none, whatever the environment says
     set(handle, CURLOPT_NOPROXY, "");                         // no exceptions
@@ -220,7 +220,7 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
         case CURLE_COULDNT_CONNECT:
             throw HttpFailure("server not reachable: check your connection", false);
         default:
-            throw HttpFailure(*message ? message : curlLibrary().textOf(code), false);
+            throw HttpFailure(*message ? message : curlLibrary().errorText(code), false);
     }
 }
 
@@ -247,7 +247,7 @@ void httpGet(const std::string& url, const HttpLimits& limits, HttpBody& body,
 
     const CURLcode code = curlLibrary().perform(handle.get());
     if (transfer.bodyFailed) std::rethrow_exception(transfer.bodyFailed);
-    const long status = statusOf(handle.get());
+    const long status = readStatus(handle.get());
     if (status == 416 && transfer.asked > 0) {  // no bytes follow: the existing ones belong to another file
         body.restart("");
         throw HttpFailure("the file has changed on the server", true);

@@ -57,7 +57,7 @@ std::optional<double> depositedLevel(const std::string& name, const MapSource& s
 
 }  // namespace
 
-std::optional<MapSource> mapSourceOf(const std::string& name, const Environment& environment) {
+std::optional<MapSource> findMapSource(const std::string& name, const Environment& environment) {
     const std::size_t colon = name.find(':');
     if (colon == std::string::npos) return {};
     const std::string database = name.substr(0, colon), id = lowerCase(name.substr(colon + 1));
@@ -66,17 +66,18 @@ std::optional<MapSource> mapSourceOf(const std::string& name, const Environment&
         if (!isId(number, 4, 6, true)) throw Error("cannot download", name, "an EMDB ID is a number: emdb:3001");
         return MapSource{
             "emdb-" + number + ".map.gz",
-            baseOf(environment, "NACRE_EMDB_URL", "https://ftp.ebi.ac.uk/pub/databases/emdb/structures") + "/EMD-" +
-                number + "/map/emd_" + number + ".map.gz",
-            baseOf(environment, "NACRE_EMDB_API_URL", "https://www.ebi.ac.uk/emdb/api") + "/entry/map/EMD-" + number};
+            readBaseUrl(environment, "NACRE_EMDB_URL", "https://ftp.ebi.ac.uk/pub/databases/emdb/structures") +
+                "/EMD-" + number + "/map/emd_" + number + ".map.gz",
+            readBaseUrl(environment, "NACRE_EMDB_API_URL", "https://www.ebi.ac.uk/emdb/api") + "/entry/map/EMD-" +
+                number};
     }
     if (database != "pdb-map" && database != "pdb-diff") return {};
     if (!isId(id, 4, 4, false) || !isDigit(id[0]))
         throw Error("cannot download", name, "a PDB ID has four characters: " + database + ":3nzd");
     const std::string file = id + (database == "pdb-diff" ? "_diff" : "") + ".ccp4";
-    return MapSource{"pdb-map-" + file,
-                     baseOf(environment, "NACRE_PDB_MAP_URL", "https://www.ebi.ac.uk/pdbe/entry-files") + "/" + file,
-                     ""};
+    return MapSource{
+        "pdb-map-" + file,
+        readBaseUrl(environment, "NACRE_PDB_MAP_URL", "https://www.ebi.ac.uk/pdbe/entry-files") + "/" + file, ""};
 }
 
 void loadMaps(const PictureDescription& picture, const std::function<void(double)>& onDownload) {
@@ -84,7 +85,7 @@ void loadMaps(const PictureDescription& picture, const std::function<void(double
     const auto isGiven = [&](const char* key) { return picture.given.contains(key); };
     const bool given = isGiven("map") || isGiven("map-color-from") || isGiven("surface-color-from");
     for (const std::string& name : mapFiles(picture.maps)) {
-        const std::optional<MapSource> source = mapSourceOf(name);
+        const std::optional<MapSource> source = findMapSource(name);
         if (!source && !given) {  // named by a saved view
             InputOptions named = input;
             named.path = std::filesystem::absolute(name).string();

@@ -16,7 +16,7 @@ struct MapSource {
     std::string levelUrl;  ///< JSON about an EMDB entry's map; empty: none
 };
 /// Empty if the text names no such database; then it is a file. @throws Error if the identifier is invalid
-std::optional<MapSource> mapSourceOf(const std::string& name, const Environment& environment = environmentVariable);
+std::optional<MapSource> findMapSource(const std::string& name, const Environment& environment = environmentVariable);
 
 /// Downloads the maps that a picture names, as loadMolecule() does for its molecule, and keeps them (map_input.h).
 /// Local files are read when they are drawn. @throws Error

@@ -53,7 +53,7 @@ std::string namedPath(const InputOptions& input) {
         throw Error("cannot read molecule", input.namedBy, "it names standard input: give an INPUT as well");
     if (const std::string notice = outsideNotice(input); !notice.empty()) sayNotice(notice);
     const std::string named = (std::filesystem::path(input.namedBy).parent_path() / input.path).string();
-    const std::string path = filePathOf(input);
+    const std::string path = resolveInputPath(input);
     if (path != named && isPlain(path))
         sayNote(input.namedBy + " names a missing file; this one has the same content: " + path);
     else if (!input.hash.empty() && isPlain(path) && fileHash(path) != input.hash)
@@ -108,7 +108,7 @@ Molecule loadStructure(const InputOptions& input, const std::function<void(doubl
     if (const auto id = parseDatabaseId(input.path))
         return completed(input, loadDownload(input, *id, onDownload, onModel));
     if (!input.format)
-        if (auto bytes = mvs::readScene(openPathOf(input)))
+        if (auto bytes = mvs::readScene(openedPath(input)))
             return loadSceneFile(input, std::move(*bytes), onDownload, onStep);
     if (!input.namedBy.empty()) return loadNamed(input, onModel);
     if (!input.opened) checkThere(input.path);

@@ -48,7 +48,7 @@ bool isAddress(std::string_view uri) { return uri.starts_with("http://") || uri.
 std::string plainName(const std::string& uri) { return fs::path(uri).lexically_normal().generic_string(); }
 
 /// The name of an address in the cache of downloads.
-std::string cacheNameOf(const std::string& url) {
+std::string makeCacheName(const std::string& url) {
     std::array<char, 33> digits{};
     const XXH128_hash_t hash = XXH3_128bits(url.data(), url.size());
     std::snprintf(digits.data(), digits.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
@@ -63,7 +63,7 @@ public:
         : input_(input), scene_(scene), most_(most), onDownload_(onDownload) {}
 
     std::string operator()(const std::string& uri) const {
-        const Place place = placeOf(uri);
+        const Place place = resolveUri(uri);
         if (place.file) return fileBytes(uri, place.file->path(), most_);
         if (place.download) return download(uri);
         if (!place.path.empty()) return fileBytes(uri, place.path, most_);
@@ -71,8 +71,8 @@ public:
     }
 
     /// Identifies the content of a file. Empty: it is in the scene's own file.
-    std::string contentOf(const std::string& uri) const {
-        const Place place = placeOf(uri);
+    std::string identify(const std::string& uri) const {
+        const Place place = resolveUri(uri);
         return place.file ? fileHash(place.file->path()) : fileHash(place.path);
     }
 
@@ -84,11 +84,11 @@ private:
         bool download = false;  ///< `path` is filled by a download
     };
 
-    Place placeOf(const std::string& uri) const {
-        if (const SceneMap* map = mapOf(uri)) return {nullptr, map->path + uri.substr(map->url.size())};
+    Place resolveUri(const std::string& uri) const {
+        if (const SceneMap* map = findMap(uri)) return {nullptr, map->path + uri.substr(map->url.size())};
         if (isAddress(uri)) {
             const std::string folder = cacheFolder(input_.cache, "downloads");
-            return {nullptr, folder.empty() ? folder : (fs::path(folder) / cacheNameOf(uri)).string(), true};
+            return {nullptr, folder.empty() ? folder : (fs::path(folder) / makeCacheName(uri)).string(), true};
         }
         const std::string name = plainName(uri);
         if (uri.find(':') != std::string::npos) fail(uri, "it is neither http nor https nor a relative name");
@@ -97,7 +97,7 @@ private:
     }
 
     /// The longest prefix that fits.
-    const SceneMap* mapOf(const std::string& uri) const {
+    const SceneMap* findMap(const std::string& uri) const {
         const SceneMap* best = nullptr;
         for (const SceneMap& map : input_.sceneMaps)
             if (uri.starts_with(map.url) && (!best || map.url.size() > best->url.size())) best = &map;
@@ -131,7 +131,7 @@ private:
         if (input_.sceneHosts) return downloadForStranger(url, settings);
         std::string bytes;
         try {
-            downloadFile(nacre::printable(url, 200), cacheNameOf(url), url, settings,
+            downloadFile(nacre::printable(url, 200), makeCacheName(url), url, settings,
                          [&](const std::string&, std::string got) { bytes = std::move(got); });
         } catch (const Error&) {
             if (input_.offline || input_.allowDownload) throw;
@@ -150,7 +150,7 @@ private:
         std::string bytes;
         try {
             if (rule == HostRule::refused) throw Error("", "", "");
-            downloadFile(nacre::printable(url, 200), cacheNameOf(url), url, settings,
+            downloadFile(nacre::printable(url, 200), makeCacheName(url), url, settings,
                          [&](const std::string&, std::string got) { bytes = std::move(got); });
         } catch (const Error&) {
             fail(url, "it cannot be downloaded here");
@@ -172,8 +172,8 @@ void collectNames(const mvs::Node& node, std::set<std::string>& names) {
     for (const mvs::Node& child : node.children) collectNames(child, names);
 }
 
-Molecule moleculeOf(const mvs::SceneFile& scene, const InputOptions& input, const mvs::SceneSources& sources,
-                    std::optional<double> seconds = {}) {
+Molecule buildMolecule(const mvs::SceneFile& scene, const InputOptions& input, const mvs::SceneSources& sources,
+                       std::optional<double> seconds = {}) {
     if (input.snapshot == kAllSnapshots)
         throw Error("cannot read scene", input.path, "--snapshot all is for render and movie: name one snapshot");
     const std::size_t snapshot = static_cast<std::size_t>(input.snapshot) - 1;
@@ -185,13 +185,13 @@ Molecule moleculeOf(const mvs::SceneFile& scene, const InputOptions& input, cons
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
                    const std::function<void(double)>& onDownload, const std::function<void()>& onStep) {
     const mvs::SceneFile scene(input.path, std::move(bytes));
-    return moleculeOf(scene, input, {SceneFetch(input, scene, reading.maxBytes, onDownload), reading, onStep});
+    return buildMolecule(scene, input, {SceneFetch(input, scene, reading.maxBytes, onDownload), reading, onStep});
 }
 
 std::string contentOfNamed(const InputOptions& input) {
     std::string content;
     try {
-        std::optional<std::string> bytes = mvs::readScene(openPathOf(input));
+        std::optional<std::string> bytes = mvs::readScene(openedPath(input));
         if (!bytes) return {};
         const mvs::SceneFile scene(input.path, std::move(*bytes));
         std::set<std::string> names;
@@ -202,7 +202,7 @@ std::string contentOfNamed(const InputOptions& input) {
         for (const std::string& name : names) {
             content += name + '\n';
             try {
-                content += fetch.contentOf(name) + '\n';
+                content += fetch.identify(name) + '\n';
             } catch (const Error&) {  // reading the scene reports it
             }
         }
@@ -213,7 +213,7 @@ std::string contentOfNamed(const InputOptions& input) {
 }
 
 OpenScene::OpenScene(const InputOptions& input) {
-    const std::string path = filePathOf(input);
+    const std::string path = resolveInputPath(input);
     file_ = std::make_unique<const mvs::SceneFile>(path, mvs::readSceneBytes(path));
 }
 
@@ -231,7 +231,7 @@ Molecule OpenScene::snapshot(const InputOptions& input, const ReadOptions& readi
         }
         return bytes;
     };
-    return moleculeOf(*file_, input, {once, reading, {}}, seconds);
+    return buildMolecule(*file_, input, {once, reading, {}}, seconds);
 }
 
 std::vector<SnapshotTimes> OpenScene::times() const {

@@ -28,12 +28,12 @@ struct Progress {
 };
 
 /// "pdb:1bna, pubchem:aspirin"
-std::string downloadsOf(const InputOptions& input) {
+std::string listDownloads(const InputOptions& input) {
     std::string text;
     const auto add = [&](const std::string& path) {
         const std::optional<DatabaseId> id = parseDatabaseId(path);
         if (!id) return;
-        const std::string url = sourcesOf(*id).front().url, host = url.substr(url.find("://") + 3);
+        const std::string url = listSources(*id).front().url, host = url.substr(url.find("://") + 3);
         text += (text.empty() ? "" : ", ") + printable(path) + " from " + host.substr(0, host.find('/'));
     };
     add(input.path);
@@ -48,7 +48,7 @@ Sources windowSources(const InputOptions& first) {
     const auto progress = std::make_shared<Progress>();
     Sources all;
     all.read = [first, allowed, progress](const PictureDescription& view) {
-        InputOptions input = inputOf(view, first);
+        InputOptions input = makeInput(view, first);
         input.alone = input.alone || !input.trajectory.path.empty();
         input.trajectory = {};  // trajectories start at their first frame
         input.namedBy = view.input.namedBy;
@@ -62,7 +62,7 @@ Sources windowSources(const InputOptions& first) {
         try {
             return loadMolecule(input, onDownload);
         } catch (const DownloadForbidden&) {
-            const std::string downloads = downloadsOf(input);
+            const std::string downloads = listDownloads(input);
             throw Question(downloads.empty() ? "This scene downloads the files that it names."
                                              : "This view downloads " + downloads + ".",
                            "Download", [allowed] { *allowed = true; });
@@ -70,7 +70,7 @@ Sources windowSources(const InputOptions& first) {
     };
     all.maps = [first, allowed](const PictureDescription& view) {
         PictureDescription asked = view;
-        asked.input = inputOf(view, first);
+        asked.input = makeInput(view, first);
         asked.input.allowDownload = *allowed;
         loadMaps(asked);
     };
@@ -92,7 +92,7 @@ Sources phoneSources(const InputOptions& first, const std::function<std::string(
     all.motion = {};
     all.read = [readFile, fetched = all.read](const PictureDescription& view) {
         if (parseDatabaseId(view.input.path) || mvs::isSceneFile(view.input.path)) return fetched(view);
-        return readLocally(inputOf(view), memoryShare(kShare), readFile);
+        return readLocally(makeInput(view), memoryShare(kShare), readFile);
     };
     return all;
 }

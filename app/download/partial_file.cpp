@@ -30,8 +30,8 @@ PartialFile::PartialFile(const DiskCache& cache, const std::string& name, const 
     : cache_(cache),
       name_(name),
       url_(url),
-      path_(cache.pathOf(name + ".part")),
-      tagPath_(cache.pathOf(name + ".tag")) {
+      path_(cache.entryPath(name + ".part")),
+      tagPath_(cache.entryPath(name + ".tag")) {
     if (!cache.makeFolder()) fail();
     openShared();
     if (!shared_) openOwn();
@@ -60,7 +60,7 @@ void PartialFile::openShared() {
 }
 
 void PartialFile::openOwn() {
-    path_ = cache_.pathOf(DiskCache::temporaryName());
+    path_ = cache_.entryPath(DiskCache::temporaryName());
     tagPath_.clear();
     file_ = openPlain(path_, O_RDWR | O_CREAT | O_EXCL, 0600);
     if (file_ < 0) fail();
@@ -113,7 +113,7 @@ std::string PartialFile::content() const {
 }
 
 void PartialFile::commit() {
-    if (fsync(file_) != 0 || std::rename(path_.c_str(), cache_.pathOf(name_).c_str()) != 0) fail();
+    if (fsync(file_) != 0 || std::rename(path_.c_str(), cache_.entryPath(name_).c_str()) != 0) fail();
     done_ = true;
     if (shared_) cache_.remove(name_ + ".tag");
     cache_.trim();

@@ -26,7 +26,7 @@ std::vector<glm::dvec4> selectedBalls(const Selection& selection, const char* wh
 }
 
 /// Atoms of a bilayer: of lipids that lie in a slab; empty if there is none.
-std::vector<glm::dvec4> bilayerOf(const ResidueFacts& facts, const Representation& scene) {
+std::vector<glm::dvec4> findBilayer(const ResidueFacts& facts, const Representation& scene) {
     constexpr std::size_t kFewest = 40;  // lipids
     const Molecule& m = facts.molecule();
     std::vector<bool> lipids(m.atoms.size());
@@ -47,7 +47,7 @@ const glm::dquat kHalfTurn = glm::angleAxis(glm::radians(180.0), glm::dvec3(0, 1
 
 /// Whether a part's centre is to the right of another's.
 bool isRight(const std::vector<glm::dvec4>& part, const std::vector<glm::dvec4>& other, const glm::dquat& orientation) {
-    const glm::dvec3 way = boundsOf(part).center - boundsOf(other).center;
+    const glm::dvec3 way = computeBounds(part).center - computeBounds(other).center;
     return (orientation * way).x > 0;
 }
 
@@ -81,13 +81,14 @@ Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, con
     if (!aim.any() && !aim.fits) return result;
     const std::vector<glm::dvec4> all = aim.any() ? drawnBalls(scene) : std::vector<glm::dvec4>();
     if (aim.principal) {
-        const auto axesOf = aim.axesOf ? selectedBalls(*aim.axesOf, "cannot orient", facts, scene) : all;
+        const auto axesTarget = aim.orientBy ? selectedBalls(*aim.orientBy, "cannot orient", facts, scene) : all;
         const bool wide = !aim.fromSide && size.width >= size.height;
-        const auto bilayer = aim.axesOf || aim.fromSide ? std::vector<glm::dvec4>() : bilayerOf(facts, scene);
-        result.camera.orientation = bilayer.empty() ? principalOrientation(axesOf, wide) : edgeOnOrientation(bilayer);
+        const auto bilayer = aim.orientBy || aim.fromSide ? std::vector<glm::dvec4>() : findBilayer(facts, scene);
+        result.camera.orientation =
+            bilayer.empty() ? principalOrientation(axesTarget, wide) : edgeOnOrientation(bilayer);
         if (aim.fromSide) result.camera.orientation = kQuarterTurn * result.camera.orientation;
         if (aim.left &&
-            isRight(selectedBalls(*aim.left, "cannot orient", facts, scene), axesOf, result.camera.orientation))
+            isRight(selectedBalls(*aim.left, "cannot orient", facts, scene), axesTarget, result.camera.orientation))
             result.camera.orientation = kHalfTurn * result.camera.orientation;
     }
     if (aim.lookAt)
@@ -100,7 +101,7 @@ Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, con
     if (aim.zoomTo) {
         const std::vector<glm::dvec4> target = selectedBalls(*aim.zoomTo, "cannot zoom to", facts, scene);
         result.camera = closeUp(result.camera, target, shown.radius, kZoomMargin, kLargestZoom);
-        result.depth = -(rotation * boundsOf(target).center).z;
+        result.depth = -(rotation * computeBounds(target).center).z;
     }
     if (aim.clip)
         result.clipBefore = planeBefore(selectedBalls(*aim.clip, "cannot clip in front of", facts, scene), rotation);

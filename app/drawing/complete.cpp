@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kPrint = 300;  // default dots per inch for print
 
-std::uint32_t sideOf(const char* name, double pixels) {
+std::uint32_t toSide(const char* name, double pixels) {
     const double rounded = std::round(pixels);
     if (rounded < 1 || rounded > kLargestSide)
         throw UsageError(std::string(name) + ": " + std::to_string(static_cast<std::int64_t>(rounded)) +
@@ -58,7 +58,7 @@ void takeThicknesses(PictureDescription& picture, double perPoint) {
 bool takeInput(PictureDescription& picture) {
     InputOptions& input = picture.input;
     input.alone = picture.look.ownFrame;
-    if (!input.trajectory.namedBy.empty()) input.trajectory.path = trajectoryPathOf(input);
+    if (!input.trajectory.namedBy.empty()) input.trajectory.path = resolveTrajectoryPath(input);
     return !input.path.empty();
 }
 
@@ -131,9 +131,9 @@ void checkSize(const PictureDescription& picture, std::uint64_t most) {
 }
 
 void checkFiles(const PictureDescription& picture, std::vector<NamedFile> further) {
-    std::vector<NamedFile> files{{"INPUT", filePathOf(picture.input)},   {"--view", picture.view},
-                                 {"--output", picture.output, true},     {"--layers", picture.layers, true},
-                                 {"--stats", picture.stats, true},       {"--capture", picture.capture, true},
+    std::vector<NamedFile> files{{"INPUT", resolveInputPath(picture.input)}, {"--view", picture.view},
+                                 {"--output", picture.output, true},         {"--layers", picture.layers, true},
+                                 {"--stats", picture.stats, true},           {"--capture", picture.capture, true},
                                  {"--save-view", picture.saveView, true}};
     files.push_back({"--trajectory", picture.input.trajectory.path});
     for (const FurtherInput& input : picture.input.further) files.push_back({"INPUT", input.path});
@@ -153,10 +153,10 @@ void takePaper(PictureDescription& picture) {
     const double shape = static_cast<double>(size.height) / size.width;
     const double width = picture.width ? picture.width->pixels(dpi) : 0;
     const double height = picture.height ? picture.height->pixels(dpi) : 0;
-    if (picture.width) size.width = sideOf("--width", width);
-    if (picture.height) size.height = sideOf("--height", height);
-    if (picture.width && !picture.height) size.height = sideOf("--width", width * shape);
-    if (picture.height && !picture.width) size.width = sideOf("--height", height / shape);
+    if (picture.width) size.width = toSide("--width", width);
+    if (picture.height) size.height = toSide("--height", height);
+    if (picture.width && !picture.height) size.height = toSide("--width", width * shape);
+    if (picture.height && !picture.width) size.width = toSide("--height", height / shape);
     constexpr double kPointsPerInch = 72;
     if (picture.linePoints) picture.look.lineWidth = std::min(*picture.linePoints * dpi / kPointsPerInch, kWidestWire);
     takeThicknesses(picture, dpi / kPointsPerInch);
@@ -164,7 +164,7 @@ void takePaper(PictureDescription& picture) {
 }
 
 void checkFormat(const PictureDescription& picture) {
-    const std::string format = isStandardOutput(picture.output) ? ".png" : extensionOf(picture.output);
+    const std::string format = isStandardOutput(picture.output) ? ".png" : fileExtension(picture.output);
     if (picture.bits == 16 && format != ".png" && format != ".tif" && format != ".tiff")
         throw UsageError("--depth 16 is for PNG and TIFF, not " + picture.output);
     constexpr std::uint32_t kLargestWebp = 16383;  // the format's own limit
@@ -190,8 +190,8 @@ void completeUnwritten(PictureDescription& picture) {
 
 PictureDescription withWholePaths(PictureDescription picture) {
     const InputOptions each = picture.input;
-    picture.input.path = filePathOf(each);
-    for (FurtherInput& further : picture.input.further) further.path = filePathOf(furtherInput(each, further));
+    picture.input.path = resolveInputPath(each);
+    for (FurtherInput& further : picture.input.further) further.path = resolveInputPath(furtherInput(each, further));
     std::string& trajectory = picture.input.trajectory.path;
     if (!trajectory.empty()) trajectory = std::filesystem::absolute(trajectory).lexically_normal().string();
     return picture;

@@ -85,7 +85,7 @@ bool hasSolidSurface(const Representation& scene) {
 }
 
 /// The frame or model of a still picture.
-Moment momentOf(const Molecule& molecule, const PictureDescription& picture) {
+Moment findMoment(const Molecule& molecule, const PictureDescription& picture) {
     const TrajectoryOptions& frames = picture.input.trajectory;
     Moment moment{frames.path.empty() ? std::max(picture.input.model, 1) : frames.frame, {}};
     if (frames.path.empty() || !titleMoves(picture.words.title)) return moment;
@@ -242,7 +242,7 @@ void Drawing::setView(const PictureDescription& picture, const Camera& camera) {
     const Size eye = eyeSize(stereo_, size_);
     settings = settingsFor(picture, camera, eye);
     depthShift_ = depthOrigin(settings.view) -
-                  depthOrigin(viewOf(cameraFor(picture.stereo, camera), radius(), eye.width, eye.height));
+                  depthOrigin(makeView(cameraFor(picture.stereo, camera), radius(), eye.width, eye.height));
 }
 
 void Drawing::takeCamera(Camera& camera) {
@@ -266,7 +266,7 @@ void Drawing::applySceneFile() {
     const bool ortho = description_.given.contains("projection") && !stereo_.on() &&
                        description_.camera.projection == Projection::orthographic;
     const Size eye = eyeSize(stereo_, size_);
-    const SceneView seen = viewOf(*camera, description_.camera, ortho, reach(), eye.width, eye.height);
+    const SceneView seen = makeView(*camera, description_.camera, ortho, reach(), eye.width, eye.height);
     settings.view = seen.view;
     Clip& clip = settings.effects.clip;
     clip.near = std::max(clip.near, seen.clip.near);
@@ -296,7 +296,7 @@ void Drawing::finish(const PictureDescription& picture) {
     focusLens(molecule, picture, scene_->center, settings);
     run.clip = clipText(settings.effects.clip);
     placeFog(*scene_, settings);
-    moment = momentOf(molecule, picture);
+    moment = findMoment(molecule, picture);
     warnings = molecule.guide ? molecule.guide->warnings : std::vector<std::string>();
     append(warnings, scene_->warnings);
     append(warnings, maps_.warnings);
@@ -319,7 +319,7 @@ PlacedWords Drawing::placeWords(const Words& asked, WordsOfHidden hidden) const 
     PlacedWords placed = app::placeWords(asked, *facts_, *scene_, hidden);
     addLabels(maps_.labels, scene_->center, placed);
     if (asked.legend) append(placed.legends, maps_.shown.legends);
-    if (asked.axes && description_.cell) placed.axes = crossOf(cellEdges(facts_->molecule().file));
+    if (asked.axes && description_.cell) placed.axes = makeAxes(cellEdges(facts_->molecule().file));
     placed.title = filledTitle(placed.title, moment);
     if (placed.legends.empty() || asked.legendTitle.empty()) return placed;
     const auto scale = std::ranges::find_if(placed.legends, [](const Legend& legend) { return legend.stops > 0; });

@@ -28,7 +28,7 @@ struct Sight {
 /// Like findFocus(), for a view of the scene.
 glm::dvec3 focusIn(const Molecule& molecule, const PictureDescription& d, const View& view, const glm::dvec3& center) {
     const Sight sight{-view.pan, view.eyeDistance};
-    const auto placeOf = [&](std::uint32_t atom) {
+    const auto toView = [&](std::uint32_t atom) {
         return view.rotation * (glm::dvec3(molecule.atoms[atom].position) - center);
     };
     double depth = 0;
@@ -37,14 +37,14 @@ glm::dvec3 focusIn(const Molecule& molecule, const PictureDescription& d, const 
     if (target) {
         const std::vector<bool> chosen = selectAtoms(molecule, *target);
         for (std::uint32_t i = 0; i < chosen.size(); ++i)
-            if (chosen[i] && std::isfinite(placeOf(i).z)) depth += placeOf(i).z, ++named;
+            if (chosen[i] && std::isfinite(toView(i).z)) depth += toView(i).z, ++named;
     }
     if (named > 0) {
         depth /= static_cast<double>(named);
     } else {
         double front = -std::numeric_limits<double>::infinity(), closest = std::numeric_limits<double>::infinity();
         for (const std::uint32_t atom : drawnAtoms(molecule, d.drawn)) {
-            const glm::dvec3 v = placeOf(atom);
+            const glm::dvec3 v = toView(atom);
             const double away = sight.distance(v);
             if (!std::isfinite(away) || v.z > -d.effects.clip.near || v.z < -d.effects.clip.far) continue;
             if (away <= kBeside && v.z > front) depth = front = v.z;
@@ -60,7 +60,7 @@ glm::dvec3 findFocus(const Molecule& molecule, const PictureDescription& d, cons
                      const glm::dvec3& center) {
     if (const SceneCamera* camera = sceneCamera(molecule, d)) return camera->target;
     constexpr std::uint32_t kAnySize = 256;
-    const View view = viewOf(seen.camera, seen.radius, kAnySize, kAnySize);
+    const View view = makeView(seen.camera, seen.radius, kAnySize, kAnySize);
     return glm::transpose(view.rotation) * focusIn(molecule, d, view, center) + center;
 }
 

@@ -92,7 +92,7 @@ struct Values {
     Values(const ValueMap& of, std::shared_ptr<const DensityMap> from, const std::string& name)
         : map(std::move(from)), coloring{map.get(), name, of.palette, of.range} {}
     Values(const ValueMap& of, const MapLimits& limits)
-        : Values(of, mapOf(of.file, limits), of.file.substr(of.file.find_last_of('/') + 1)) {}
+        : Values(of, loadMap(of.file, limits), of.file.substr(of.file.find_last_of('/') + 1)) {}
 };
 
 /// Positions around which a map is drawn, and the distance from them; no positions: the whole map.
@@ -155,7 +155,7 @@ void addVolume(const SceneVolume& volume, Representation& shown) {
 }
 
 /// A map with a transfer function is a volume.
-MapStyle styleOf(const DensityMap& map, const MapOptions& maps, std::size_t i) {
+MapStyle pickMapStyle(const DensityMap& map, const MapOptions& maps, std::size_t i) {
     const MapStyle style = ofMap(maps.styles, i);
     const bool transfers = !ofMap(maps.transfers, i).empty();
     if (style == MapStyle::automatic)
@@ -168,7 +168,7 @@ MapStyle styleOf(const DensityMap& map, const MapOptions& maps, std::size_t i) {
 
 MapContour makeContour(const DensityMap& map, const MapOptions& maps, std::size_t i) {
     MapContour contour;
-    contour.style = styleOf(map, maps, i);
+    contour.style = pickMapStyle(map, maps, i);
     contour.opacity = ofMap(maps.opacities, i).value_or(kOpacityBesideMolecule);
     contour.width = maps.width;
     contour.level = contourLevel(map, ofMap(maps.levels, i));
@@ -188,7 +188,7 @@ double negativeLevel(const DensityMap& map, double level, MapLevel::Unit unit) {
 }
 
 /// The negative contour of a difference map.
-MapContour negativeOf(const DensityMap& map, const MapContour& contour, const MapOptions& maps, std::size_t i) {
+MapContour makeNegative(const DensityMap& map, const MapContour& contour, const MapOptions& maps, std::size_t i) {
     const MapColors colors = ofMap(maps.colors, i);
     MapContour other = contour;
     other.level = negativeLevel(map, contour.level, ofMap(maps.levels, i).unit);
@@ -228,7 +228,7 @@ void addVolume(const DensityMap& map, const MapRegion& region, const MapContour&
             {contourLevel(map, level.level), {level.color[0], level.color[1], level.color[2]}, level.opacity});
     if (levels.empty()) {
         addLevels(map, contour, levels);
-        if (map.difference) addLevels(map, negativeOf(map, contour, maps, i), levels);
+        if (map.difference) addLevels(map, makeNegative(map, contour, maps, i), levels);
     }
     shown.volume = makeVolume(region, levels, shown.center);
     if (shown.volume) shown.radius = std::max(shown.radius, shown.volume->radius);
@@ -261,9 +261,9 @@ Representation withMaps(Representation scene, const MapLayers& maps) {
 
 std::optional<Bounds> frameWithoutAtoms(const Molecule& molecule, const PictureDescription& d) {
     if (!molecule.atoms.empty() || molecule.guide) return std::nullopt;
-    if (!d.primitives.empty()) return boundsOf(primitivesOf(d.primitives, molecule));
+    if (!d.primitives.empty()) return computeBounds(loadPrimitives(d.primitives, molecule));
     if (d.maps.files.empty()) return std::nullopt;
-    const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files.front(), mapLimits(d.input));
+    const std::shared_ptr<const DensityMap> map = loadMap(d.maps.files.front(), mapLimits(d.input));
     const glm::dvec3 first(map->firstNode()), size(map->boxSize - 1);
     Bounds bounds{map->place(first + size / 2.0), 0};
     for (int corner = 0; corner < 8; ++corner) {
@@ -277,8 +277,8 @@ void lookIntoCrystal(const Molecule& molecule, PictureDescription& d) {
     constexpr double kMargin = 1.2;
     const MapOptions& maps = d.maps;
     if (!molecule.atoms.empty() || maps.files.empty() || d.given.contains("map-around")) return;
-    const std::shared_ptr<const DensityMap> map = mapOf(maps.files.front(), mapLimits(d.input));
-    if (!map->periodic || ofMap(maps.slices, 0).axis >= 0 || styleOf(*map, maps, 0) != MapStyle::mesh) return;
+    const std::shared_ptr<const DensityMap> map = loadMap(maps.files.front(), mapLimits(d.input));
+    if (!map->periodic || ofMap(maps.slices, 0).axis >= 0 || pickMapStyle(*map, maps, 0) != MapStyle::mesh) return;
     const std::optional<Bounds> whole = frameWithoutAtoms(molecule, d);
     d.maps.aroundFocus = true;
     if (whole && !d.camera.isPlaced())
@@ -292,7 +292,7 @@ MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, 
     Representation& shown = layers.shown;
     shown.center = center;
     for (std::size_t i = 0; i < d.maps.files.size(); ++i) {
-        const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files[i], mapLimits(d.input));
+        const std::shared_ptr<const DensityMap> map = loadMap(d.maps.files[i], mapLimits(d.input));
         const Around around = findSurroundings(molecule, d, *map, layers.focus);
         const std::shared_ptr<const MapRegion> region = keptRegion(map, around.places, around.reach);
         const auto drawn = [&] { return shown.wires.size() + shown.triangles.size() + (shown.volume ? 1u : 0u); };
@@ -315,7 +315,7 @@ MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, 
             addVolume(*map, *region, contour, d.maps, i, shown);
         } else {
             addContour(*region, contour, shown);
-            if (map->difference) addContour(*region, negativeOf(*map, contour, d.maps, i), shown);
+            if (map->difference) addContour(*region, makeNegative(*map, contour, d.maps, i), shown);
         }
         if (around.places.empty()) layers.frame = shown.radius;
         if (drawn() == before)
@@ -333,7 +333,7 @@ MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, 
         layers.frame = std::max(layers.frame, shown.radius);
     }
     Primitives beside;
-    if (!d.primitives.empty()) beside = primitivesOf(d.primitives, molecule);
+    if (!d.primitives.empty()) beside = loadPrimitives(d.primitives, molecule);
     if (molecule.guide) beside.append(molecule.guide->primitives);
     if (d.cell) {
         Primitives frame = cellFrame(molecule);
@@ -349,7 +349,7 @@ std::vector<SceneVolume> sceneVolumes(const PictureDescription& picture) {
     std::vector<SceneVolume> volumes;
     for (std::size_t i = 0; i < maps.files.size(); ++i) {
         SceneVolume volume;
-        volume.map = mapOf(maps.files[i], mapLimits(picture.input));
+        volume.map = loadMap(maps.files[i], mapLimits(picture.input));
         const MapSliceOption slice = ofMap(maps.slices, i);
         const MapColors colors = ofMap(maps.colors, i);
         const MapContour contour = makeContour(*volume.map, maps, i);

@@ -25,7 +25,7 @@ struct MapLayers {
     std::vector<double> sigmas;         ///< each map's level, in sigma above its mean
     std::vector<std::string> warnings;  ///< differences from the request
 
-    std::vector<std::string> notes;  ///< of primitives, by Representation::noteOf()
+    std::vector<std::string> notes;  ///< of primitives, by Representation::noteNumber()
     std::vector<Primitives::Label> labels;
 
     bool empty() const {

@@ -38,7 +38,7 @@ Representation emptyScene(const ResidueFacts& facts, std::span<const std::uint32
         balls.emplace_back(glm::dvec3(molecule.atoms[atom].position), vanDerWaalsRadius(molecule.atoms[atom]));
     const Bounds bounds = frame           ? movedTo(center, *frame)
                           : balls.empty() ? Bounds{center.value_or(glm::dvec3(0)), 0}
-                                          : boundsOf(balls, center);
+                                          : computeBounds(balls, center);
     Representation scene;
     scene.atomGroups = atomGroups(facts);
     scene.center = bounds.center;
@@ -57,7 +57,7 @@ Representation guidedScene(const ResidueFacts& facts, std::span<const std::uint3
     const GuidedLayers layers = guidedLayers(facts, drawn, look);
     const Bounds frame = guide.camera            ? Bounds{guide.camera->target, guide.camera->radius}
                          : layers.layers.empty() ? guideBounds(guide)
-                                                 : boundsOf(facts.molecule(), layers.layers);
+                                                 : computeBounds(facts.molecule(), layers.layers);
     return representLayers(facts, layers, look, movedTo(look.center, frame));
 }
 
@@ -102,7 +102,7 @@ Representation buildScene(const ResidueFacts& facts, const PictureDescription& p
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, picture.input.path, picture.drawn);
     if (molecule.guide) return guidedScene(facts, drawn, look);
     takeDefaultLook(facts, drawn, picture, look);
-    if (orNothing && appearanceOf(facts, drawn, look).seen == 0) {
+    if (orNothing && makeAppearance(facts, drawn, look).seen == 0) {
         Representation scene = emptyScene(facts, drawn, frame, look.center);
         return picture.drawsBeside() ? scene : nothingShown(std::move(scene), molecule);
     }
@@ -130,10 +130,10 @@ void takeWidth(const std::optional<ScreenLength>& length, const PictureDescripti
 
 RenderSettings makeSettings(const PictureDescription& picture, const Camera& camera, const Size& size, double radius) {
     RenderSettings settings;
-    settings.view = viewOf(camera, radius, size.width, size.height);
+    settings.view = makeView(camera, radius, size.width, size.height);
     settings.supersample = picture.supersample;
     settings.background = picture.background;
-    settings.fine = picture.bits == 16 || extensionOf(picture.output) == ".exr";
+    settings.fine = picture.bits == 16 || fileExtension(picture.output) == ".exr";
     settings.lighting = picture.lighting;
     settings.effects = picture.effects;
     takeWidth(picture.contourWidth, picture, settings.view, settings.effects.contours.width);
@@ -155,7 +155,7 @@ bool tooManyToOcclude(const Representation& scene, const Molecule& molecule) {
 
 Bounds guideBounds(const SceneGuide& guide) {
     if (guide.camera) return {guide.camera->target, guide.camera->radius};
-    return boundsOf(guide.primitives).value_or(Bounds{{}, 1});
+    return computeBounds(guide.primitives).value_or(Bounds{{}, 1});
 }
 
 const SceneCamera* sceneCamera(const Molecule& molecule, const PictureDescription& picture) {
@@ -169,12 +169,12 @@ void takeSceneLook(const Molecule& molecule, double radius, PictureDescription& 
     if (molecule.guide->background && view.background == PictureDescription{}.background)
         view.background = *molecule.guide->background;
     if (!camera) return;
-    const SceneView seen = viewOf(*camera, {}, false, radius, 100, 100);
+    const SceneView seen = makeView(*camera, {}, false, radius, 100, 100);
     view.camera = {};
     view.camera.projection = Projection::perspective;
     view.camera.fovDegrees = camera->fovDegrees;
     view.camera.orientation = glm::quat_cast(seen.view.rotation);
-    const View whole = viewOf(view.camera, radius, 100, 100);
+    const View whole = makeView(view.camera, radius, 100, 100);
     view.camera.zoom = seen.view.pixelsPerAngstrom / whole.pixelsPerAngstrom;
 }
 

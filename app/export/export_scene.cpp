@@ -79,14 +79,14 @@ private:
     }
 
     /// @param atom  1-based
-    const std::string& chainOf(std::uint32_t atom) const {
+    const std::string& chainName(std::uint32_t atom) const {
         static const std::string kNone;
-        if (atom == 0 || scene_.noteOf(atom) > 0) return kNone;  // belongs to a map or a primitive
-        return molecule_.chains[molecule_.residues[molecule_.atoms[scene_.atomOf(atom) - 1].residue].chain].name;
+        if (atom == 0 || scene_.noteNumber(atom) > 0) return kNone;  // belongs to a map or a primitive
+        return molecule_.chains[molecule_.residues[molecule_.atoms[scene_.findAtom(atom) - 1].residue].chain].name;
     }
 
-    GroupMesh& meshOf(std::uint32_t list, std::uint32_t atom, const char* kind) {
-        const ExportGroup group{list, chainOf(atom), kind, 0};
+    GroupMesh& findMesh(std::uint32_t list, std::uint32_t atom, const char* kind) {
+        const ExportGroup group{list, chainName(atom), kind, 0};
         if (last_ == meshes_.end() || last_->first != group) last_ = meshes_.try_emplace(group).first;
         return last_->second;
     }
@@ -94,7 +94,7 @@ private:
     void addTriangle(std::size_t i, std::uint32_t list) {
         const Triangle& t = scene_.triangles[i];
         const std::uint32_t atom = scene_.meshLooks[scene_.meshVertices[t.a].look].atom;
-        GroupMesh& group = meshOf(list, atom, atom == 0 ? "map" : scene_.noteOf(atom) > 0 ? "geometry" : "fold");
+        GroupMesh& group = findMesh(list, atom, atom == 0 ? "map" : scene_.noteNumber(atom) > 0 ? "geometry" : "fold");
         glm::uvec3 corners{};
         int corner = 0;
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
@@ -102,7 +102,7 @@ private:
                 group.places.emplace(v, static_cast<std::uint32_t>(group.mesh.positions.size()));
             if (added) {
                 const MeshVertex& vertex = scene_.meshVertices[v];
-                addVertex(group.mesh, positionOf(vertex, t.step()), normalOf(vertex),
+                addVertex(group.mesh, decodePosition(vertex, t.step()), decodeNormal(vertex),
                           scene_.meshLooks[vertex.look].color);
                 if (baked_) group.occlusion.push_back(baked_->ofVertex(v));
             }
@@ -111,25 +111,25 @@ private:
         group.mesh.triangles.push_back(corners);
     }
 
-    /// Sets occlusion of new vertices in a group's mesh. @param occlusionOf  receives position and normal
-    template <typename OcclusionOf>
-    void occlude(GroupMesh& group, const OcclusionOf& occlusionOf) const {
+    /// Sets occlusion of new vertices in a group's mesh. @param getOcclusion  receives position and normal
+    template <typename GetOcclusion>
+    void occlude(GroupMesh& group, const GetOcclusion& getOcclusion) const {
         if (!baked_) return;
         for (std::size_t v = group.occlusion.size(); v < group.mesh.positions.size(); ++v)
-            group.occlusion.push_back(occlusionOf(group.mesh.positions[v], group.mesh.normals[v]));
+            group.occlusion.push_back(getOcclusion(group.mesh.positions[v], group.mesh.normals[v]));
     }
 
     void addSphere(std::size_t i, std::uint32_t list) {
         const Sphere& sphere = scene_.spheres[i];
         const SphereLook& look = scene_.sphereLooks[i];
         if (!instances_) {
-            GroupMesh& group = meshOf(list, look.atom, "atoms");
+            GroupMesh& group = findMesh(list, look.atom, "atoms");
             addBall(group.mesh, sphere.center, sphere.radius, look.color, result_.sides);
             return occlude(group, [&](const glm::vec3&, const glm::vec3& normal) {
                 return baked_->ofSphere(static_cast<std::uint32_t>(i), normal);
             });
         }
-        placed_[{list, chainOf(look.atom), "atoms", look.color}].push_back(
+        placed_[{list, chainName(look.atom), "atoms", look.color}].push_back(
             {sphere.center, glm::quat(1, 0, 0, 0), glm::vec3(sphere.radius)});
     }
 
@@ -137,7 +137,7 @@ private:
         const Cylinder& stick = scene_.cylinders[i];
         const CylinderLook& look = scene_.cylinderLooks[i];
         if (!instances_) {
-            GroupMesh& group = meshOf(list, look.atomA, "sticks");
+            GroupMesh& group = findMesh(list, look.atomA, "sticks");
             addCylinder(group.mesh, stick.a, stick.b, stick.radius, look.colorA, look.colorB, result_.sides);
             return occlude(group, [&](const glm::vec3& at, const glm::vec3& normal) {
                 const glm::vec3 span = stick.b - stick.a, axis = glm::normalize(span);
@@ -148,9 +148,9 @@ private:
             });
         }
         const glm::vec3 middle = (stick.a + stick.b) / 2.0f;
-        const bool whole = look.colorA == look.colorB && chainOf(look.atomA) == chainOf(look.atomB);
-        addHalf(stick.a, whole ? stick.b : middle, stick.radius, {list, chainOf(look.atomA), "sticks", look.colorA});
-        if (!whole) addHalf(middle, stick.b, stick.radius, {list, chainOf(look.atomB), "sticks", look.colorB});
+        const bool whole = look.colorA == look.colorB && chainName(look.atomA) == chainName(look.atomB);
+        addHalf(stick.a, whole ? stick.b : middle, stick.radius, {list, chainName(look.atomA), "sticks", look.colorA});
+        if (!whole) addHalf(middle, stick.b, stick.radius, {list, chainName(look.atomB), "sticks", look.colorB});
     }
 
     void addHalf(const glm::vec3& a, const glm::vec3& b, float radius, const ExportGroup& group) {
@@ -164,25 +164,25 @@ private:
     }
 
     /// Copies of a list in an assembly, else the identity.
-    std::vector<std::uint32_t> copiesOf(std::uint32_t list) const {
+    std::vector<std::uint32_t> listCopies(std::uint32_t list) const {
         return scene_.copies.transforms.empty() ? std::vector<std::uint32_t>{0} : scene_.copies.lists[list];
     }
-    glm::dmat4x3 transformOf(std::uint32_t copy) const {
+    glm::dmat4x3 copyTransform(std::uint32_t copy) const {
         return scene_.copies.transforms.empty() ? glm::dmat4x3(1.0) : scene_.copies.transforms[copy];
     }
-    std::uint32_t colorOf(std::uint32_t color, std::uint32_t copy) const {
+    std::uint32_t copyColor(std::uint32_t color, std::uint32_t copy) const {
         const auto& colors = scene_.copies.colors;
         return isCopyTint(color) && !colors.empty() ? tintedColor(colors[copy % colors.size()], color) : color;
     }
 
-    std::string nameOf(const ExportGroup& group) const {
+    std::string groupName(const ExportGroup& group) const {
         return (group.chain.empty() ? std::string("molecule") : "chain " + group.chain) + ", " + group.kind;
     }
 
     /// Each copy of a group becomes a node of the file, about 2 kB during writing.
     void checkInstances() const {
         std::size_t copies = 0;
-        for (const auto& placed : placed_) copies += copiesOf(placed.first.list).size();
+        for (const auto& placed : placed_) copies += listCopies(placed.first.list).size();
         if (copies > kMostExportCopies)
             throw Error("cannot export molecule", "",
                         "its instances would have " + std::to_string(copies) + " copies, more than the limit of " +
@@ -193,11 +193,11 @@ private:
     template <typename Add>
     void byColorOfCopy(std::uint32_t list, bool tinted, const Add& add) {
         std::map<std::size_t, std::vector<std::uint32_t>> parts;
-        for (const std::uint32_t copy : copiesOf(list))
+        for (const std::uint32_t copy : listCopies(list))
             parts[tinted ? copy % std::max<std::size_t>(scene_.copies.colors.size(), 1) : 0].push_back(copy);
         for (const auto& [color, copies] : parts) {
             std::vector<glm::dmat4x3> transforms;
-            for (const std::uint32_t copy : copies) transforms.push_back(transformOf(copy));
+            for (const std::uint32_t copy : copies) transforms.push_back(copyTransform(copy));
             add(copies.front(), std::move(transforms));
         }
     }
@@ -206,8 +206,8 @@ private:
         const bool tinted = std::any_of(mesh.atoms.begin(), mesh.atoms.end(), isCopyTint);
         byColorOfCopy(group.list, tinted, [&](std::uint32_t copy, std::vector<glm::dmat4x3> transforms) {
             Mesh colored = mesh;
-            for (std::uint32_t& color : colored.atoms) color = colorOf(color, copy);
-            result_.meshes.push_back({nameOf(group), std::move(colored), std::move(transforms), occlusion});
+            for (std::uint32_t& color : colored.atoms) color = copyColor(color, copy);
+            result_.meshes.push_back({groupName(group), std::move(colored), std::move(transforms), occlusion});
         });
     }
 
@@ -216,7 +216,7 @@ private:
             group.list, isCopyTint(group.color), [&](std::uint32_t copy, std::vector<glm::dmat4x3> transforms) {
                 const auto shape = group.kind == "atoms" ? ExportInstances::Shape::ball : ExportInstances::Shape::stick;
                 result_.instances.push_back(
-                    {nameOf(group), shape, colorOf(group.color, copy), places, std::move(transforms)});
+                    {groupName(group), shape, copyColor(group.color, copy), places, std::move(transforms)});
             });
     }
 

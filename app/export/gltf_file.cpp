@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kUnsignedShort = 5123;  // componentType
 constexpr int kVertices = 34962, kIndices = 34963;                        // target
 
-float linearOf(std::uint32_t color, int channel) {
+float toLinear(std::uint32_t color, int channel) {
     return srgbToLinear(static_cast<float>(color >> 8 * channel & 255) / 255.0f);
 }
 
@@ -80,7 +80,7 @@ private:
         std::vector<std::array<std::uint16_t, 4>> colors;
         for (std::size_t v = 0; v < mesh.atoms.size(); ++v) {
             const std::uint32_t c = mesh.atoms[v];
-            const glm::vec3 base(linearOf(c, 0), linearOf(c, 1), linearOf(c, 2));
+            const glm::vec3 base(toLinear(c, 0), toLinear(c, 1), toLinear(c, 2));
             const glm::vec3 lit = occlusion.empty() ? base : base * reachingLight(base, occlusion[v]);
             std::array<std::uint16_t, 4> linear{};
             for (int i = 0; i < 3; ++i)
@@ -105,17 +105,17 @@ private:
         const int indices = addAccessor(mesh.triangles, kUnsignedInt, "SCALAR", kIndices);
         json_["accessors"].back()["count"] = mesh.triangles.size() * 3;
         const Json primitive = {
-            {"attributes", attributes}, {"indices", indices}, {"material", materialOf(color, translucent)}};
+            {"attributes", attributes}, {"indices", indices}, {"material", addMaterial(color, translucent)}};
         json_["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive})}});
         return json_["meshes"].size() - 1;
     }
 
-    std::size_t materialOf(std::optional<std::uint32_t> color, bool translucent) {
+    std::size_t addMaterial(std::optional<std::uint32_t> color, bool translucent) {
         const auto [known, added] = materials_.emplace(std::pair(color, translucent), json_["materials"].size());
         if (added) {
             Json shade = {{"metallicFactor", 0}, {"roughnessFactor", 0.6}};
             if (color)
-                shade["baseColorFactor"] = {linearOf(*color, 0), linearOf(*color, 1), linearOf(*color, 2),
+                shade["baseColorFactor"] = {toLinear(*color, 0), toLinear(*color, 1), toLinear(*color, 2),
                                             opacitySteps(*color) / double{kOpacitySteps}};
             json_["materials"].push_back({{"pbrMetallicRoughness", shade}});
             if (translucent) json_["materials"].back().update({{"alphaMode", "BLEND"}, {"doubleSided", true}});

@@ -83,7 +83,7 @@ void append(std::string& out, const glm::vec3& p) {
 
 std::vector<std::string> sceneEndings() { return {".glb", ".usdz", ".ply", ".stl", ".obj"}; }
 
-bool isSceneName(const std::string& path) { return std::ranges::count(sceneEndings(), extensionOf(path)) > 0; }
+bool isSceneName(const std::string& path) { return std::ranges::count(sceneEndings(), fileExtension(path)) > 0; }
 
 std::string sceneFile(const ExportScene& scene, const std::string& ending, const SceneFileOptions& options) {
     if (ending == ".glb") return glbFile(scene, options);

@@ -76,12 +76,12 @@ private:
             UsdPart& part =
                 parts.try_emplace(opacitySteps(color), UsdPart{&mesh, opacitySteps(color), {}, {}}).first->second;
             part.triangles.push_back(t);
-            part.colors.push_back(placeOf(color & kRgb));
+            part.colors.push_back(indexColor(color & kRgb));
         }
         for (auto& [opacity, part] : parts) parts_.push_back(std::move(part));
     }
 
-    std::uint32_t placeOf(std::uint32_t color) {
+    std::uint32_t indexColor(std::uint32_t color) {
         const auto [known, added] = places_.emplace(color, static_cast<std::uint32_t>(colors_.size()));
         if (added) colors_.push_back(color);
         if (colors_.size() > kMostUsdzColors)
@@ -122,7 +122,7 @@ private:
         for (const UsdPart& part : parts_) opacities[part.opacity] = true;
         std::string out = "    def Scope \"Materials\"\n    {\n";
         for (const auto& [opacity, used] : opacities) {
-            const std::string name = materialOf(opacity), path = "/Molecule/Materials/" + name;
+            const std::string name = materialName(opacity), path = "/Molecule/Materials/" + name;
             out += "        def Material \"" + name + "\"\n        {\n            token outputs:surface.connect = <" +
                    path +
                    "/Surface.outputs:surface>\n\n"
@@ -165,18 +165,18 @@ private:
                 out += "    def Xform \"" + name + (copy ? "_copy_" + std::to_string(copy + 1) : "") +
                        "\" (\n        prepend apiSchemas = [\"MaterialBindingAPI\"]\n    )\n    {\n"
                        "        rel material:binding = </Molecule/Materials/" +
-                       materialOf(part.opacity) + ">\n" + transformOf(part.mesh->transforms[copy]);
+                       materialName(part.opacity) + ">\n" + formatTransform(part.mesh->transforms[copy]);
                 if (copy)
                     out += "\n        def Mesh \"Mesh\" (\n            prepend references = </Molecule/" + name +
                            "/Mesh>\n        )\n        {\n        }\n    }\n\n";
                 else
-                    out += "\n        def Mesh \"Mesh\"\n        {\n" + geometryOf(part) + "        }\n    }\n\n";
+                    out += "\n        def Mesh \"Mesh\"\n        {\n" + writeGeometry(part) + "        }\n    }\n\n";
             }
         }
         return out;
     }
 
-    std::string geometryOf(const UsdPart& part) const {
+    std::string writeGeometry(const UsdPart& part) const {
         // Parts of a mesh with several opacities keep only their own vertices.
         const Mesh& mesh = part.mesh->mesh;
         std::vector<std::uint32_t> kept, numbers(mesh.positions.size(), ~0u);
@@ -229,7 +229,7 @@ private:
         return out + "]";
     }
 
-    static std::string transformOf(const glm::dmat4x3& t) {
+    static std::string formatTransform(const glm::dmat4x3& t) {
         if (t == glm::dmat4x3(1.0)) return {};
         std::string out = "        matrix4d xformOp:transform = (";
         for (int column = 0; column < 4; ++column) {
@@ -243,7 +243,7 @@ private:
         return out + " )\n        uniform token[] xformOpOrder = [\"xformOp:transform\"]\n";
     }
 
-    static std::string materialOf(std::uint32_t opacity) {
+    static std::string materialName(std::uint32_t opacity) {
         return opacity == kOpacitySteps ? "Opaque" : "Translucent_" + std::to_string(opacity);
     }
 

@@ -24,7 +24,7 @@ std::size_t checksum(const std::string& bytes) {
 }
 
 /// Fields shared by a local header and a directory entry.
-std::string entryOf(const PackedFile& file, std::size_t extra) {
+std::string makeEntry(const PackedFile& file, std::size_t extra) {
     std::string out;
     little(out, 10, 2);  // version needed
     little(out, 0, 2);   // flags
@@ -49,14 +49,14 @@ std::string storedArchive(const std::vector<PackedFile>& files, std::size_t most
         extra += (kAlignment - (at + kLocalHeader + file.name.size() + extra) % kAlignment) % kAlignment;
         if (at + kLocalHeader + file.name.size() + extra + file.bytes.size() > most)
             throw Error("cannot export molecule", "", "a .usdz file is limited to 4 GiB (fewer --sides, or .glb)");
-        out += "PK\x03\x04" + entryOf(file, extra) + file.name;
+        out += "PK\x03\x04" + makeEntry(file, extra) + file.name;
         little(out, kPadding, 2);
         little(out, extra - kExtraHeader, 2);
         out.append(extra - kExtraHeader, '\0');
         out += file.bytes;
         directory += "PK\x01\x02";
         little(directory, 10, 2);  // made by
-        directory += entryOf(file, 0);
+        directory += makeEntry(file, 0);
         directory.append(10, '\0');  // comment, disk, attributes
         little(directory, at, 4);
         directory += file.name;

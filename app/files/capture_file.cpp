@@ -47,7 +47,7 @@ bool isWholeCapture(const std::string& path) {
 
 std::string captureStem(OutputFile& file) {
     std::string stem = file.temporary();
-    stem.resize(stem.size() - extensionOf(stem).size());
+    stem.resize(stem.size() - fileExtension(stem).size());
     file.alsoRemove(stem + "_capture.rdc");  // RenderDoc's name for a stem
     return stem;
 }

@@ -40,7 +40,7 @@ std::vector<char32_t> codePoints(std::string_view text) {
     return all;
 }
 
-std::u16string utf16Of(std::string_view utf8) {
+std::u16string toUtf16(std::string_view utf8) {
     std::u16string out;
     for (const char32_t c : codePoints(utf8)) {
         if (c >= 0x10000) out += static_cast<char16_t>(0xd800 + ((c - 0x10000) >> 10));
@@ -49,7 +49,7 @@ std::u16string utf16Of(std::string_view utf8) {
     return out;
 }
 
-std::string utf8Of(std::u16string_view utf16) {
+std::string toUtf8(std::u16string_view utf16) {
     std::string out;
     for (std::size_t i = 0; i < utf16.size(); ++i) {
         char32_t c = utf16[i];

@@ -21,7 +21,7 @@ CodePoint firstCodePoint(std::string_view text);
 std::vector<char32_t> codePoints(std::string_view text);
 
 /// Converts between UTF-8 and UTF-16, which Java uses. Invalid input becomes U+FFFD.
-std::u16string utf16Of(std::string_view utf8);
-std::string utf8Of(std::u16string_view utf16);
+std::u16string toUtf16(std::string_view utf8);
+std::string toUtf8(std::u16string_view utf16);
 
 }  // namespace nacre::app

@@ -58,7 +58,7 @@ nlohmann::ordered_json trafficJson(const CountedTraffic& traffic) {
             {"counters", counters}};
 }
 
-CountedTraffic countedOf(const DeviceInfo& device, const DeviceOptions& options) {
+CountedTraffic queryTraffic(const DeviceInfo& device, const DeviceOptions& options) {
     constexpr const char* kCounters = "VK_KHR_performance_query";
     CountedTraffic traffic;
     traffic.lacks = std::string("the driver has no ") + kCounters;

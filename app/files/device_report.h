@@ -14,6 +14,6 @@ nlohmann::ordered_json deviceJson(const DeviceInfo& device);
 /// Bytes counted by the device and by the plan.
 nlohmann::ordered_json trafficJson(const CountedTraffic& traffic);
 /// Counts the bytes now, or reports why that is impossible.
-CountedTraffic countedOf(const DeviceInfo& device, const DeviceOptions& options);
+CountedTraffic queryTraffic(const DeviceInfo& device, const DeviceOptions& options);
 
 }  // namespace nacre::app

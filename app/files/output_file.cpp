@@ -171,7 +171,7 @@ OutputFile::OutputFile(const std::string& path, const std::string& extension) : 
         if (!real.empty()) target_ = real.string();
     }
     if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) fail(path, "it is not a plain file");
-    makeTemporary(fs::path(target_).parent_path().string(), extensionOf(path));
+    makeTemporary(fs::path(target_).parent_path().string(), fileExtension(path));
 }
 
 void OutputFile::makeTemporary(const std::string& folder, const std::string& extension) {
@@ -236,7 +236,7 @@ void OutputFile::copyToStandardOutput() const {
     if (!why.empty()) fail(path_, why);
 }
 
-std::string extensionOf(const std::string& path) {
+std::string fileExtension(const std::string& path) {
     std::string extension = fs::path(path).extension().string();
     for (char& c : extension)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

@@ -55,7 +55,7 @@ void keepOnSignals(const std::string& temporary);
 void removeUnfinishedFiles();
 
 /// Extension in lower case, with the dot; empty if there is none.
-std::string extensionOf(const std::string& path);
+std::string fileExtension(const std::string& path);
 
 /// Writes a text, completely or not at all. @throws Error
 void writeText(OutputFile& file, const std::string& text);

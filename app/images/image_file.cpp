@@ -29,8 +29,8 @@ struct ImageTarget {
     int file;               ///< open for reading and writing
 };
 
-ImageTarget targetOf(const OutputFile& file) {
-    return {file.path(), file.temporary(), extensionOf(file.temporary()), file.descriptor()};
+ImageTarget makeTarget(const OutputFile& file) {
+    return {file.path(), file.temporary(), fileExtension(file.temporary()), file.descriptor()};
 }
 
 bool isJpeg(const std::string& extension) { return extension == ".jpg" || extension == ".jpeg"; }
@@ -101,18 +101,18 @@ void write(const ImageTarget& target, ImageRequest request, Convert& convert) {
     if (!codec(target)(&request, why.data(), why.size())) fail(target, why.data());
 }
 
-ImageRequest requestOf(std::uint32_t width, std::uint32_t height, std::uint32_t channels, Samples samples) {
+ImageRequest makeRequest(std::uint32_t width, std::uint32_t height, std::uint32_t channels, Samples samples) {
     return {nullptr, -1, nullptr, width, height, channels, samples, nullptr, -1, -1, 0, nullptr, nullptr};
 }
 
 }  // namespace
 
-PictureFormat formatOf(const PictureDescription& picture) {
+PictureFormat chooseFormat(const PictureDescription& picture) {
     return {picture.background[3] < 1.0f, picture.bits, picture.dpi.value_or(0)};
 }
 
 bool hasAlpha(const PictureFormat& format, const std::string& path) {
-    return format.alpha && !isJpeg(extensionOf(path));
+    return format.alpha && !isJpeg(fileExtension(path));
 }
 
 namespace {
@@ -132,7 +132,7 @@ void writeCoded(const ImageTarget& target, ImageRequest request, const PictureRo
 void writeRows(const ImageTarget& target, std::uint32_t width, std::uint32_t height, const PictureRows& source,
                const PictureFormat& format) {
     if (target.extension == ".exr") {
-        ImageRequest request = requestOf(width, height, 4, Samples::halves);
+        ImageRequest request = makeRequest(width, height, 4, Samples::halves);
         constexpr const char* kNames[] = {"R", "G", "B", "A"};
         request.channelNames = kNames;
         request.alphaChannel = 3;
@@ -141,7 +141,7 @@ void writeRows(const ImageTarget& target, std::uint32_t width, std::uint32_t hei
     }
     const bool words = format.bits == 16;
     const bool alpha = format.alpha && !isJpeg(target.extension);
-    ImageRequest request = requestOf(width, height, alpha ? 4 : 3, words ? Samples::words : Samples::bytes);
+    ImageRequest request = makeRequest(width, height, alpha ? 4 : 3, words ? Samples::words : Samples::bytes);
     request.dotsPerInch = static_cast<float>(format.dpi);
     if (words)
         writeCoded<std::uint16_t>(target, request, source);
@@ -149,26 +149,26 @@ void writeRows(const ImageTarget& target, std::uint32_t width, std::uint32_t hei
         writeCoded<std::uint8_t>(target, request, source);
 }
 
-PictureRows rowsOf(const Picture& picture) {
+PictureRows toRows(const Picture& picture) {
     return [&](std::size_t first, std::size_t) { return picture.rgba.data() + first * picture.width * 4; };
 }
 
 }  // namespace
 
 void writePicture(OutputFile& file, const Picture& picture, const PictureFormat& format) {
-    writePicture(file, picture.width, picture.height, rowsOf(picture), format);
+    writePicture(file, picture.width, picture.height, toRows(picture), format);
 }
 
 void writePicture(OutputFile& file, std::uint32_t width, std::uint32_t height, const PictureRows& source,
                   const PictureFormat& format) {
-    writeRows(targetOf(file), width, height, source, format);
+    writeRows(makeTarget(file), width, height, source, format);
     file.commit();
 }
 
 std::string encodePicture(const std::string& extension, const Picture& picture, const PictureFormat& format) {
     UnnamedFile file;
     writeRows({"the picture", file.path(), extension, file.descriptor()}, picture.width, picture.height,
-              rowsOf(picture), format);
+              toRows(picture), format);
     return file.bytes();
 }
 
@@ -176,7 +176,7 @@ namespace {
 
 void writeCodes(const ImageTarget& target, const CodedPicture& picture, double dpi) {
     const auto channels = static_cast<std::uint32_t>(picture.channels());
-    ImageRequest request = requestOf(picture.width, picture.height, channels, Samples::bytes);
+    ImageRequest request = makeRequest(picture.width, picture.height, channels, Samples::bytes);
     request.dotsPerInch = static_cast<float>(dpi);
     auto rows = [&](std::size_t first, std::size_t) { return picture.bytes.data() + first * picture.width * channels; };
     write(target, request, rows);
@@ -191,14 +191,14 @@ std::string encodePicture(const std::string& extension, const CodedPicture& pict
 }
 
 void writePicture(OutputFile& file, const CodedPicture& picture, double dpi) {
-    writeCodes(targetOf(file), picture, dpi);
+    writeCodes(makeTarget(file), picture, dpi);
     file.commit();
 }
 
 void writeLayers(OutputFile& file, const LayerPicture& layers) {
     constexpr std::uint32_t kChannels = 10;
     constexpr const char* kNames[kChannels] = {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id.Y", "occlusion.Y"};
-    ImageRequest request = requestOf(layers.width, layers.height, kChannels, Samples::floats);
+    ImageRequest request = makeRequest(layers.width, layers.height, kChannels, Samples::floats);
     request.channelNames = kNames;
     request.alphaChannel = 3;
     request.depthChannel = 4;
@@ -216,7 +216,7 @@ void writeLayers(OutputFile& file, const LayerPicture& layers) {
         }
         return values.data();
     };
-    write(targetOf(file), request, rows);
+    write(makeTarget(file), request, rows);
     file.commit();
 }
 

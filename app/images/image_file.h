@@ -19,7 +19,7 @@ struct PictureFormat {
 };
 
 /// The format requested by a description.
-PictureFormat formatOf(const PictureDescription& picture);
+PictureFormat chooseFormat(const PictureDescription& picture);
 /// Whether a file of this name has an alpha channel.
 bool hasAlpha(const PictureFormat& format, const std::string& path);
 

@@ -41,19 +41,19 @@ struct Target {
     }
 };
 
-Target& targetOf(j_compress_ptr jpeg) { return *reinterpret_cast<Target*>(jpeg->dest); }
+Target& toTarget(j_compress_ptr jpeg) { return *reinterpret_cast<Target*>(jpeg->dest); }
 
 /// Writes libjpeg's chunks to the file, which records failures such as a full disk.
 void connect(j_compress_ptr jpeg, Target& target) {
-    target.manager.init_destination = [](j_compress_ptr j) { targetOf(j).empty(); };
+    target.manager.init_destination = [](j_compress_ptr j) { toTarget(j).empty(); };
     target.manager.empty_output_buffer = [](j_compress_ptr j) -> boolean {
-        targetOf(j).file->write(targetOf(j).bytes.data(), targetOf(j).bytes.size());
-        targetOf(j).empty();
+        toTarget(j).file->write(toTarget(j).bytes.data(), toTarget(j).bytes.size());
+        toTarget(j).empty();
         return TRUE;
     };
     target.manager.term_destination = [](j_compress_ptr j) {
-        targetOf(j).file->write(targetOf(j).bytes.data(),
-                                targetOf(j).bytes.size() - targetOf(j).manager.free_in_buffer);
+        toTarget(j).file->write(toTarget(j).bytes.data(),
+                                toTarget(j).bytes.size() - toTarget(j).manager.free_in_buffer);
     };
     jpeg->dest = &target.manager;
 }

@@ -104,7 +104,7 @@ namespace {
 
 constexpr std::size_t kWholeBytes = std::size_t{64} << 20;  ///< largest picture that is compressed in one piece
 
-std::size_t rowBytesOf(const ImageRequest& request) {
+std::size_t countRowBytes(const ImageRequest& request) {
     return std::size_t{request.width} * request.channels * (request.samples == Samples::words ? 2 : 1);
 }
 
@@ -116,7 +116,7 @@ struct Bytes {
 
 /// The rows with PNG's filter "up": the difference from the row above.
 Bytes filteredRows(const ImageRequest& request) {
-    const std::size_t rowBytes = rowBytesOf(request);
+    const std::size_t rowBytes = countRowBytes(request);
     Bytes filtered((rowBytes + 1) * request.height);
     std::vector<unsigned char> above(rowBytes);
     unsigned char* to = filtered.data.get();
@@ -158,7 +158,7 @@ void writePng(const ImageRequest& request) {
     const PngWriter writer(state);
     if (!writer.info) throw std::runtime_error("libpng has no memory");
     check(beginPng(writer.png, writer.info, request));
-    const std::size_t rowBytes = rowBytesOf(request);
+    const std::size_t rowBytes = countRowBytes(request);
     bool good = false;
     if (request.samples == Samples::bytes && rowBytes * request.height <= kWholeBytes) {
         const Bytes data = compressed(filteredRows(request));

@@ -90,7 +90,7 @@ std::uint64_t writeFields(const std::vector<Field>& fields, bool big, CheckedFil
     return place;
 }
 
-std::vector<std::uint8_t> headerOf(bool big, std::uint64_t fields) {
+std::vector<std::uint8_t> makeHeader(bool big, std::uint64_t fields) {
     std::vector<std::uint8_t> header = {'I', 'I', static_cast<std::uint8_t>(big ? 43 : 42), 0};
     if (big) put(header, 8, 4);
     put(header, fields, big ? 8 : 4);
@@ -104,7 +104,7 @@ void writeTiff(const ImageRequest& request, CheckedFile& file) {
     const std::size_t row = std::size_t{request.width} * channels * sample;
     constexpr std::uint64_t kMostOfTiff = 4'000'000'000;
     const bool big = std::uint64_t{row} * request.height > kMostOfTiff;
-    const std::vector<std::uint8_t> placeholder = headerOf(big, 0);
+    const std::vector<std::uint8_t> placeholder = makeHeader(big, 0);
     file.write(placeholder.data(), placeholder.size());
     std::vector<std::uint64_t> places, sizes;
     for (std::uint32_t first = 0; first < request.height; first += kRowsAtOnce) {
@@ -148,7 +148,7 @@ void writeTiff(const ImageRequest& request, CheckedFile& file) {
     if (channels == 4) fields.push_back(field(338, words, {kStraight}));
     fields.push_back(fieldOfBytes(34675, bytes, srgbProfile()));
     const std::uint64_t at = writeFields(fields, big, file);
-    const std::vector<std::uint8_t> header = headerOf(big, at);
+    const std::vector<std::uint8_t> header = makeHeader(big, at);
     file.seek(0);
     file.write(header.data(), header.size());
 }

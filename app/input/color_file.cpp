@@ -16,7 +16,7 @@ using TableJson = nlohmann::ordered_json;
 constexpr std::size_t kMostTableBytes = std::size_t{64} << 20, kMostColumns = 1000;
 
 /// The cells of a line. A quoted cell may contain the separator, and quotes as "".
-Cells cellsOf(std::string_view line, char separator) {
+Cells splitCells(std::string_view line, char separator) {
     Cells cells(1);
     bool quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -55,17 +55,17 @@ ColorTable readCsv(std::string_view text, const std::string& name, const std::st
                 if (sign != lineEnd && line.find(',') == std::string_view::npos &&
                     line.find(sign) != std::string_view::npos)
                     separator = sign;
-            const Cells names = cellsOf(line, separator);
+            const Cells names = splitCells(line, separator);
             if (names.size() > kMostColumns) reader.fail(number, "it has more than 1000 columns");
             reader.header(names, column, number);
         } else {
-            reader.row(cellsOf(line, separator), number);
+            reader.row(splitCells(line, separator), number);
         }
     }
     return reader.finish();
 }
 
-std::string textOf(const TableJson& value) {
+std::string toText(const TableJson& value) {
     if (value.is_null()) return {};
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
@@ -77,7 +77,7 @@ ColorTable readJson(const std::string& text, const std::string& name, const std:
     ColorRows reader(name, "row");
     Cells names;
     std::vector<Cells> rows;
-    const auto columnOf = [&](const std::string& key) {
+    const auto findColumn = [&](const std::string& key) {
         const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), key) - names.begin());
         if (at == names.size()) names.push_back(key);
         if (names.size() > kMostColumns) refuse("it has more than 1000 columns");
@@ -90,10 +90,10 @@ ColorTable readJson(const std::string& text, const std::string& name, const std:
                 refuse("\"" + key + "\" has " + std::to_string(list.size()) + " values, where others have " +
                        std::to_string(rows.size()));
             rows.resize(list.size());
-            const std::size_t at = columnOf(key);
+            const std::size_t at = findColumn(key);
             for (std::size_t i = 0; i < list.size(); ++i) {
                 rows[i].resize(at + 1);
-                rows[i][at] = textOf(list[i]);
+                rows[i][at] = toText(list[i]);
             }
         }
     } else if (json.is_array()) {
@@ -101,9 +101,9 @@ ColorTable readJson(const std::string& text, const std::string& name, const std:
             if (!one.is_object()) refuse("(row " + std::to_string(rows.size() + 1) + "): expected an object");
             Cells& cells = rows.emplace_back();
             for (const auto& [key, value] : one.items()) {
-                const std::size_t at = columnOf(key);
+                const std::size_t at = findColumn(key);
                 if (cells.size() <= at) cells.resize(at + 1);
-                cells[at] = textOf(value);
+                cells[at] = toText(value);
             }
         }
     } else {

@@ -124,8 +124,9 @@ bool ColorRows::has(Column column) const {
 
 void ColorRows::chooseUnknown(const Cells& names, const std::vector<std::string>& unknown, std::uint64_t number) {
     if (unknown.size() != 1)
-        fail(number, unknown.empty() ? "no column has colours or values"
-                                     : "which column has the values: " + anyOf(unknown) + "? (FILE:value=COLUMN)");
+        fail(number, unknown.empty()
+                         ? "no column has colours or values"
+                         : "which column has the values: " + joinAlternatives(unknown) + "? (FILE:value=COLUMN)");
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == unknown[0] && columns_[i] == Column::unknown) columns_[i] = Column::value;
     table_.title = unknown[0];
@@ -139,7 +140,7 @@ Number ColorRows::whole(const std::string& text, std::uint64_t number, const cha
 }
 
 /// "12", "12A", "12-20"; numbers may be negative.
-void ColorRows::numbersOf(const std::string& text, ColorTable::Row& row) const {
+void ColorRows::parseNumbers(const std::string& text, ColorTable::Row& row) const {
     const std::size_t dash = text.find('-', 1);
     if (dash != std::string::npos) {
         row.numbers = {whole<std::int32_t>(text.substr(0, dash), row.number, "residue number"),
@@ -165,7 +166,7 @@ void ColorRows::take(Column column, const std::string& text, ColorTable::Row& ro
             row.labelChain = text;
             return;
         case Column::number:
-            return numbersOf(text, row);
+            return parseNumbers(text, row);
         case Column::numberFirst:
             first_ = number();
             return;
@@ -207,10 +208,10 @@ void ColorRows::take(Column column, const std::string& text, ColorTable::Row& ro
             row.id = whole<std::uint32_t>(text, row.number, "valid atom number") + 1;
             return;
         case Column::color:
-            row.color = colorOf(text, row.number);
+            row.color = readColor(text, row.number);
             return;
         case Column::value:
-            row.value = valueOf(text, row.number);
+            row.value = parseValue(text, row.number);
             return;
         case Column::label:
             row.label = text;
@@ -221,7 +222,7 @@ void ColorRows::take(Column column, const std::string& text, ColorTable::Row& ro
     }
 }
 
-std::uint32_t ColorRows::colorOf(const std::string& text, std::uint64_t number) const {
+std::uint32_t ColorRows::readColor(const std::string& text, std::uint64_t number) const {
     try {
         const std::array<float, 4> color = parseColor(text);
         if (color[3] < 1) fail(number, "a colour must be opaque: '" + text + "'");
@@ -230,7 +231,7 @@ std::uint32_t ColorRows::colorOf(const std::string& text, std::uint64_t number) 
         fail(number, error.what());
     }
 }
-double ColorRows::valueOf(const std::string& text, std::uint64_t number) const {
+double ColorRows::parseValue(const std::string& text, std::uint64_t number) const {
     double value = 0;
     if (!readWhole(text, value) || !std::isfinite(value)) fail(number, "'" + text + "' is not a number");
     return value;

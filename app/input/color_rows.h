@@ -57,10 +57,10 @@ private:
     void chooseUnknown(const Cells& names, const std::vector<std::string>& unknown, std::uint64_t number);
     template <typename Number>
     Number whole(const std::string& text, std::uint64_t number, const char* what) const;
-    void numbersOf(const std::string& text, ColorTable::Row& row) const;
+    void parseNumbers(const std::string& text, ColorTable::Row& row) const;
     void take(Column column, const std::string& text, ColorTable::Row& row);
-    std::uint32_t colorOf(const std::string& text, std::uint64_t number) const;
-    double valueOf(const std::string& text, std::uint64_t number) const;
+    std::uint32_t readColor(const std::string& text, std::uint64_t number) const;
+    double parseValue(const std::string& text, std::uint64_t number) const;
 
     std::string name_;
     ColorTable table_;

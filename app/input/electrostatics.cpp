@@ -143,7 +143,7 @@ std::vector<std::uint32_t> chargedAtoms(const ResidueFacts& facts) {
 }
 
 /// Numbers residues anew, which avoids insertion codes, long numbers and missing numbers.
-std::string pdbOf(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
+std::string writePdb(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     constexpr int kNumbers = 10'000, kSerials = 100'000;
     ChainLetters letters;
     std::string text;
@@ -169,7 +169,7 @@ std::string pdbOf(const Molecule& molecule, const std::vector<std::uint32_t>& at
 }
 
 /// Charges and radii from the file.
-std::string pqrOf(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
+std::string writePqr(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     std::string text;
     int serial = 0;
     for (const std::uint32_t i : atoms) {
@@ -240,7 +240,7 @@ std::string solverInput(const Grid& grid) {
     return text;
 }
 
-std::string contentOf(const std::string& path) {
+std::string readContents(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -288,7 +288,7 @@ std::shared_ptr<const DensityMap> electrostaticPotential(const ResidueFacts& fac
     const Molecule& molecule = facts.molecule();
     const std::vector<std::uint32_t> atoms = chargedAtoms(facts);
     const bool stated = !molecule.partialCharges.empty() && !molecule.radii.empty();
-    const std::string text = stated ? pqrOf(molecule, atoms) : pdbOf(molecule, atoms);
+    const std::string text = stated ? writePqr(molecule, atoms) : writePdb(molecule, atoms);
     const MapLimits limits = mapLimits(input);
     const std::string key = std::string(kName) + " " + std::to_string(std::hash<std::string>{}(text)) + " " +
                             std::to_string(text.size()) + " " + std::to_string(limits.maxBytes);
@@ -304,7 +304,7 @@ std::shared_ptr<const DensityMap> electrostaticPotential(const ResidueFacts& fac
     }
     ReadOptions reading;
     reading.format = Format::pqr;
-    const Molecule charged = readMolecule(kName, contentOf(folder / "charged.pqr"), reading);
+    const Molecule charged = readMolecule(kName, readContents(folder / "charged.pqr"), reading);
     if (!stated)
         if (const std::string names = leftOut(molecule, atoms, charged); !names.empty())
             warning = "it leaves out " + names + ": AMBER's force field has no charges for them";

@@ -22,7 +22,7 @@ int inputNumber(const Molecule& molecule, std::uint32_t atom) {
 }
 
 /// The INPUT to which the atoms belong. @throws Error if there are several
-int inputOf(const Molecule& molecule, const std::vector<bool>& atoms, const Selection& selection) {
+int soleInput(const Molecule& molecule, const std::vector<bool>& atoms, const Selection& selection) {
     int input = 0;
     for (std::uint32_t i = 0; i < atoms.size(); ++i) {
         if (!atoms[i] || inputNumber(molecule, i) == input) continue;
@@ -34,7 +34,7 @@ int inputOf(const Molecule& molecule, const std::vector<bool>& atoms, const Sele
 }
 
 /// Root of the mean squared distance from the middle, Å.
-double spreadOf(const std::vector<glm::dvec3>& points) {
+double measureSpread(const std::vector<glm::dvec3>& points) {
     glm::dvec3 sum(0);
     for (const glm::dvec3& point : points) sum += point;
     const glm::dvec3 middle = sum / static_cast<double>(points.size());
@@ -50,7 +50,7 @@ std::string threeDecimals(double value) {
 }
 
 /// " (chain A on B, C on D)": the paired chains, at most six pairs.
-std::string chainsOf(const Molecule& molecule, const AtomPairs& pairs) {
+std::string describeChains(const Molecule& molecule, const AtomPairs& pairs) {
     constexpr std::size_t kMostNamed = 6;
     std::string text;
     for (const auto& [moving, fixed] : std::span(pairs.chains).first(std::min(pairs.chains.size(), kMostNamed))) {
@@ -65,8 +65,8 @@ std::string chainsOf(const Molecule& molecule, const AtomPairs& pairs) {
 /// The INPUT that moves. @throws Error unless the selections belong to two INPUTs
 int movedInput(const Molecule& molecule, const FitOptions& fit, const std::vector<bool>& moving,
                const std::vector<bool>& fixed) {
-    const int moved = inputOf(molecule, moving, fit.moving);
-    if (moved == inputOf(molecule, fixed, fit.fixed))
+    const int moved = soleInput(molecule, moving, fit.moving);
+    if (moved == soleInput(molecule, fixed, fit.fixed))
         throw Error("cannot fit", fit.moving.text, "it is of the same INPUT as " + fit.fixed.text);
     return moved;
 }
@@ -94,13 +94,13 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
     // Worse fits than these indicate unrelated molecules.
     constexpr double kFarApart = 3, kShareOfSpread = 0.6;  // Å
     const bool unlike = 10 * pairs.sameResidues < 3 * pairs.residues;
-    if (fitted.rmsdOfAll > kFarApart && (unlike || fitted.rmsdOfAll > kShareOfSpread * spreadOf(to)))
+    if (fitted.rmsdOfAll > kFarApart && (unlike || fitted.rmsdOfAll > kShareOfSpread * measureSpread(to)))
         sayWarning("the fit of " + fit.moving.text + " onto " + fit.fixed.text +
                    " may make no sense: " + std::to_string(pairs.sameResidues) + " of " +
                    std::to_string(pairs.residues) + " residues have a counterpart, and atoms end far from theirs");
-    std::string said = "fit of " + fit.moving.text + " onto " + fit.fixed.text + chainsOf(molecule, pairs) + ": " +
-                       std::to_string(pairs.first.size()) + " pairs of atoms, RMSD " + threeDecimals(fitted.rmsdOfAll) +
-                       " Å";
+    std::string said = "fit of " + fit.moving.text + " onto " + fit.fixed.text + describeChains(molecule, pairs) +
+                       ": " + std::to_string(pairs.first.size()) + " pairs of atoms, RMSD " +
+                       threeDecimals(fitted.rmsdOfAll) + " Å";
     if (fitted.count < pairs.first.size())
         said += "; " + std::to_string(fitted.count) + " pairs, RMSD " + threeDecimals(fitted.motion.rmsd) +
                 " Å without " + std::to_string(pairs.first.size() - fitted.count) + " outliers";
@@ -115,7 +115,7 @@ struct Trace {
 };
 
 /// The chain with the most of the selected residues. @throws Error if they are too few or too many
-Trace traceOf(const ResidueFacts& facts, const std::vector<bool>& chosen, const Selection& selection) {
+Trace selectTrace(const ResidueFacts& facts, const std::vector<bool>& chosen, const Selection& selection) {
     const Molecule& m = facts.molecule();
     Trace longest, trace;
     const auto keep = [&] {
@@ -148,19 +148,19 @@ std::string alignInput(Molecule& molecule, const FitOptions& fit) {
     const std::vector<bool> inMoving = selectAtoms(molecule, fit.moving), inFixed = selectAtoms(molecule, fit.fixed);
     const int moved = movedInput(molecule, fit, inMoving, inFixed);
     const ResidueFacts facts(molecule);
-    const Trace moving = traceOf(facts, inMoving, fit.moving), fixed = traceOf(facts, inFixed, fit.fixed);
+    const Trace moving = selectTrace(facts, inMoving, fit.moving), fixed = selectTrace(facts, inFixed, fit.fixed);
     const StructureAlignment found = alignStructures(moving.residues, fixed.residues);
     AtomPairs chains;
     chains.chains.emplace_back(moving.chain, fixed.chain);
     std::size_t same = 0;
     for (const auto& [i, j] : found.pairs)
         same += molecule.residues[moving.numbers[i]].name == molecule.residues[fixed.numbers[j]].name ? 1 : 0;
-    std::string said = "alignment of " + fit.moving.text + " onto " + fit.fixed.text + chainsOf(molecule, chains) +
-                       ": " + std::to_string(found.pairs.size()) + " pairs of residues, " + std::to_string(same) +
-                       " of them equal, RMSD " + threeDecimals(found.motion.rmsd) + " Å, TM-score " +
-                       threeDecimals(found.scoreByMoving) + " by the " + std::to_string(moving.residues.size()) +
-                       " residues that move, " + threeDecimals(found.scoreByFixed) + " by the other " +
-                       std::to_string(fixed.residues.size());
+    std::string said = "alignment of " + fit.moving.text + " onto " + fit.fixed.text +
+                       describeChains(molecule, chains) + ": " + std::to_string(found.pairs.size()) +
+                       " pairs of residues, " + std::to_string(same) + " of them equal, RMSD " +
+                       threeDecimals(found.motion.rmsd) + " Å, TM-score " + threeDecimals(found.scoreByMoving) +
+                       " by the " + std::to_string(moving.residues.size()) + " residues that move, " +
+                       threeDecimals(found.scoreByFixed) + " by the other " + std::to_string(fixed.residues.size());
     // J. Xu and Y. Zhang, Bioinformatics 26 (2010) 889.
     constexpr double kSameFold = 0.5;
     if (std::max(found.scoreByMoving, found.scoreByFixed) < kSameFold) said += "; below 0.5 most folds differ";

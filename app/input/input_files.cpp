@@ -27,18 +27,18 @@ fs::path real(const fs::path& path) {
 
 constexpr int kMostNeighbours = 1000;  // files examined next to a view
 
-using HashOf = std::string (*)(const std::string& path);
+using ComputeHash = std::string (*)(const std::string& path);
 
 /// The file next to a view with the content that the view states; tries its own name first.
-fs::path beside(const fs::path& folder, const fs::path& name, const std::string& hash, HashOf hashOf) {
-    if (hashOf((folder / name).string()) == hash) return folder / name;
+fs::path beside(const fs::path& folder, const fs::path& name, const std::string& hash, ComputeHash computeHash) {
+    if (computeHash((folder / name).string()) == hash) return folder / name;
     std::error_code error;
     int seen = 0;
     for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
          entry.increment(error)) {
         if (++seen > kMostNeighbours) break;
         const std::uintmax_t bytes = entry->is_regular_file(error) ? entry->file_size(error) : 0;
-        if (!error && hash.starts_with(std::to_string(bytes) + "-") && hashOf(entry->path().string()) == hash)
+        if (!error && hash.starts_with(std::to_string(bytes) + "-") && computeHash(entry->path().string()) == hash)
             return folder / entry->path().filename();
     }
     return {};
@@ -94,7 +94,7 @@ std::string trajectoryHash(const std::string& path) { return hashOfFile(path, st
 PictureDescription withPathsIn(const std::string& view, PictureDescription picture) {
     const auto move = [&](std::string& file) { file = pathInView(view, file); };
     InputOptions& input = picture.input;
-    input.path = filePathOf(input);
+    input.path = resolveInputPath(input);
     input.hash = fileHash(input.path);
     input.trajectory.hash = trajectoryHash(input.trajectory.path);
     move(input.path);
@@ -111,7 +111,7 @@ PictureDescription withPathsIn(const std::string& view, PictureDescription pictu
     return picture;
 }
 
-std::string filePathOf(const InputOptions& input) {
+std::string resolveInputPath(const InputOptions& input) {
     if (input.namedBy.empty() || !isFile(input.path)) return input.path;
     const fs::path folder = fs::path(input.namedBy).parent_path(),
                    named = folder / input.path;  // an absolute path stays
@@ -121,9 +121,11 @@ std::string filePathOf(const InputOptions& input) {
     return moved.empty() ? named.string() : moved.string();
 }
 
-std::string openPathOf(const InputOptions& input) { return input.opened ? input.opened->path() : filePathOf(input); }
+std::string openedPath(const InputOptions& input) {
+    return input.opened ? input.opened->path() : resolveInputPath(input);
+}
 
-std::string trajectoryPathOf(const InputOptions& input) {
+std::string resolveTrajectoryPath(const InputOptions& input) {
     const fs::path path = input.trajectory.path;
     if (input.namedBy.empty() || path.empty()) return path.string();
     const fs::path folder = fs::path(input.namedBy).parent_path();
@@ -149,8 +151,8 @@ std::vector<std::string> trajectoryNotices(const TrajectoryOptions& trajectory) 
 }
 
 std::string outsideNotice(const InputOptions& input) {
-    if (input.namedBy.empty() || !isFile(input.path) || !isOutside(input.namedBy, filePathOf(input))) return {};
-    return outsideText(input.namedBy, filePathOf(input));
+    if (input.namedBy.empty() || !isFile(input.path) || !isOutside(input.namedBy, resolveInputPath(input))) return {};
+    return outsideText(input.namedBy, resolveInputPath(input));
 }
 
 }  // namespace nacre::app

@@ -24,7 +24,7 @@ std::vector<bool> matched(const Molecule& molecule, const Selection& selection) 
 }
 
 Json endJson(const Molecule& molecule, const std::vector<std::uint32_t>& atoms, bool image) {
-    EndFields fields = fieldsOf(molecule, atoms);
+    EndFields fields = endFields(molecule, atoms);
     return {{"chain", std::move(fields.chain)},
             {"model", fields.model},
             {"residue", std::move(fields.residue)},
@@ -37,7 +37,7 @@ Json endJson(const Molecule& molecule, const std::vector<std::uint32_t>& atoms, 
 
 }  // namespace
 
-EndFields fieldsOf(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
+EndFields endFields(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     const Residue& residue = molecule.residues[molecule.atoms[atoms.front()].residue];
     const Chain& chain = molecule.chains[residue.chain];
     EndFields fields{chain.name,
@@ -66,8 +66,8 @@ InteractionQuery interactionQuery(const Molecule& molecule, const ContactOptions
     return query;
 }
 
-std::vector<Interaction> interactionsOf(const Molecule& molecule, const ContactOptions& contacts,
-                                        const std::string& assembly) {
+std::vector<Interaction> listInteractions(const Molecule& molecule, const ContactOptions& contacts,
+                                          const std::string& assembly) {
     const InteractionQuery query = interactionQuery(molecule, contacts);
     if (assembly.empty()) return InteractionFinder(molecule, contacts.rules).find(molecule, query);
     RepresentationOptions look;

@@ -16,7 +16,7 @@ struct EndFields {
     std::vector<std::string> atoms;
     std::vector<std::uint32_t> ids;
 };
-EndFields fieldsOf(const Molecule& molecule, const std::vector<std::uint32_t>& atoms);
+EndFields endFields(const Molecule& molecule, const std::vector<std::uint32_t>& atoms);
 /// "a", "b", or "" without a donor.
 const char* donorName(const Interaction& interaction);
 /// Rounded to thousandths.
@@ -28,8 +28,8 @@ InteractionQuery interactionQuery(const Molecule& molecule, const ContactOptions
 /// @param assembly  its id: interactions of all its copies, each once, and those between copies, with an image as one
 /// end; empty: of the file's atoms
 /// @throws Error if a selection matches no atoms, or there is no such assembly
-std::vector<Interaction> interactionsOf(const Molecule& molecule, const ContactOptions& contacts,
-                                        const std::string& assembly = "");
+std::vector<Interaction> listInteractions(const Molecule& molecule, const ContactOptions& contacts,
+                                          const std::string& assembly = "");
 
 /// Each as {kind, a, b, distance (Å), angles {name: degrees}, offset (Å, of rings), donor ("a" or "b"), waters}; a, b
 /// and each of waters as {chain, model, residue, number, insertion, atoms, ids, other_copy (an image)}. Null where not

@@ -22,7 +22,7 @@ struct FileState {
     fs::file_time_type time{};
     friend bool operator==(const FileState&, const FileState&) = default;
 };
-std::optional<FileState> stateOf(const std::string& path) {
+std::optional<FileState> readState(const std::string& path) {
     std::error_code error;
     FileState state;
     state.size = fs::file_size(path, error);
@@ -113,19 +113,19 @@ std::string nameOfOpen(const InputOptions& input) { return input.opened ? input.
 }  // namespace
 
 bool isMap(const InputOptions& input) {
-    const std::string path = openPathOf(input);
+    const std::string path = openedPath(input);
     std::error_code error;
     return !input.format && fs::is_regular_file(path, error) && isMapFile(path, nameOfOpen(input));
 }
 
 std::string mapName(const InputOptions& input) {
-    if (!input.opened) return filePathOf(input);
+    if (!input.opened) return resolveInputPath(input);
     const std::string shown = input.opened->hasFolder() ? fs::path(input.path).filename().string() : "map";
     return std::string(kOpen) + fileHash(input.opened->path()) + "/" + shown;
 }
 
 DensityMap readMapInput(const InputOptions& input) {
-    return readMapFile(openPathOf(input), mapLimits(input), nameOfOpen(input));
+    return readMapFile(openedPath(input), mapLimits(input), nameOfOpen(input));
 }
 
 std::shared_ptr<const DensityMap> openMap(const InputOptions& input) {
@@ -136,12 +136,12 @@ std::shared_ptr<const DensityMap> openMap(const InputOptions& input) {
     return map;
 }
 
-std::shared_ptr<const DensityMap> mapOf(const std::string& path, const MapLimits& limits) {
+std::shared_ptr<const DensityMap> loadMap(const std::string& path, const MapLimits& limits) {
     if (path.starts_with(kOpen)) {
         if (auto held = openMaps().find(path)) return held;
         throw Error("cannot read map", path.substr(path.rfind('/') + 1), "it has changed since it was opened");
     }
-    const std::optional<FileState> state = stateOf(path);
+    const std::optional<FileState> state = readState(path);
     if (auto kept = keptMaps().find(path, state)) return kept;
     auto map = std::make_shared<const DensityMap>(readMapFile(path, limits));
     keptMaps().keep(path, state, map, limits.maxBytes);

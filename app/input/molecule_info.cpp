@@ -205,7 +205,7 @@ Json infoJson(const Molecule& molecule) {
     const std::vector<std::uint8_t> drawn = drawnOrders(molecule);
     json["bonds_known"] = bondsByKind(molecule, drawn);
     json["reading"] = Json::array();
-    for (const ReadNote& note : readingOf(molecule, drawn)) json["reading"].push_back(noteJson(note));
+    for (const ReadNote& note : listReadNotes(molecule, drawn)) json["reading"].push_back(noteJson(note));
     json["warnings"] = molecule.warnings;
     return json;
 }

@@ -26,7 +26,7 @@ constexpr double kThickest = 1000;  // maximum of radii and widths, Å or pixels
 /// The keys of one primitive. Keys that are never read are unknown ones.
 class Keys {
 public:
-    Keys(const PrimitiveJson& object, const PlaceOf& placeOf) : object_(object), placeOf_(placeOf) {}
+    Keys(const PrimitiveJson& object, const FindPlace& findPlace) : object_(object), findPlace_(findPlace) {}
 
     bool has(const char* key) {
         known_.emplace_back(key);
@@ -67,10 +67,10 @@ public:
     /// Three numbers, or a selection.
     glm::dvec3 place(const char* key) {
         return at(key, [&](const PrimitiveJson& v) {
-            return v.is_string() ? placeOf_(v.get<std::string>()) : threeNumbers(v);
+            return v.is_string() ? findPlace_(v.get<std::string>()) : threeNumbers(v);
         });
     }
-    std::uint32_t color(const char* key) { return at(key, colorOf); }
+    std::uint32_t color(const char* key) { return at(key, readColor); }
 
     std::array<glm::dvec3, 3> vectors(const char* key) {
         return at(key, [](const PrimitiveJson& v) {
@@ -97,7 +97,7 @@ public:
             throw std::invalid_argument("expected three numbers");
         return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
     }
-    static std::uint32_t colorOf(const PrimitiveJson& v) {
+    static std::uint32_t readColor(const PrimitiveJson& v) {
         if (!v.is_string()) throw std::invalid_argument("expected a colour's name or #rrggbb");
         const std::array<float, 4> color = parseColor(v.get<std::string>());
         if (color[3] < 1) throw std::invalid_argument("expected an opaque colour (\"opacity\" makes it translucent)");
@@ -106,7 +106,7 @@ public:
 
 private:
     const PrimitiveJson& object_;
-    const PlaceOf& placeOf_;
+    const FindPlace& findPlace_;
     std::vector<std::string> known_;
 };
 
@@ -131,12 +131,12 @@ std::vector<double> flatNumbers(const PrimitiveJson& list) {
 
 class Reader {
 public:
-    Reader(const PlaceOf& placeOf, const FileSummary& file, Primitives& all)
-        : placeOf_(placeOf), cell_(cellEdges(file)), corner_(file.boxOrigin), all_(all) {}
+    Reader(const FindPlace& findPlace, const FileSummary& file, Primitives& all)
+        : findPlace_(findPlace), cell_(cellEdges(file)), corner_(file.boxOrigin), all_(all) {}
 
     void add(const PrimitiveJson& object) {
         if (!object.is_object()) throw std::invalid_argument("expected an object");
-        Keys keys(object, placeOf_);
+        Keys keys(object, findPlace_);
         const std::string kind = keys.text("kind");
         using Add = void (Reader::*)(Keys&);
         constexpr std::pair<const char*, Add> kKinds[] = {
@@ -151,7 +151,7 @@ public:
             (this->*read)(keys);
             return keys.refuseUnknown();
         }
-        throw std::invalid_argument("\"kind\": expected " + anyOf(names) + ", not '" + kind + "'" +
+        throw std::invalid_argument("\"kind\": expected " + joinAlternatives(names) + ", not '" + kind + "'" +
                                     suggestion(kind, names));
     }
 
@@ -271,7 +271,7 @@ private:
         if (keys.has(key))
             keys.at(key, [&](const PrimitiveJson& v) {
                 drawn = !v.is_boolean() || v.get<bool>();
-                if (!v.is_boolean()) look->color = Keys::colorOf(v);
+                if (!v.is_boolean()) look->color = Keys::readColor(v);
                 return 0;
             });
         if (!drawn) look.reset();
@@ -295,7 +295,7 @@ private:
         const PrimitiveLook one = look(keys);
         mesh.looks = {one};
         if (keys.has("colors"))
-            mesh.looks = keys.at("colors", [&](const PrimitiveJson& v) { return looksOf(v, one, mesh); });
+            mesh.looks = keys.at("colors", [&](const PrimitiveJson& v) { return readLooks(v, one, mesh); });
         mesh.smooth = keys.flag("smooth", false);
         mesh.faces = keys.flag("faces", true);
         mesh.wireWidth = keys.number("wire_width", 1, 0.5, 10);
@@ -308,15 +308,15 @@ private:
         for (std::size_t i = 0; i < count; i += 3) firsts.push_back(i);
         return firsts;
     }
-    static std::vector<PrimitiveLook> looksOf(const PrimitiveJson& list, const PrimitiveLook& one,
-                                              const Primitives::Mesh& mesh) {
+    static std::vector<PrimitiveLook> readLooks(const PrimitiveJson& list, const PrimitiveLook& one,
+                                                const Primitives::Mesh& mesh) {
         if (!list.is_array() || (list.size() != mesh.triangles.size() && list.size() != mesh.positions.size()))
             throw std::invalid_argument("expected a colour for each of " + std::to_string(mesh.triangles.size()) +
                                         " triangles or " + std::to_string(mesh.positions.size()) + " vertices");
         std::vector<PrimitiveLook> looks;
         for (const PrimitiveJson& color : list) {
             looks.push_back(one);
-            looks.back().color = Keys::colorOf(color);
+            looks.back().color = Keys::readColor(color);
         }
         return looks;
     }
@@ -327,7 +327,7 @@ private:
         all_.labels.push_back(std::move(label));
     }
 
-    const PlaceOf& placeOf_;
+    const FindPlace& findPlace_;
     std::optional<std::array<glm::dvec3, 3>> cell_;
     glm::dvec3 corner_;
     Primitives& all_;
@@ -335,7 +335,7 @@ private:
 
 }  // namespace
 
-Primitives readPrimitives(const std::string& text, const std::string& name, const PlaceOf& placeOf,
+Primitives readPrimitives(const std::string& text, const std::string& name, const FindPlace& findPlace,
                           const FileSummary& file) {
     const PrimitiveJson json = parseJsonText<PrimitiveJson>(text, "cannot read primitives", name);
     const PrimitiveJson* list = &json;
@@ -344,7 +344,7 @@ Primitives readPrimitives(const std::string& text, const std::string& name, cons
         list = &json["primitives"];
     }
     Primitives all;
-    Reader reader(placeOf, file, all);
+    Reader reader(findPlace, file, all);
     const auto add = [&](const PrimitiveJson& one, std::size_t number) {
         try {
             reader.add(one);
@@ -365,8 +365,8 @@ Primitives readPrimitives(const std::string& text, const std::string& name, cons
     return all;
 }
 
-Primitives primitivesOf(const std::vector<PrimitiveSource>& sources, const Molecule& molecule) {
-    const PlaceOf placeOf = [&](const std::string& text) {
+Primitives loadPrimitives(const std::vector<PrimitiveSource>& sources, const Molecule& molecule) {
+    const FindPlace findPlace = [&](const std::string& text) {
         const std::vector<bool> chosen = selectAtoms(molecule, parseSelection(text));
         glm::dvec3 sum{};
         double count = 0;
@@ -380,10 +380,10 @@ Primitives primitivesOf(const std::vector<PrimitiveSource>& sources, const Molec
         if (source.made)
             all.append(*source.made);
         else if (isJsonText(source.text))
-            all.append(readPrimitives(source.text, "--primitives", placeOf, molecule.file));
+            all.append(readPrimitives(source.text, "--primitives", findPlace, molecule.file));
         else
             all.append(readPrimitives(readTextFile("cannot read primitives", source.text, kMostFileBytes), source.text,
-                                      placeOf, molecule.file));
+                                      findPlace, molecule.file));
     }
     return all;
 }

@@ -13,14 +13,14 @@
 namespace nacre::app {
 
 /// Position of a point given as text, Å. @throws Error
-using PlaceOf = std::function<glm::dvec3(const std::string& selection)>;
+using FindPlace = std::function<glm::dvec3(const std::string& selection)>;
 
 /// @param name  of the file, for errors @throws Error naming the primitive and its key
 /// @param file  has the unit cell or periodic box for the kind "cell"
-Primitives readPrimitives(const std::string& json, const std::string& name, const PlaceOf& placeOf,
+Primitives readPrimitives(const std::string& json, const std::string& name, const FindPlace& findPlace,
                           const FileSummary& file = {});
 
 /// All primitives of a picture. Points that are selections are the mean of their atoms. @throws Error
-Primitives primitivesOf(const std::vector<PrimitiveSource>& sources, const Molecule& molecule);
+Primitives loadPrimitives(const std::vector<PrimitiveSource>& sources, const Molecule& molecule);
 
 }  // namespace nacre::app

@@ -30,7 +30,7 @@ namespace {
 constexpr std::string_view kSample = "sample:";
 constexpr std::uint64_t kUsualMemory = std::uint64_t{2} << 30;  // if the system does not report it
 
-int modelOf(const Molecule& molecule, std::uint32_t atom) {
+int findModel(const Molecule& molecule, std::uint32_t atom) {
     return molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model;
 }
 
@@ -38,7 +38,7 @@ int modelOf(const Molecule& molecule, std::uint32_t atom) {
 Molecule readOpened(const InputOptions& input, ReadOptions options) {
     options.uploaded = true;
     std::error_code error;
-    const std::string path = openPathOf(input);
+    const std::string path = openedPath(input);
     const std::uint64_t size = std::filesystem::file_size(path, error);
     if (error) throw Error("cannot read molecule", input.path, error.message());
     if (size > options.maxBytes)
@@ -129,7 +129,7 @@ Molecule joinConformations(const InputOptions& input, std::vector<Molecule> mole
     for (const Atom& atom : whole.atoms) positions[0].push_back(atom.position);
     for (std::size_t i = 1; i < count; ++i) {
         const std::string& name = input.further[i - 1].path;
-        Conformation next = conformationOf(whole, molecules[i], name);
+        Conformation next = fitConformation(whole, molecules[i], name);
         if (next.matched < atoms)
             tell(std::to_string(next.matched) + " of " + std::to_string(atoms) + " atoms have a counterpart in " +
                  name + "; the others go with those around them");
@@ -171,10 +171,10 @@ std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molec
 namespace {
 
 /// Indices of the chosen atoms of one model. @param model  as Chain::model
-std::vector<std::uint32_t> chosenOf(const Molecule& molecule, const std::vector<bool>& chosen, int model) {
+std::vector<std::uint32_t> listChosen(const Molecule& molecule, const std::vector<bool>& chosen, int model) {
     std::vector<std::uint32_t> atoms;
     for (std::uint32_t i = 0; i < chosen.size(); ++i)
-        if (chosen[i] && modelOf(molecule, i) == model) atoms.push_back(i);
+        if (chosen[i] && findModel(molecule, i) == model) atoms.push_back(i);
     return atoms;
 }
 
@@ -204,23 +204,23 @@ void fitModels(const InputOptions& input, Molecule& molecule) {
     }
     std::set<int> models;
     for (const Chain& chain : molecule.chains) models.insert(chain.model);
-    const std::vector<std::uint32_t> first = chosenOf(molecule, chosen, *models.begin());
+    const std::vector<std::uint32_t> first = listChosen(molecule, chosen, *models.begin());
     if (first.size() < 3) refuse("--fit-frames selects fewer than three atoms");
-    const auto placesOf = [&](const std::vector<std::uint32_t>& atoms) {
+    const auto collectPlaces = [&](const std::vector<std::uint32_t>& atoms) {
         std::vector<glm::dvec3> places;
         for (const std::uint32_t atom : atoms) places.emplace_back(molecule.atoms[atom].position);
         return places;
     };
-    const std::vector<glm::dvec3> fixed = placesOf(first);
+    const std::vector<glm::dvec3> fixed = collectPlaces(first);
     std::map<int, Superposition> onto;
     for (const int model : models) {
-        const std::vector<std::uint32_t> atoms = chosenOf(molecule, chosen, model);
+        const std::vector<std::uint32_t> atoms = listChosen(molecule, chosen, model);
         if (atoms.size() != first.size()) refuse("model " + std::to_string(model) + " has other atoms to fit by");
-        onto[model] = superpose(fixed, placesOf(atoms));
+        onto[model] = superpose(fixed, collectPlaces(atoms));
     }
     for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i) {
         glm::vec3& position = molecule.atoms[i].position;
-        const Superposition& motion = onto.at(modelOf(molecule, i));
+        const Superposition& motion = onto.at(findModel(molecule, i));
         position = glm::vec3(motion(glm::dvec3(position)));
         turnDisplacement(molecule, i, motion.rotation);
     }

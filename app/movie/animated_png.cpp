@@ -37,7 +37,7 @@ Bytes chunk(const char (&name)[5], const Bytes& data) {
 }
 
 /// A frame's duration as a fraction of seconds with 16 bits each: 1/30, 100/2997.
-std::array<std::uint32_t, 2> delayOf(double framesPerSecond) {
+std::array<std::uint32_t, 2> toDelay(double framesPerSecond) {
     const auto hundredths = static_cast<std::uint32_t>(std::lround(framesPerSecond * 100));
     const std::uint32_t common = std::gcd(100u, hundredths);
     return {100 / common, hundredths / common};
@@ -87,7 +87,7 @@ Bytes packed(const Rows& rows) {
 }
 
 /// The contents of a PNG's IDAT chunks, joined.
-Bytes dataOf(const Bytes& png) {
+Bytes joinData(const Bytes& png) {
     Bytes data;
     for (std::size_t at = 8; at + 12 <= png.size();) {
         const std::size_t size = png[at] << 24 | png[at + 1] << 16 | png[at + 2] << 8 | png[at + 3];
@@ -121,7 +121,7 @@ public:
         put(chunk("fcTL", frameControl(box)));
         const std::size_t row = shape_.size.width * channels;
         Bytes data =
-            dataOf(packed({now_.data() + box.y * row + box.x * channels, row, box.width, box.height, shape_.alpha}));
+            joinData(packed({now_.data() + box.y * row + box.x * channels, row, box.width, box.height, shape_.alpha}));
         if (frames_ == 0) {
             put(chunk("IDAT", data));
         } else {
@@ -156,7 +156,7 @@ private:
     Bytes frameControl(const PixelBox& box) {
         Bytes data;
         for (const std::uint32_t value : {sequence_++, box.width, box.height, box.x, box.y}) append32(data, value);
-        for (const std::uint32_t value : delayOf(shape_.framesPerSecond)) append16(data, value);
+        for (const std::uint32_t value : toDelay(shape_.framesPerSecond)) append16(data, value);
         data.insert(data.end(), {0, 0});
         return data;
     }

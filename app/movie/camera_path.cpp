@@ -117,7 +117,7 @@ void checkCameraMotion(const CameraMotion& motion) {
     if (motion.axis && !motion.rock) throw UsageError("--axis is for --rock (--spin names its own)");
 }
 
-double secondsOf(const CameraMotion& motion, std::uint64_t models, bool trajectory) {
+double movieSeconds(const CameraMotion& motion, std::uint64_t models, bool trajectory) {
     constexpr double kSpinSeconds = 6, kRockSeconds = 4, kModelSeconds = 0.1, kSweepSeconds = 4, kStepSeconds = 2;
     if (motion.seconds) return *motion.seconds;
     if (motion.models == MovieModels::morph)
@@ -158,7 +158,7 @@ View turned(View view, const glm::dvec3& axis, double degrees) {
     return view;
 }
 
-Lens lensOf(const View& view, const glm::dvec3& center) {
+Lens makeLens(const View& view, const glm::dvec3& center) {
     Lens lens;
     lens.projection = view.projection;
     lens.rotation = glm::normalize(glm::quat_cast(view.rotation));

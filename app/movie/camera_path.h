@@ -53,7 +53,7 @@ struct CameraMotion {
     std::optional<glm::dvec3> axis;   ///< of rock; empty: y
     std::optional<LevelSweep> sweep;  ///< of the first map
     std::optional<Easing> easing;
-    std::optional<double> seconds;  ///< empty: secondsOf()
+    std::optional<double> seconds;  ///< empty: movieSeconds()
     double framesPerSecond = 30;
 };
 
@@ -63,7 +63,7 @@ bool setMotion(std::string_view key, std::string_view text, CameraMotion& motion
 /// @throws UsageError for conflicting options
 void checkCameraMotion(const CameraMotion& motion);
 /// Duration of a morph, a rotation or rocking; else for this many models. @param trajectory  one movie frame per model
-double secondsOf(const CameraMotion& motion, std::uint64_t models, bool trajectory);
+double movieSeconds(const CameraMotion& motion, std::uint64_t models, bool trajectory);
 /// Position of each frame of a morph between models: 0 is the first, 1 the second.
 std::vector<double> morphPlaces(const CameraMotion& motion, std::uint64_t frames, std::uint64_t models);
 /// The level of the first map at a time, 0..1; if the camera returns, the level does as well.
@@ -81,7 +81,7 @@ struct Lens {
 };
 
 /// @param center  of the view's molecule
-Lens lensOf(const View& view, const glm::dvec3& center);
+Lens makeLens(const View& view, const glm::dvec3& center);
 /// @param like    a view of the target molecule, for size and radius @param center  of that molecule
 View viewThrough(const Lens& lens, View like, const glm::dvec3& center);
 

@@ -148,7 +148,7 @@ private:
     std::uint64_t frames_ = 0;
 };
 
-std::uint32_t keyOf(int r, int g, int b) { return static_cast<std::uint32_t>(r << 16 | g << 8 | b); }
+std::uint32_t packColor(int r, int g, int b) { return static_cast<std::uint32_t>(r << 16 | g << 8 | b); }
 
 struct Counted {
     Rgb color;
@@ -182,7 +182,7 @@ struct ColorBox {
     Sums sums;
 };
 
-ColorBox boxOf(std::span<Counted> colors) {
+ColorBox makeBox(std::span<Counted> colors) {
     ColorBox box{colors, {}};
     for (const Counted& c : colors) box.sums.add(c);
     return box;
@@ -213,10 +213,10 @@ std::array<ColorBox, 2> cut(const ColorBox& box) {
     std::sort(box.colors.begin(), box.colors.end(), [axis = bestAxis](const Counted& a, const Counted& b) {
         return a.color[axis] != b.color[axis] ? a.color[axis] < b.color[axis] : a.color < b.color;
     });
-    return {boxOf(box.colors.first(bestAt)), boxOf(box.colors.subspan(bestAt))};
+    return {makeBox(box.colors.first(bestAt)), makeBox(box.colors.subspan(bestAt))};
 }
 
-Rgb meanOf(const Sums& sums) {
+Rgb computeMean(const Sums& sums) {
     Rgb mean{};
     for (std::size_t k = 0; k < 3; ++k) mean[k] = static_cast<std::uint8_t>(sums.first[k] / sums.weight + 0.5);
     return mean;
@@ -239,7 +239,7 @@ std::unique_ptr<MovieFile> makeGif(const std::string& path, const MovieShape& sh
 }
 
 void Palette::count(const std::vector<std::uint8_t>& rgb) {
-    for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) ++counts_[keyOf(rgb[i], rgb[i + 1], rgb[i + 2])];
+    for (std::size_t i = 0; i + 2 < rgb.size(); i += 3) ++counts_[packColor(rgb[i], rgb[i + 1], rgb[i + 2])];
 }
 
 void Palette::settle() {
@@ -258,7 +258,7 @@ void Palette::settle() {
     all.erase(common);
 
     std::vector<ColorBox> boxes;
-    if (!all.empty()) boxes.push_back(boxOf(all));
+    if (!all.empty()) boxes.push_back(makeBox(all));
     while (!boxes.empty() && boxes.size() + 1 < kMost) {
         const auto worst = std::max_element(boxes.begin(), boxes.end(), [](const ColorBox& a, const ColorBox& b) {
             return (a.colors.size() > 1 ? a.sums.error() : 0) < (b.colors.size() > 1 ? b.sums.error() : 0);
@@ -269,21 +269,21 @@ void Palette::settle() {
         boxes.push_back(high);
     }
     colors_ = {background};
-    for (const ColorBox& box : boxes) colors_.push_back(meanOf(box.sums));
+    for (const ColorBox& box : boxes) colors_.push_back(computeMean(box.sums));
 
     for (int round = 0; round < 3; ++round) {
         std::vector<Sums> sums(colors_.size());
         for (const Counted& c : all) sums[nearest(c.color[0], c.color[1], c.color[2])].add(c);
         for (std::size_t i = 1; i < colors_.size(); ++i)
-            if (sums[i].weight > 0) colors_[i] = meanOf(sums[i]);
+            if (sums[i].weight > 0) colors_[i] = computeMean(sums[i]);
         known_.clear();
     }
     for (std::size_t i = colors_.size(); i-- > 0;)
-        exact_[keyOf(colors_[i][0], colors_[i][1], colors_[i][2])] = static_cast<std::uint8_t>(i);
+        exact_[packColor(colors_[i][0], colors_[i][1], colors_[i][2])] = static_cast<std::uint8_t>(i);
 }
 
 std::uint8_t Palette::nearest(int r, int g, int b) {
-    const auto [at, added] = known_.try_emplace(keyOf(r, g, b), std::uint8_t{0});
+    const auto [at, added] = known_.try_emplace(packColor(r, g, b), std::uint8_t{0});
     if (!added) return at->second;
     int best = std::numeric_limits<int>::max();
     for (std::size_t i = 0; i < colors_.size(); ++i) {
@@ -297,7 +297,7 @@ std::uint8_t Palette::nearest(int r, int g, int b) {
 }
 
 std::uint8_t Palette::place(const std::uint8_t* rgb, std::uint32_t x, std::uint32_t y) {
-    const auto exact = exact_.find(keyOf(rgb[0], rgb[1], rgb[2]));
+    const auto exact = exact_.find(packColor(rgb[0], rgb[1], rgb[2]));
     if (exact != exact_.end()) return exact->second;
     constexpr double kSpread = 8;  // code values: typical distance of 255 colours of a shaded molecule
     const int shift = static_cast<int>(threshold(x, y) * kSpread);

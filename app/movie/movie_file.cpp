@@ -63,12 +63,12 @@ bool isFrameFolder(const std::string& path) {
 std::vector<std::string> movieEndings() { return {".mp4", ".webm", ".gif", ".png"}; }
 
 bool isMovieName(const std::string& path) {
-    return isStandardOutput(path) || isFrameFolder(path) || std::ranges::count(movieEndings(), extensionOf(path)) > 0;
+    return isStandardOutput(path) || isFrameFolder(path) || std::ranges::count(movieEndings(), fileExtension(path)) > 0;
 }
 
 std::unique_ptr<MovieFile> makeMovieFile(const std::string& path, const MovieShape& shape) {
     if (!isStandardOutput(path) && isFrameFolder(path)) return makeFrameFolder(path, shape);
-    const std::string extension = extensionOf(path);
+    const std::string extension = fileExtension(path);
     if (extension == ".mp4" || extension == ".webm") return makeVideo(path, shape);
     if (extension == ".gif") return makeGif(path, shape);
     return makeAnimatedPng(path, shape);

@@ -27,9 +27,9 @@ std::string number(double value) {
     return text;
 }
 
-bool isMp4(const std::string& path) { return extensionOf(path) == ".mp4"; }
+bool isMp4(const std::string& path) { return fileExtension(path) == ".mp4"; }
 
-std::vector<std::string> argumentsOf(const OutputFile& file, const MovieShape& shape, bool alpha) {
+std::vector<std::string> makeArguments(const OutputFile& file, const MovieShape& shape, bool alpha) {
     const std::string size = std::to_string(shape.size.width) + "x" + std::to_string(shape.size.height);
     std::vector<std::string> words{
         "ffmpeg", "-nostdin", "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt",
@@ -110,7 +110,7 @@ private:
         posix_spawnattr_setsigdefault(&attributes, &usual);
         posix_spawnattr_setpgroup(&attributes, 0);
         posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-        std::vector<std::string> words = argumentsOf(file_, shape_, alpha_);
+        std::vector<std::string> words = makeArguments(file_, shape_, alpha_);
         std::vector<char*> arguments;
         for (std::string& word : words) arguments.push_back(word.data());
         arguments.push_back(nullptr);

@@ -42,19 +42,19 @@ double easeIn(std::string_view curve, double t) {
     return 1 - bounceOut(1 - t);
 }
 
-double timeOf(const Node& node, const char* name, double otherwise) {
+double readTime(const Node& node, const char* name, double otherwise) {
     const Json* value = node.param(name);
     return value && value->is_number() ? std::clamp(value->get<double>(), 0.0, kLongestAnimation) : otherwise;
 }
-double startOf(const Node& node) { return timeOf(node, "start_ms", 0); }
-double durationOf(const Node& node) { return timeOf(node, "duration_ms", 0); }
+double readStart(const Node& node) { return readTime(node, "start_ms", 0); }
+double readDuration(const Node& node) { return readTime(node, "duration_ms", 0); }
 
 void findRefs(Node& node, std::map<std::string, Node*>& nodes) {
     if (!node.ref.empty()) nodes.emplace(node.ref, &node);
     for (Node& child : node.children) findRefs(child, nodes);
 }
 
-std::vector<Json> pathOf(const Node& node) {
+std::vector<Json> readPath(const Node& node) {
     const Json* property = node.param("property");
     if (!property) refuseMotion("it names no property");
     std::vector<Json> path;
@@ -95,7 +95,7 @@ void assign(Json& params, std::span<const Json> path, Json value) {
 }
 
 /// The finished fraction of an interpolation. @param prefix  of the parameters' names: "", "rotation_"
-double shareOf(const Node& node, double time, const std::string& prefix = "") {
+double computeProgress(const Node& node, double time, const std::string& prefix = "") {
     const Json* given = node.param((prefix + "frequency").c_str());
     const double frequency = given && given->is_number() ? std::clamp(given->get<double>(), 0.0, 1e6) : 1;
     double share = std::clamp(time, 0.0, 1.0) * (frequency > 0 ? frequency : 1);
@@ -154,7 +154,7 @@ Json mixedVectors(const Json& from, const Json& to, double share, bool spherical
     return mixed;
 }
 
-glm::dmat3 turnOf(const Json& value) {
+glm::dmat3 readTurn(const Json& value) {
     const std::vector<double> numbers = numbersIn("a rotation", value, 9);
     return glm::make_mat3(numbers.data());
 }
@@ -167,10 +167,10 @@ glm::dmat3 mixedRotation(const glm::dmat3& from, const glm::dmat3& to, double sh
     return glm::mat3_cast(glm::slerp(a, b, share));
 }
 
-Json listOf(const double* numbers, std::size_t count) { return std::vector<double>(numbers, numbers + count); }
+Json toList(const double* numbers, std::size_t count) { return std::vector<double>(numbers, numbers + count); }
 
 std::uint32_t colorInMotion(const Json& value) {
-    const auto color = colorOf(&value);
+    const auto color = readColor(&value);
     if (!color) refuseMotion("it names no colour: " + nacre::printable(value.dump(-1, ' ', true), 40));
     return *color;
 }
@@ -188,7 +188,7 @@ Json mixedColors(const Json& from, const Json& to, double share, const Json* bas
 }
 
 /// The end value of an earlier interpolation, else the node's value.
-const Json* beginningOf(const Node& node, const Node* before, const Json* current, const std::string& prefix = "") {
+const Json* findStart(const Node& node, const Node* before, const Json* current, const std::string& prefix = "") {
     if (const Json* own = node.param((prefix + "start").c_str())) return own;
     if (const Json* last = before ? before->param((prefix + "end").c_str()) : nullptr) return last;
     return current;
@@ -204,17 +204,17 @@ Json transformed(const Node& node, const Node* before, const Json* current, doub
         const std::vector<double> numbers = numbersIn("its matrix", *current, 16);
         matrix = glm::make_mat4(numbers.data());
     }
-    const Json *startTurn = beginningOf(node, before, nullptr, "rotation_"), *endTurn = node.param("rotation_end");
-    glm::dmat3 turn = startTurn ? turnOf(*startTurn) : glm::dmat3(matrix);
-    if (endTurn && time > 0) turn = mixedRotation(turn, turnOf(*endTurn), shareOf(node, time, "rotation_"));
+    const Json *startTurn = findStart(node, before, nullptr, "rotation_"), *endTurn = node.param("rotation_end");
+    glm::dmat3 turn = startTurn ? readTurn(*startTurn) : glm::dmat3(matrix);
+    if (endTurn && time > 0) turn = mixedRotation(turn, readTurn(*endTurn), computeProgress(node, time, "rotation_"));
     glm::dvec3 shift =
-        vectorOr("translation_start", beginningOf(node, before, nullptr, "translation_"), glm::dvec3(matrix[3]));
+        vectorOr("translation_start", findStart(node, before, nullptr, "translation_"), glm::dvec3(matrix[3]));
     const glm::dvec3 end = vectorOr("translation_end", node.param("translation_end"), shift);
-    shift += (end - shift) * (time > 0 ? shareOf(node, time, "translation_") : 0);
+    shift += (end - shift) * (time > 0 ? computeProgress(node, time, "translation_") : 0);
     const glm::dvec3 pivot = vectorOr("pivot", node.param("pivot"), glm::dvec3(0));
     glm::dmat4 result(turn);
     result[3] = glm::dvec4(shift - turn * pivot, 1);  // without the shift back from the pivot, as in Mol*
-    return listOf(&result[0][0], 16);
+    return toList(&result[0][0], 16);
 }
 
 /// The value of a parameter at a time, 0..1 of the interpolation.
@@ -223,18 +223,18 @@ Json interpolated(const Node& node, const Node* before, const Json* current, dou
     if (kind == "transform_matrix") return transformed(node, before, current, time);
     const Json* palette = kind == "color" ? node.param("palette") : nullptr;
     if (palette) {
-        const auto color = paletteColorAt(*palette, shareOf(node, time));
+        const auto color = paletteColorAt(*palette, computeProgress(node, time));
         return colorText(color.value_or(0xff000000u));
     }
-    const Json *from = beginningOf(node, before, current), *to = node.param("end");
+    const Json *from = findStart(node, before, current), *to = node.param("end");
     if (!from) refuseMotion("it has no start");
     if (!to) return *from;
-    const double share = time <= 0 ? 0 : shareOf(node, time);
+    const double share = time <= 0 ? 0 : computeProgress(node, time);
     if (kind == "scalar") return mixedNumbers(*from, *to, share, flag(node, "discrete", false));
     if (kind == "vec3") return mixedVectors(*from, *to, share, flag(node, "spherical", false));
     if (kind == "color") return mixedColors(*from, *to, share, current);
-    const glm::dmat3 turn = time <= 0 ? turnOf(*from) : mixedRotation(turnOf(*from), turnOf(*to), share);
-    return listOf(&turn[0][0], 9);
+    const glm::dmat3 turn = time <= 0 ? readTurn(*from) : mixedRotation(readTurn(*from), readTurn(*to), share);
+    return toList(&turn[0][0], 9);
 }
 
 /// Interpolations of one property, in the order of their times.
@@ -243,14 +243,14 @@ struct Track {
 
     void add(const Node& node) {
         const auto later = [](const Node* a, const Node* b) {
-            return std::pair(startOf(*a), durationOf(*a)) < std::pair(startOf(*b), durationOf(*b));
+            return std::pair(readStart(*a), readDuration(*a)) < std::pair(readStart(*b), readDuration(*b));
         };
         parts.insert(std::upper_bound(parts.begin(), parts.end(), &node, later), &node);
     }
     /// Index of the last interpolation that has begun, or the first.
     std::size_t at(double ms) const {
         std::size_t place = parts.size() - 1;
-        while (place > 0 && ms < startOf(*parts[place])) --place;
+        while (place > 0 && ms < readStart(*parts[place])) --place;
         return place;
     }
 };
@@ -278,9 +278,9 @@ std::optional<double> easedByName(std::string_view easing, double time) {
     return std::nullopt;
 }
 
-CameraTransition transitionOf(const Node& node) {
+CameraTransition readTransition(const Node& node) {
     CameraTransition transition;
-    transition.seconds = durationOf(node) / 1000;
+    transition.seconds = readDuration(node) / 1000;
     if (node.param("easing")) transition.easing = nodeText(node, "easing");
     if (node.param("trajectory")) transition.trajectory = nodeText(node, "trajectory");
     return transition;
@@ -288,7 +288,7 @@ CameraTransition transitionOf(const Node& node) {
 
 std::optional<CameraTransition> transitionTo(const Snapshot& snapshot) {
     for (const Node& node : snapshot.root.children)
-        if (node.kind == "transition") return transitionOf(node);
+        if (node.kind == "transition") return readTransition(node);
     return std::nullopt;
 }
 
@@ -297,8 +297,8 @@ double animationSeconds(const Snapshot& snapshot) {
     double longest = 0;
     if (animation.kind != "animation") return 0;
     for (const Node& node : animation.children)
-        if (node.kind == "interpolate") longest = std::max(longest, startOf(node) + durationOf(node));
-    return longest > 0 ? std::min(std::max(longest, durationOf(animation)), kLongestAnimation) / 1000 : 0;
+        if (node.kind == "interpolate") longest = std::max(longest, readStart(node) + readDuration(node));
+    return longest > 0 ? std::min(std::max(longest, readDuration(animation)), kLongestAnimation) / 1000 : 0;
 }
 
 bool animationFlag(const Snapshot& snapshot, const char* name) { return flag(snapshot.animation, name, false); }
@@ -330,9 +330,9 @@ Snapshot animatedAt(const Snapshot& snapshot, double seconds, SceneWarnings& war
         try {
             if (target == nodes.end()) refuseMotion("there is no node '" + nacre::printable(ref, 40) + "'");
             if (isHeld(*target->second, snapshot)) continue;
-            const std::vector<Json> path = pathOf(node);
+            const std::vector<Json> path = readPath(node);
             const Json* current = valueAt(target->second->params, path);
-            const double duration = durationOf(node), since = ms - startOf(node);
+            const double duration = readDuration(node), since = ms - readStart(node);
             const double time = duration > 0 ? since / duration : since < 0 ? 0 : 1;
             assign(target->second->params, path,
                    interpolated(node, place > 0 ? track.parts[place - 1] : nullptr, current, time));

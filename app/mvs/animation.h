@@ -17,7 +17,7 @@ struct CameraTransition {
     double seconds = 0;
     std::string easing = "linear", trajectory = "linear";
 };
-CameraTransition transitionOf(const Node& transition);
+CameraTransition readTransition(const Node& transition);
 /// The transition to a snapshot; empty: it has no such node.
 std::optional<CameraTransition> transitionTo(const Snapshot& snapshot);
 

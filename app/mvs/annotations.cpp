@@ -15,7 +15,7 @@ namespace {
     throw Error("cannot read annotations", name, why);
 }
 
-std::optional<std::string> cellOf(const Json& value) {
+std::optional<std::string> toCell(const Json& value) {
     if (value.is_null()) return std::nullopt;
     return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', true);
 }
@@ -36,7 +36,7 @@ AnnotationTable fromRows(const std::string& name, const Json& json, const std::v
         auto& cells = table.rows.emplace_back();
         for (const std::string& column : table.columns) {
             const auto found = row.find(column);
-            cells.push_back(found == row.end() ? std::nullopt : cellOf(*found));
+            cells.push_back(found == row.end() ? std::nullopt : toCell(*found));
         }
     }
     return table;
@@ -57,7 +57,7 @@ AnnotationTable fromColumns(const std::string& name, const Json& json, const std
     table.rows.resize(rows);
     for (const std::string& column : table.columns) {
         std::size_t i = 0;
-        for (const Json& value : json[column]) table.rows[i++].push_back(cellOf(value));
+        for (const Json& value : json[column]) table.rows[i++].push_back(toCell(value));
     }
     return table;
 }

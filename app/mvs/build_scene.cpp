@@ -77,7 +77,7 @@ private:
     }
 
     void checkTransition(const Node& node) {
-        const CameraTransition transition = transitionOf(node);
+        const CameraTransition transition = readTransition(node);
         if (!easedByName(transition.easing, 0.5))
             warnings_.add(node, "there is no easing '" + nacre::printable(transition.easing, 40) + "'");
         constexpr std::string_view kPaths[] = {"linear", "linear-relative", "leap", "leap-relative"};
@@ -101,7 +101,7 @@ private:
     }
 
     void canvas(const Node& node) {
-        const auto color = colorOf(node.param("background_color"));
+        const auto color = readColor(node.param("background_color"));
         if (!color) return warnings_.add(node, "it names no colour");
         std::array<float, 4> background{0, 0, 0, 1};
         for (std::size_t i = 0; i < 3; ++i) background[i] = static_cast<float>(*color >> (8 * i) & 0xff) / 255.0f;
@@ -149,18 +149,18 @@ private:
             addText(atoms, nodeText(node, "text"), s, node.kind == "label" ? s.labels : s.tooltips);
         if (node.kind.starts_with("label_from_")) addTexts(node, "label", s, s.labels);
         if (node.kind.starts_with("tooltip_from_")) addTexts(node, "tooltip", s, s.tooltips);
-        if (node.kind == "focus") camera_.takeFocus(node, structures_.size() - 1, s.atoms->drawnOf(atoms));
+        if (node.kind == "focus") camera_.takeFocus(node, structures_.size() - 1, s.atoms->selectDrawn(atoms));
     }
 
     static void addText(const std::vector<bool>& atoms, const std::string& text, const Structure& s,
                         std::vector<Structure::Text>& labels, const Node* source = nullptr) {
-        Structure::Text label{s.atoms->drawnOf(atoms), text, source};
+        Structure::Text label{s.atoms->selectDrawn(atoms), text, source};
         if (!label.atoms.empty() && !text.empty()) labels.push_back(std::move(label));
     }
 
     /// Adds one text for each group of rows.
     void addTexts(const Node& node, const char* field, Structure& s, std::vector<Structure::Text>& labels) {
-        for (const auto& [text, atoms] : textsOf(node, field, s, files_, warnings_))
+        for (const auto& [text, atoms] : readTextGroups(node, field, s, files_, warnings_))
             addText(atoms, text, s, labels, &node);
     }
 
@@ -171,14 +171,14 @@ private:
         } else {
             const Json* wanted = node.param("field_values");
             atoms.assign(s.molecule->atoms.size(), false);
-            for (const AnnotationRow& row : rowsOf(node, "component", s, files_)) {
+            for (const AnnotationRow& row : readRows(node, "component", s, files_)) {
                 const bool chosen =
                     !wanted || (row.value() && wanted->is_array() &&
                                 std::find(wanted->begin(), wanted->end(), *row.value()) != wanted->end());
                 if (chosen) s.atoms->add(row.expression, atoms);
             }
         }
-        const std::vector<std::uint32_t> drawn = s.atoms->drawnOf(atoms);
+        const std::vector<std::uint32_t> drawn = s.atoms->selectDrawn(atoms);
         if (drawn.empty()) warnings_.add(node, "it matches no atoms");
         for (const Node& child : node.children) {
             files_.step();
@@ -196,7 +196,7 @@ private:
     }
 
     /// Positions of a structure: all its copies, each moved by its transform or by each of its instances.
-    static std::vector<glm::dmat4x3> motionsOf(const Structure& s, const glm::dmat4x3& copy) {
+    static std::vector<glm::dmat4x3> listMotions(const Structure& s, const glm::dmat4x3& copy) {
         if (s.instances.empty()) return {joinedMotion(s.moved, copy)};
         std::vector<glm::dmat4x3> motions;
         for (const glm::dmat4x3& instance : s.instances)
@@ -215,7 +215,7 @@ private:
 
     static void putAtoms(Structure& s) {
         const glm::dmat4x3 copy = s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front();
-        const glm::dmat4x3 motion = motionsOf(s, copy).front();
+        const glm::dmat4x3 motion = listMotions(s, copy).front();
         if (isStill(motion)) return;
         for (std::size_t i = 0; i < s.molecule->atoms.size(); ++i) {
             glm::vec3& position = s.molecule->atoms[i].position;
@@ -229,7 +229,7 @@ private:
         const auto add = [&](const std::vector<glm::dmat4x3>& copies) {
             std::vector<std::uint32_t> list;
             for (const glm::dmat4x3& copy : copies)
-                for (const glm::dmat4x3& motion : motionsOf(s, copy)) {
+                for (const glm::dmat4x3& motion : listMotions(s, copy)) {
                     const auto known = std::find(guide_->transforms.begin(), guide_->transforms.end(), motion);
                     list.push_back(static_cast<std::uint32_t>(known - guide_->transforms.begin()));
                     if (known == guide_->transforms.end()) guide_->transforms.push_back(motion);
@@ -275,7 +275,7 @@ private:
         std::vector<std::pair<const Node*, LabelBalls>> drawn;  // each list of labels is one object for the camera
         for (const Structure::Text& label : s.labels) {
             double depth = 0;
-            guide_->primitives.labels.push_back(labelOf(
+            guide_->primitives.labels.push_back(makeLabel(
                 label.text, label.atoms, s,
                 colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()]), &depth));
             auto list =
@@ -304,7 +304,7 @@ private:
             }
             Primitives primitives = readPrimitives(*node, own, structures_, warnings_);
             if (node != group.node) clipPrimitives(ClipRegions(*group.node, warnings_), primitives);
-            std::vector<glm::dvec4> balls = outlineOf(primitives);
+            std::vector<glm::dvec4> balls = outlinePoints(primitives);
             addLabelBalls(primitives.labels, balls);
             camera_.addDrawn(balls);
             for (const std::size_t focus : group.focuses) camera_.fillFocus(focus, balls);

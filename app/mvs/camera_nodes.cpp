@@ -17,7 +17,7 @@ namespace {
 constexpr double kFarthest = 1e6;      // Å
 constexpr double kLeastRadius = 0.01;  // Å, of the focus
 
-std::optional<glm::dvec3> vectorOf(const Node& node, const char* name) {
+std::optional<glm::dvec3> readVector(const Node& node, const char* name) {
     const Json* value = node.param(name);
     if (!value) return std::nullopt;
     glm::dvec3 v(0);
@@ -33,7 +33,7 @@ std::optional<glm::dvec3> vectorOf(const Node& node, const char* name) {
 
 /// How far a layer extends beyond the spheres of a chain's atoms, Å, by Mol*'s rules: balls count twice.
 /// @param largest  van der Waals radius of the chain's atoms, Å
-double roomOf(const SceneLayer& layer, double largest) {
+double computeRoom(const SceneLayer& layer, double largest) {
     const double scale = static_cast<double>(layer.atomScale);
     switch (layer.style) {
         case Style::cartoon:
@@ -71,7 +71,7 @@ void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<cons
         const Bounds sphere = extremeSphere(own);
         double largest = 0;
         for (const glm::dvec4& ball : own) largest = std::max(largest, ball.w);
-        const double room = layer ? roomOf(*layer, largest) : 0;
+        const double room = layer ? computeRoom(*layer, largest) : 0;
         std::vector<glm::dvec4> shown;
         for (const glm::dvec3& point : movedOut(extremePoints(own), sphere, room)) shown.emplace_back(point, 0.0);
         if (guide.transforms.empty()) {
@@ -90,8 +90,8 @@ void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<cons
 glm::dvec4 focusBall(const Node& node, const Bounds& bounds, SceneCamera& camera) {
     const double radius =
         number(node, "radius", bounds.radius * number(node, "radius_factor", 1) + number(node, "radius_extent", 0));
-    const glm::dvec3 direction = vectorOf(node, "direction").value_or(glm::dvec3(0, 0, -1));
-    camera.up = vectorOf(node, "up").value_or(glm::dvec3(0, 1, 0));
+    const glm::dvec3 direction = readVector(node, "direction").value_or(glm::dvec3(0, 0, -1));
+    camera.up = readVector(node, "up").value_or(glm::dvec3(0, 1, 0));
     camera.direction = direction;
     return {bounds.center, std::max(radius, 0.0)};
 }
@@ -99,14 +99,14 @@ glm::dvec4 focusBall(const Node& node, const Bounds& bounds, SceneCamera& camera
 }  // namespace
 
 void CameraNodes::takeCamera(const Node& node, SceneWarnings& warnings) try {
-    const auto target = vectorOf(node, "target"), position = vectorOf(node, "position");
+    const auto target = readVector(node, "target"), position = readVector(node, "position");
     if (!target || !position) return warnings.add(node, "it has no target or no position");
     const double distance = glm::distance(*target, *position);
     if (!(distance > 1e-3)) return warnings.add(node, "its position is its target");
     SceneCamera camera;
     camera.target = *target;
     camera.direction = *target - *position;
-    camera.up = vectorOf(node, "up").value_or(glm::dvec3(0, 1, 0));
+    camera.up = readVector(node, "up").value_or(glm::dvec3(0, 1, 0));
     // The position refers to a camera that fills the picture with a ball of half its distance.
     camera.radius = distance / 2;
     camera.distance = camera.radius / std::sin(glm::radians(camera.fovDegrees) / 2);

@@ -113,7 +113,7 @@ private:
     struct Tag {
         std::string category, column;
     };
-    static Tag tagOf(std::string_view token) {
+    static Tag splitTag(std::string_view token) {
         const std::size_t dot = std::min(token.find('.'), token.size());
         return {lowerCase(token.substr(1, dot - 1)), std::string(token.substr(std::min(dot + 1, token.size())))};
     }
@@ -123,7 +123,7 @@ private:
         return tag.category == category_;
     }
     /// Index of a column among the kept ones; -1 if it is not kept.
-    int placeOf(const std::string& column) const {
+    int findColumn(const std::string& column) const {
         const auto found = std::find_if(wanted_.begin(), wanted_.end(),
                                         [&](const std::string& one) { return lowerCase(one) == lowerCase(column); });
         return found == wanted_.end() ? -1 : static_cast<int>(found - wanted_.begin());
@@ -144,13 +144,13 @@ private:
     }
 
     void item() {
-        const Tag tag = tagOf(token_);
+        const Tag tag = splitTag(token_);
         step();
         if (kind_ == CifTokens::Kind::end) return;
         if (isWanted(tag)) {
             begin();
             if (table_.rows.empty()) addRow();
-            if (const int column = placeOf(tag.column); column >= 0)
+            if (const int column = findColumn(tag.column); column >= 0)
                 table_.rows.front()[static_cast<std::size_t>(column)] = value();
         }
         step();
@@ -161,10 +161,10 @@ private:
         std::vector<int> places;
         bool wanted = false;
         for (step(); kind_ == CifTokens::Kind::word && token_.starts_with("_"); step()) {
-            const Tag tag = tagOf(token_);
+            const Tag tag = splitTag(token_);
             if (places.empty()) wanted = isWanted(tag);
             if (places.size() == kMostColumns) cannot(name_, "a table has more than 1000 columns");
-            places.push_back(placeOf(tag.column));
+            places.push_back(findColumn(tag.column));
         }
         if (places.empty()) return;
         if (wanted) begin();
@@ -200,8 +200,8 @@ std::string nameIn(const MsgpackValue& map, const char* key) {
     return text ? std::string(*text) : std::string();
 }
 
-AnnotationTable columnsOf(const std::string& name, const MsgpackValue& category,
-                          const std::vector<std::string_view>& wanted) {
+AnnotationTable readColumns(const std::string& name, const MsgpackValue& category,
+                            const std::vector<std::string_view>& wanted) {
     const auto count = category.find("rowCount");
     const auto rows = count ? count->asInteger() : std::nullopt;
     if (!rows || *rows < 0 || *rows > static_cast<std::int64_t>(kMostAnnotationRows) ||
@@ -254,7 +254,8 @@ AnnotationTable readBinary(const std::string& name, const std::string& bytes, co
         for (MsgpackValue category; tables.next(category);) {
             std::string label = lowerCase(nameIn(category, "name"));
             if (label.starts_with("_")) label.erase(0, 1);
-            if (place.category.empty() || label == lowerCase(place.category)) return columnsOf(name, category, wanted);
+            if (place.category.empty() || label == lowerCase(place.category))
+                return readColumns(name, category, wanted);
         }
     }
     cannot(name, "it has no category _" + nacre::printable(place.category) + " in that block");

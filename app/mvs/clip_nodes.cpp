@@ -31,7 +31,7 @@ glm::dmat4x3 shiftedMap(const glm::dmat3& map, const glm::dvec3& origin) {
     return glm::dmat4x3(map[0], map[1], map[2], -(map * origin));
 }
 
-glm::dmat3 rotationOf(const Node& node) {
+glm::dmat3 readRotation(const Node& node) {
     const Json* value = node.param("rotation");
     if (!value) return glm::dmat3(1.0);
     const std::vector<double> numbers = numbersIn("rotation", *value, 9);
@@ -44,8 +44,8 @@ glm::dmat3 rotationOf(const Node& node) {
 }
 
 template <typename Item, typename Center>
-void dropCut(std::vector<Item>& items, const ClipRegions& regions, const Center& centerOf) {
-    std::erase_if(items, [&](const Item& item) { return regions.cuts(centerOf(item)); });
+void dropCut(std::vector<Item>& items, const ClipRegions& regions, const Center& getCenter) {
+    std::erase_if(items, [&](const Item& item) { return regions.cuts(getCenter(item)); });
 }
 
 void clipMesh(const ClipRegions& regions, Primitives::Mesh& mesh) {
@@ -76,14 +76,14 @@ ClipRegions::ClipRegions(const Node& parent, SceneWarnings& warnings) {
         }
         tellUnused(node, *row, warnings);
         try {
-            regions_.push_back(regionOf(node, type));
+            regions_.push_back(readRegion(node, type));
         } catch (const std::invalid_argument& why) {
             warnings.add(node, why.what() + std::string(": it is left out"));
         }
     }
 }
 
-ClipRegions::Region ClipRegions::regionOf(const Node& node, const std::string& type) {
+ClipRegions::Region ClipRegions::readRegion(const Node& node, const std::string& type) {
     Region region{Region::Shape::plane};
     if (type == "plane") {
         const glm::dvec3 normal = neededPoint(node, "normal");
@@ -101,7 +101,7 @@ ClipRegions::Region ClipRegions::regionOf(const Node& node, const std::string& t
         const glm::dvec3 half = (given ? vectorIn("size", *given) : glm::dvec3(1)) / 2.0;
         glm::dmat3 scale(0);
         for (int i = 0; i < 3; ++i) scale[i][i] = 1 / positive(half[i], "size");
-        region.toOwn = shiftedMap(scale * glm::transpose(rotationOf(node)), neededPoint(node, "center"));
+        region.toOwn = shiftedMap(scale * glm::transpose(readRotation(node)), neededPoint(node, "center"));
     }
     if (const Json* first = node.param("check_transform")) {
         const std::vector<double> matrix = numbersIn("check_transform", *first, 16);
@@ -127,17 +127,17 @@ void clipLayer(const Node& representation, const Structure& s, SceneLayer& layer
     if (regions.empty()) return;
     if (s.transforms.size() > 1 || s.instances.size() > 1)
         return warnings.add(representation, "a structure with copies is not clipped");
-    const glm::dmat4x3 motion = firstMotionOf(s);
+    const glm::dmat4x3 motion = findFirstMotion(s);
     const bool byResidue = layer.style == Style::cartoon || layer.style == Style::backbone;
     std::map<std::uint32_t, std::pair<glm::dvec3, double>> centers;  // sums of positions, and their number
-    const auto groupOf = [&](std::uint32_t atom) { return byResidue ? s.molecule->atoms[atom].residue : atom; };
+    const auto findGroup = [&](std::uint32_t atom) { return byResidue ? s.molecule->atoms[atom].residue : atom; };
     for (const std::uint32_t atom : layer.atoms) {
-        auto& [sum, count] = centers[groupOf(atom)];
+        auto& [sum, count] = centers[findGroup(atom)];
         sum += motion * glm::dvec4(glm::dvec3(s.molecule->atoms[atom].position), 1.0);
         count += 1;
     }
     keepAtoms(layer, [&](std::size_t i) {
-        const auto& [sum, count] = centers[groupOf(layer.atoms[i])];
+        const auto& [sum, count] = centers[findGroup(layer.atoms[i])];
         return !regions.cuts(sum / count);
     });
 }

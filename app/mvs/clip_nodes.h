@@ -25,7 +25,7 @@ private:
         glm::dmat4x3 toOwn{1.0};
         bool inverted = false;
     };
-    static Region regionOf(const Node& node, const std::string& type);
+    static Region readRegion(const Node& node, const std::string& type);
 
     std::vector<Region> regions_;
 };

@@ -12,16 +12,16 @@
 namespace nacre::app::mvs {
 namespace {
 
-using TextOf = std::optional<std::string> Expression::*;
-using NumberOf = std::optional<std::int64_t> Expression::*;
+using GetText = std::optional<std::string> Expression::*;
+using IntegerField = std::optional<std::int64_t> Expression::*;
 
 struct TextField {
     std::string_view name;
-    TextOf field;
+    GetText field;
 };
 struct NumberField {
     std::string_view name;
-    NumberOf field;
+    IntegerField field;
 };
 constexpr TextField kTexts[] = {
     {"label_entity_id", &Expression::labelEntity}, {"label_asym_id", &Expression::labelChain},
@@ -36,7 +36,7 @@ constexpr NumberField kNumbers[] = {
     {"residue_index", &Expression::residueIndex}, {"atom_id", &Expression::atomId},
     {"atom_index", &Expression::atomIndex}};
 
-std::int64_t wholeNumberOf(const Json& value) {
+std::int64_t readWholeNumber(const Json& value) {
     if (value.is_number_integer()) return value.get<std::int64_t>();
     if (value.is_number() && std::abs(value.get<double>()) < 1e15 &&
         std::trunc(value.get<double>()) == value.get<double>())
@@ -69,7 +69,7 @@ bool setField(Expression& expression, std::string_view field, const Json& value)
     }
     for (const NumberField& number : kNumbers) {
         if (number.name != field) continue;
-        if (!value.is_null()) expression.*number.field = wholeNumberOf(value);
+        if (!value.is_null()) expression.*number.field = readWholeNumber(value);
         return true;
     }
     return false;
@@ -188,7 +188,7 @@ std::optional<std::vector<bool>> StructureAtoms::ofKind(std::string_view name) c
     return atoms;
 }
 
-std::vector<std::uint32_t> StructureAtoms::drawnOf(const std::vector<bool>& atoms) const {
+std::vector<std::uint32_t> StructureAtoms::selectDrawn(const std::vector<bool>& atoms) const {
     std::vector<std::uint32_t> chosen;
     std::copy_if(drawn_.begin(), drawn_.end(), std::back_inserter(chosen), [&](std::uint32_t i) { return atoms[i]; });
     return chosen;

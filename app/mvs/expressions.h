@@ -42,7 +42,7 @@ public:
     /// "polymer", "ligand", ...; empty for an unknown name.
     std::optional<std::vector<bool>> ofKind(std::string_view name) const;
     /// The drawn atoms of a set.
-    std::vector<std::uint32_t> drawnOf(const std::vector<bool>& atoms) const;
+    std::vector<std::uint32_t> selectDrawn(const std::vector<bool>& atoms) const;
     const Molecule& molecule() const { return facts_.molecule(); }
     const ResidueFacts& facts() const { return facts_; }
 

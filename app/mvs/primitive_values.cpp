@@ -11,7 +11,7 @@
 namespace nacre::app::mvs {
 namespace {
 
-std::size_t countOf(const Primitives& p) {
+std::size_t countPrimitives(const Primitives& p) {
     std::size_t count = p.lines.size() + p.arrows.size() + p.balls.size() + p.ellipsoids.size() + p.ellipses.size() +
                         p.boxes.size() + p.labels.size();
     for (const Primitives::Mesh& mesh : p.meshes) count += mesh.positions.size();
@@ -106,7 +106,7 @@ Primitives atInstances(const Node& group, Primitives primitives) {
     const Json* matrices = group.param("instances");
     if (!matrices) return primitives;
     if (!matrices->is_array()) refusePrimitive("instances is no list");
-    if (matrices->size() * countOf(primitives) > kMostPrimitives)
+    if (matrices->size() * countPrimitives(primitives) > kMostPrimitives)
         refusePrimitive("its instances have more than " + std::to_string(kMostPrimitives) + " primitives");
     Primitives result;
     for (const Json& matrix : *matrices) {

@@ -33,7 +33,8 @@ const std::string& SceneFiles::bytes(const std::string& uri) {
     if (known_.size() >= kMostFiles)
         throw Error("cannot draw scene", "", "it names more than " + std::to_string(kMostFiles) + " files");
     std::string bytes = sources_.fetch(uri);
-    if (!compressionOf(bytes).empty()) bytes = decompress(nacre::printable(uri, 200), bytes, sources_.reading.maxBytes);
+    if (!detectCompression(bytes).empty())
+        bytes = decompress(nacre::printable(uri, 200), bytes, sources_.reading.maxBytes);
     held_ += bytes.size();
     if (held_ > sources_.reading.maxBytes)
         throw Error("cannot draw scene", nacre::printable(uri, 200), "its files together are too large");

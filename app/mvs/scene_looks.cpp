@@ -24,7 +24,7 @@ constexpr float kBackboneScale = 2.0f / 3;  // from our tubes of 0.3 Å to those
 constexpr double kTube = 0.2;               // Å, as Mol* has it
 constexpr std::uint32_t kDefaultColor = 0xffffffffu;
 
-float factorOf(const Node& node, SceneWarnings& warnings) {
+float readFactor(const Node& node, SceneWarnings& warnings) {
     const Json* value = node.param("size_factor");
     if (!value) return 1;
     const double factor = value->is_number() ? value->get<double>() : 0;
@@ -40,7 +40,7 @@ bool isOfPolymer(const Structure& structure, std::uint32_t residue) {
 
 /// @returns whether the type is supported
 bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneWarnings& warnings) {
-    const float factor = factorOf(node, warnings);
+    const float factor = readFactor(node, warnings);
     layer.atomScale = layer.bondScale = factor;
     layer.cartoon.scale = static_cast<double>(factor) * (type == "putty" ? 1 : kCartoonScale);
     layer.cartoon.overhang = 0.5;
@@ -96,10 +96,10 @@ void paintElements(const std::vector<bool>& atoms, const Structure& structure, S
 
 void paintRows(const Node& node, const Structure& structure, SceneFiles& files, SceneLayer& layer,
                SceneWarnings& warnings) {
-    const std::vector<AnnotationRow> rows = rowsOf(node, "color", structure, files);
+    const std::vector<AnnotationRow> rows = readRows(node, "color", structure, files);
     ColorOfValue colors = [&](const std::string& word) {
         const Json value(word);
-        const auto color = colorOf(&value);
+        const auto color = readColor(&value);
         if (!color) warnings.add(node, "there is no colour '" + nacre::printable(word) + "'");
         return color;
     };
@@ -145,7 +145,7 @@ void paintChildren(const Node& node, const Structure& structure, SceneFiles& fil
         tellUnknown(child, node, warnings);
         if (child.kind == "color") {
             const Json* value = child.param("color");
-            const auto color = colorOf(value);
+            const auto color = readColor(value);
             if (!value || value->is_null())
                 paintElements(selected(child, child.param("selector"), structure, warnings), structure, layer);
             else if (color)

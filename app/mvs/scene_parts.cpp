@@ -26,14 +26,14 @@ namespace {
     throw Error("cannot draw scene", node.place, why);
 }
 
-std::optional<std::int64_t> wholeOf(const Node& node, const char* name) {
+std::optional<std::int64_t> readInteger(const Node& node, const char* name) {
     const Json* value = node.param(name);
     if (!value) return std::nullopt;
     if (!value->is_number_integer()) refuseNode(node, std::string(name) + " is no whole number");
     return value->get<std::int64_t>();
 }
 
-std::array<int, 3> cellsOf(const Node& node, const char* name, int otherwise) {
+std::array<int, 3> readCells(const Node& node, const char* name, int otherwise) {
     const Json* value = node.param(name);
     std::array<int, 3> cells{otherwise, otherwise, otherwise};
     if (!value) return cells;
@@ -48,7 +48,7 @@ std::array<int, 3> cellsOf(const Node& node, const char* name, int otherwise) {
 }
 
 /// Extracts the data block of that name or number from a text of CIF.
-std::string blockOf(const Node& node, const std::string& text, const std::string& header, std::size_t index) {
+std::string findBlock(const Node& node, const std::string& text, const std::string& header, std::size_t index) {
     std::size_t found = 0, number = 0, start = std::string::npos, at = 0;
     bool inText = false;
     for (; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) {
@@ -67,13 +67,13 @@ std::string blockOf(const Node& node, const std::string& text, const std::string
     return text.substr(start, at - start);
 }
 
-void placeAssemblyOf(const Node& node, Structure& s, SceneWarnings& warnings) {
+void addAssembly(const Node& node, Structure& s, SceneWarnings& warnings) {
     const Molecule& molecule = *s.molecule;
     std::string id = nodeText(node, "assembly_id");
     const std::size_t index =
-        static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "assembly_index").value_or(0), 0));
+        static_cast<std::size_t>(std::max<std::int64_t>(readInteger(node, "assembly_index").value_or(0), 0));
     if (id.empty() && molecule.assemblies.empty()) {
-        const std::string why = leftOutWarningOf(molecule);
+        const std::string why = findLeftOutWarning(molecule);
         return warnings.add(node, (why.empty() ? "the file states no assemblies" : why) + ": its model is shown");
     }
     if (id.empty() && index >= molecule.assemblies.size())
@@ -93,7 +93,7 @@ void placeCopies(std::vector<glm::dmat4x3> copies, Structure& s) {
     s.listOfSubchain.assign(std::max<std::size_t>(s.molecule->subchains.size(), 1), 0);
 }
 
-std::vector<double> numbersOf(const Node& node, const char* name, std::size_t count) {
+std::vector<double> readNumbers(const Node& node, const char* name, std::size_t count) {
     const Json* value = node.param(name);
     if (!value) return {};
     try {
@@ -110,7 +110,7 @@ std::string nodeText(const Node& node, const char* name) {
     return value && value->is_string() ? value->get<std::string>() : std::string();
 }
 
-std::optional<std::uint32_t> colorOf(const Json* value) {
+std::optional<std::uint32_t> readColor(const Json* value) {
     if (!value || !value->is_string()) return std::nullopt;
     try {
         return opaqueColor(parseColor(value->get<std::string>()));
@@ -146,18 +146,18 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
     s.ref = node.ref;
     ReadOptions options = files.sources().reading;
     const auto model =
-        static_cast<int>(std::clamp<std::int64_t>(wholeOf(node, "model_index").value_or(0), 0, 1'000'000));
+        static_cast<int>(std::clamp<std::int64_t>(readInteger(node, "model_index").value_or(0), 0, 1'000'000));
     const bool placed = files.hasCoordinates(nodeText(node, "coordinates_ref"));
     options.model = placed ? 1 : model + 1;
     const std::string format = lowerCase(nodeText(parse, "format"));
     if (format == "map" || format == "dx" || format == "dxbin") refuseNode(parse, "a density map has no structure");
     const std::string header = nodeText(node, "block_header");
     const std::size_t block =
-        static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "block_index").value_or(0), 0));
+        static_cast<std::size_t>(std::max<std::int64_t>(readInteger(node, "block_index").value_or(0), 0));
     std::string bytes = files.bytes(uri);
     const bool binary = !bytes.empty() && (static_cast<unsigned char>(bytes[0]) & 0x80) != 0;
     if ((!header.empty() || block > 0) && !binary && format != "sdf")
-        bytes = blockOf(node, bytes, header, block);
+        bytes = findBlock(node, bytes, header, block);
     else if (format == "sdf" && block > 0)
         options.model = static_cast<int>(std::min<std::size_t>(block, 1'000'000)) + 1;
     else if (!header.empty() || block > 0)
@@ -167,9 +167,9 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
     s.atoms = std::make_unique<StructureAtoms>(*s.molecule);
     const std::string type = nodeText(node, "type");
     if (type == "assembly") {
-        placeAssemblyOf(node, s, warnings);
+        addAssembly(node, s, warnings);
     } else if (type == "symmetry") {
-        placeCopies(crystalCopies(*s.molecule, cellsOf(node, "ijk_min", -1), cellsOf(node, "ijk_max", 1)), s);
+        placeCopies(crystalCopies(*s.molecule, readCells(node, "ijk_min", -1), readCells(node, "ijk_max", 1)), s);
     } else if (type == "symmetry_mates") {
         const Json* radius = node.param("radius");
         placeCopies(crystalMates(*s.molecule, radius && radius->is_number() ? radius->get<double>() : 5.0), s);
@@ -181,10 +181,10 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
 
 glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& centroid) {
     glm::dmat4x3 motion(1.0);
-    if (const std::vector<double> matrix = numbersOf(node, "matrix", 16); !matrix.empty()) {
+    if (const std::vector<double> matrix = readNumbers(node, "matrix", 16); !matrix.empty()) {
         motion = glm::dmat4x3(glm::make_mat4(matrix.data()));
     } else {
-        const std::vector<double> turn = numbersOf(node, "rotation", 9), shift = numbersOf(node, "translation", 3);
+        const std::vector<double> turn = readNumbers(node, "rotation", 9), shift = readNumbers(node, "translation", 3);
         for (std::size_t i = 0; i < turn.size(); ++i)
             motion[static_cast<int>(i / 3)][static_cast<int>(i % 3)] = turn[i];
         if (const Json* about = node.param("rotation_center")) {
@@ -192,7 +192,7 @@ glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& c
             if (*about == "centroid") {
                 center = centroid();
             } else {
-                const std::vector<double> point = numbersOf(node, "rotation_center", 3);
+                const std::vector<double> point = readNumbers(node, "rotation_center", 3);
                 center = {point[0], point[1], point[2]};
             }
             motion[3] = center - glm::dmat3(motion[0], motion[1], motion[2]) * center;
@@ -210,7 +210,7 @@ glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& c
 namespace {
 
 /// Centroid of the atoms in all copies. Keeps only extreme points of the previous copies.
-glm::dvec3 centroidOf(const Structure& s) {
+glm::dvec3 computeCentroid(const Structure& s) {
     std::vector<glm::dvec4> points;
     const auto add = [&](const glm::dmat4x3& copy) {
         std::vector<glm::dvec3> extreme;
@@ -230,7 +230,7 @@ glm::dvec3 centroidOf(const Structure& s) {
 
 void takeMotions(const Node& node, Structure& s) {
     std::optional<glm::dvec3> known;  // computed once for all instances: it takes time proportional to the atoms
-    const auto centroid = [&] { return known ? *known : *(known = centroidOf(s)); };
+    const auto centroid = [&] { return known ? *known : *(known = computeCentroid(s)); };
     for (const Node& child : node.children) {
         if (child.kind != "transform") continue;
         s.moved = joinedMotion(motionOfNode(child, centroid), s.moved);
@@ -276,21 +276,22 @@ std::vector<bool> selected(const Node& node, const Json* selector, const Structu
     return atoms;
 }
 
-std::string columnOf(const Node& node, const std::string& field) {
+std::string findColumn(const Node& node, const std::string& field) {
     const Json* columns = node.param("field_remapping");
     if (!columns || !columns->is_object() || !columns->contains(field)) return field;
     const Json& column = (*columns)[field];
     return column.is_string() ? column.get<std::string>() : "";
 }
 
-std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files,
-                                  std::vector<std::string> further) {
+std::vector<AnnotationRow> readRows(const Node& node, const char* field, const Structure& structure, SceneFiles& files,
+                                    std::vector<std::string> further) {
     const bool fromUri = node.kind.ends_with("_from_uri");
     const std::string uri = fromUri ? nodeText(node, "uri") : structure.uri;
     if (uri.empty()) refuseNode(node, "it has no uri");
     TablePlace place;
     place.block = nodeText(node, "block_header");
-    place.blockIndex = static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "block_index").value_or(0), 0));
+    place.blockIndex =
+        static_cast<std::size_t>(std::max<std::int64_t>(readInteger(node, "block_index").value_or(0), 0));
     place.category = nodeText(node, "category_name");
     const std::string named = nodeText(node, "field_name");
     AnnotationFields fields{std::move(further), {}};
@@ -299,7 +300,7 @@ std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Str
     fields.values.insert(fields.values.begin(), named.empty() ? field : named);
     if (const Json* columns = node.param("field_remapping"); columns && columns->is_object())
         for (const auto& [standard, column] : columns->items())
-            fields.columns.emplace(standard, columnOf(node, standard));
+            fields.columns.emplace(standard, findColumn(node, standard));
     return readAnnotations(nacre::printable(uri, 200), files.bytes(uri), place, nodeText(node, "schema"), fields);
 }
 
@@ -334,15 +335,15 @@ void keepAtoms(SceneLayer& layer, const std::function<bool(std::size_t)>& keeps)
     if (!layer.opacity.empty()) layer.opacity.resize(kept);
 }
 
-glm::dmat4x3 firstMotionOf(const Structure& s) {
+glm::dmat4x3 findFirstMotion(const Structure& s) {
     const glm::dmat4x3 copy = s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front();
     const glm::dmat4x3 moved = joinedMotion(s.moved, copy);
     return s.instances.empty() ? moved : joinedMotion(s.instances.front(), moved);
 }
 
-Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& s,
-                          std::optional<std::uint32_t> color, double* depth) {
-    const glm::dmat4x3 motion = firstMotionOf(s);
+Primitives::Label makeLabel(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& s,
+                            std::optional<std::uint32_t> color, double* depth) {
+    const glm::dmat4x3 motion = findFirstMotion(s);
     std::vector<glm::dvec4> points;
     std::size_t heavy = 0;
     for (const std::uint32_t atom : atoms) {

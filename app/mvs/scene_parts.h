@@ -102,7 +102,7 @@ constexpr double kCartoonScale = 0.8;
 std::string nodeText(const Node& node, const char* name);
 
 /// A colour as MolViewSpec writes it, packed; empty if it is none.
-std::optional<std::uint32_t> colorOf(const Json* value);
+std::optional<std::uint32_t> readColor(const Json* value);
 
 /// Reads the structure that a node selects. @throws Error
 Structure readStructure(const Node& parse, const Node& node, const std::string& uri, SceneFiles& files,
@@ -130,16 +130,16 @@ std::vector<bool> selected(const Node& node, const Json* selector, const Structu
 
 /// The rows of an annotation node: *_from_uri or *_from_source. @param field  default for the first value @param
 /// further  fields of the other values
-std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files,
-                                  std::vector<std::string> further = {});
+std::vector<AnnotationRow> readRows(const Node& node, const char* field, const Structure& structure, SceneFiles& files,
+                                    std::vector<std::string> further = {});
 /// The column that a node uses for a field of the schema; empty: it ignores the field.
-std::string columnOf(const Node& node, const std::string& field);
+std::string findColumn(const Node& node, const std::string& field);
 
 /// The texts of label_from_* and tooltip_from_*, with their atoms: one for each group of rows, by its first row.
 /// @param field  default field of the text
-std::vector<std::pair<std::string, std::vector<bool>>> textsOf(const Node& node, const char* field,
-                                                               const Structure& structure, SceneFiles& files,
-                                                               SceneWarnings& warnings);
+std::vector<std::pair<std::string, std::vector<bool>>> readTextGroups(const Node& node, const char* field,
+                                                                      const Structure& structure, SceneFiles& files,
+                                                                      SceneWarnings& warnings);
 
 /// Warns about a node that is unsupported in its place, and about unknown parameters.
 void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings);
@@ -153,11 +153,11 @@ constexpr double kEmOfSize = 0.6;  ///< em of a label of size 1, Å: measured in
 
 /// The label of some atoms, sized like Mol*'s: by the cube root of their number.
 /// @param atoms  of the structure, ascending, at least one @param depth  Å from its position to the farthest atom
-Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& structure,
-                          std::optional<std::uint32_t> color, double* depth = nullptr);
+Primitives::Label makeLabel(const std::string& text, const std::vector<std::uint32_t>& atoms,
+                            const Structure& structure, std::optional<std::uint32_t> color, double* depth = nullptr);
 
 /// The first position of a structure's atoms: by its copies, transforms and instances.
-glm::dmat4x3 firstMotionOf(const Structure& structure);
+glm::dmat4x3 findFirstMotion(const Structure& structure);
 
 /// Escapes plain text so that labels do not read it as markup.
 std::string withoutMarkup(std::string_view text);

@@ -27,8 +27,8 @@ public:
                    SceneWarnings& warnings)
         : group_(group), own_(own), structures_(structures), warnings_(warnings) {
         if (!own_ && !structures.empty()) own_ = &structures.front();
-        color_ = colorOf(group.param("color")).value_or(kWhite);
-        labelColor_ = colorOf(group.param("label_color")).value_or(kWhite);
+        color_ = readColor(group.param("color")).value_or(kWhite);
+        labelColor_ = readColor(group.param("label_color")).value_or(kWhite);
         opacity_ = std::clamp(number(group, "opacity", 1), 0.0, 1.0);
         tooltip_ = nodeText(group, "tooltip");
     }
@@ -76,17 +76,17 @@ private:
 
     PrimitiveLook look(const Node& node, const char* colorName, const std::string& note) {
         PrimitiveLook look;
-        look.color = colorOf(node.param(colorName)).value_or(color_);
+        look.color = readColor(node.param(colorName)).value_or(color_);
         look.opacity = std::max(opacity_, kLeastOpacity);
-        look.note = noteOf(note);
+        look.note = addNote(note);
         return look;
     }
-    std::uint32_t noteOf(const std::string& text) {
+    std::uint32_t addNote(const std::string& text) {
         if (text.empty()) return 0;
         if (all_.notes.empty() || all_.notes.back() != text) all_.notes.push_back(text);
         return static_cast<std::uint32_t>(all_.notes.size());
     }
-    std::string tooltipOf(const Node& node) const {
+    std::string readTooltip(const Node& node) const {
         const std::string own = nodeText(node, "tooltip");
         return own.empty() ? tooltip_ : own;
     }
@@ -116,12 +116,12 @@ private:
 
     std::optional<PlaceBounds> boundsOfAtoms(const Node& node, const Json& selector, const Structure& structure) {
         const std::vector<std::uint32_t> atoms =
-            structure.atoms->drawnOf(selected(node, &selector, structure, warnings_));
+            structure.atoms->selectDrawn(selected(node, &selector, structure, warnings_));
         if (atoms.empty()) {
             warnings_.add(node, "its place matches no atoms: it is left out");
             return std::nullopt;
         }
-        const glm::dmat4x3 motion = firstMotionOf(structure);
+        const glm::dmat4x3 motion = findFirstMotion(structure);
         std::vector<glm::dvec4> balls;
         Box box;
         for (const std::uint32_t atom : atoms) {
@@ -141,7 +141,7 @@ private:
         const auto a = place(node, "start"), b = place(node, "end");
         if (!a || !b) return;
         all_.lines.push_back({a->center, b->center, number(node, "radius", 0.05), 1.5,
-                              dashes(number(node, "dash_length", 0)), look(node, "color", tooltipOf(node))});
+                              dashes(number(node, "dash_length", 0)), look(node, "color", readTooltip(node))});
     }
 
     static void setHead(const Node& node, const std::string& side, double radius, Primitives::Arrow& arrow) {
@@ -169,7 +169,7 @@ private:
         arrow.headAtFrom = flag(node, "show_start_cap", false);
         arrow.headAtTo = flag(node, "show_end_cap", false);
         arrow.dashes = dashes(number(node, "tube_dash_length", 0));
-        arrow.look = look(node, "color", tooltipOf(node));
+        arrow.look = look(node, "color", readTooltip(node));
         setHead(node, arrow.headAtTo || !arrow.headAtFrom ? "end" : "start", radius, arrow);
         if (Primitives::Arrow other = arrow; arrow.headAtFrom && arrow.headAtTo) {  // the other head has its own size
             setHead(node, "start", radius, other);
@@ -215,8 +215,8 @@ private:
     }
     PrimitiveLook lookOfGroup(const Node& node, std::int64_t group) {
         const Json* tip = ofGroup(node, "group_tooltips", group);
-        PrimitiveLook own = look(node, "color", tip && tip->is_string() ? tip->get<std::string>() : tooltipOf(node));
-        if (const auto color = colorOf(ofGroup(node, "group_colors", group))) own.color = *color;
+        PrimitiveLook own = look(node, "color", tip && tip->is_string() ? tip->get<std::string>() : readTooltip(node));
+        if (const auto color = readColor(ofGroup(node, "group_colors", group))) own.color = *color;
         return own;
     }
 
@@ -253,7 +253,7 @@ private:
 
     void addLabel(const Node& node, const glm::dvec3& at, const std::string& text, double size) {
         all_.labels.push_back(
-            {at, withoutMarkup(text), kEmOfSize * size, colorOf(node.param("label_color")).value_or(labelColor_)});
+            {at, withoutMarkup(text), kEmOfSize * size, readColor(node.param("label_color")).value_or(labelColor_)});
     }
 
     void label(const Node& node) {
@@ -325,7 +325,7 @@ private:
         const double small = flag(node, "as_circle", false) ? large : number(node, "radius_minor", glm::length(*minor));
         all_.ellipses.push_back({center->center, glm::normalize(*major) * large, glm::normalize(*minor) * small,
                                  number(node, "theta_start", 0), number(node, "theta_end", 2 * std::numbers::pi),
-                                 look(node, "color", tooltipOf(node))});
+                                 look(node, "color", readTooltip(node))});
     }
 
     glm::dvec3 radii(const Node& node, const char* name, double otherwise) {
@@ -345,7 +345,7 @@ private:
         all_.ellipsoids.push_back(
             {center->center,
              {glm::normalize(major) * radius.x, glm::normalize(minor) * radius.y, glm::normalize(third) * radius.z},
-             look(node, "color", tooltipOf(node))});
+             look(node, "color", readTooltip(node))});
     }
 
     void box(const Node& node) {
@@ -358,8 +358,8 @@ private:
         box.center = center->center;
         box.axes = {glm::dvec3(half.x, 0, 0), glm::dvec3(0, half.y, 0), glm::dvec3(0, 0, half.z)};
         box.faces.reset();
-        if (flag(node, "show_faces", true)) box.faces = look(node, "face_color", tooltipOf(node));
-        if (flag(node, "show_edges", false)) box.edges = look(node, "edge_color", tooltipOf(node));
+        if (flag(node, "show_faces", true)) box.faces = look(node, "face_color", readTooltip(node));
+        if (flag(node, "show_edges", false)) box.edges = look(node, "edge_color", readTooltip(node));
         box.edgeRadius = number(node, "edge_radius", 0.1);
         if (box.faces || box.edges) all_.boxes.push_back(box);
     }

@@ -15,7 +15,7 @@ constexpr std::size_t kMostTexts = 2000;
 /// Columns that join rows to one text.
 std::vector<std::string> groupColumns(const Node& node) {
     const Json* named = node.param("group_by_fields");
-    if (!named || !named->is_array()) return {columnOf(node, "group_id")};
+    if (!named || !named->is_array()) return {findColumn(node, "group_id")};
     std::vector<std::string> columns;
     for (const Json& each : *named)
         if (each.is_string()) columns.push_back(each.get<std::string>());
@@ -23,7 +23,7 @@ std::vector<std::string> groupColumns(const Node& node) {
 }
 
 /// The joined values of the group columns; empty: the row has its own text.
-std::string groupOf(const AnnotationRow& row, std::size_t columns) {
+std::string joinColumns(const AnnotationRow& row, std::size_t columns) {
     std::string group;
     for (std::size_t i = 1; i <= columns; ++i) {
         if (!row.values[i]) return {};
@@ -34,8 +34,9 @@ std::string groupOf(const AnnotationRow& row, std::size_t columns) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::vector<bool>>> textsOf(const Node& node, const char* field, const Structure& s,
-                                                               SceneFiles& files, SceneWarnings& warnings) {
+std::vector<std::pair<std::string, std::vector<bool>>> readTextGroups(const Node& node, const char* field,
+                                                                      const Structure& s, SceneFiles& files,
+                                                                      SceneWarnings& warnings) {
     std::vector<std::pair<std::string, std::vector<bool>>> texts;
     const Json* format = node.param("text_format");
     std::optional<TextFormat> words;
@@ -49,8 +50,8 @@ std::vector<std::pair<std::string, std::vector<bool>>> textsOf(const Node& node,
     const std::size_t joining = columns.size();
     columns.insert(columns.end(), words->fields().begin(), words->fields().end());
     std::map<std::string, std::size_t> groups;  // index in `texts`; SIZE_MAX: without a text
-    for (const AnnotationRow& row : rowsOf(node, field, s, files, columns)) {
-        const std::string group = groupOf(row, joining);
+    for (const AnnotationRow& row : readRows(node, field, s, files, columns)) {
+        const std::string group = joinColumns(row, joining);
         const auto known = group.empty() ? groups.end() : groups.find(group);
         std::size_t place = texts.size();
         if (known != groups.end()) {

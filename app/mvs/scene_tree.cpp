@@ -18,7 +18,7 @@ std::string textAt(const Json& object, const char* key) {
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-double secondsOf(const Json& object, const char* key) {
+double readSeconds(const Json& object, const char* key) {
     const auto found = object.find(key);
     if (found == object.end() || !found->is_number()) return 0;
     constexpr double kLongest = 3'600'000;  // ms
@@ -36,7 +36,7 @@ public:
         if (++count_ > kMostNodes) refuseScene(name_, "it has more than " + std::to_string(kMostNodes) + " nodes");
         Node node;
         node.place = place;
-        node.fault = faultOf(json);
+        node.fault = findFault(json);
         if (!node.fault.empty()) return node;
         node.kind = json["kind"].get<std::string>();
         node.ref = textAt(json, "ref");
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    static std::string faultOf(const Json& json) {
+    static std::string findFault(const Json& json) {
         if (!json.is_object()) return "it is no object";
         if (const auto kind = json.find("kind"); kind == json.end() || !kind->is_string()) return "it has no \"kind\"";
         const auto params = json.find("params"), children = json.find("children");
@@ -75,8 +75,8 @@ void takeMetadata(const Json& json, Snapshot& snapshot) {
     snapshot.description = textAt(*metadata, "description");
     snapshot.key = textAt(*metadata, "key");
     const bool newer = metadata->contains("duration_ms");
-    snapshot.lingerSeconds = secondsOf(*metadata, newer ? "duration_ms" : "linger_duration_ms");
-    snapshot.transitionSeconds = secondsOf(*metadata, "transition_duration_ms");
+    snapshot.lingerSeconds = readSeconds(*metadata, newer ? "duration_ms" : "linger_duration_ms");
+    snapshot.transitionSeconds = readSeconds(*metadata, "transition_duration_ms");
 }
 
 Snapshot readSnapshot(Json& json, const std::string& place, TreeReader& reader, const std::string& name) {
@@ -93,7 +93,7 @@ Snapshot readSnapshot(Json& json, const std::string& place, TreeReader& reader, 
     return snapshot;
 }
 
-Json jsonOf(const std::string& text, const std::string& name) {
+Json parseSceneJson(const std::string& text, const std::string& name) {
     if (text.size() > kMostSceneBytes)
         refuseScene(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
     Json json = parseJson<Json>(text);
@@ -123,14 +123,14 @@ bool looksLikeScene(std::string_view text) {
 }
 
 Node parseNode(const std::string& text, const std::string& name) {
-    Json json = jsonOf(text, name);
+    Json json = parseSceneJson(text, name);
     Node node = TreeReader(name).read(json, name);
     if (!node.fault.empty()) refuseScene(name, node.fault);
     return node;
 }
 
 SceneTree parseScene(const std::string& text, const std::string& name) {
-    Json json = jsonOf(text, name);
+    Json json = parseSceneJson(text, name);
     if (!json.is_object()) refuseScene(name, "it is no scene: no object");
     SceneTree tree;
     if (const auto metadata = json.find("metadata"); metadata != json.end() && metadata->is_object()) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kVolumeColor = 0xffffffffu;
 
-std::optional<double> valueOf(const Node& node, const char* name, SceneWarnings& warnings) {
+std::optional<double> readValue(const Node& node, const char* name, SceneWarnings& warnings) {
     const Json* value = node.param(name);
     if (!value) return std::nullopt;
     if (value->is_number() && std::isfinite(value->get<double>())) return value->get<double>();
@@ -125,14 +125,14 @@ private:
         for (const Node& child : node.children) {
             tellUnknown(child, node, warnings_);
             if (child.kind == "color") {
-                const auto color = colorOf(child.param("color"));
+                const auto color = readColor(child.param("color"));
                 if (color)
                     volume.color = *color;
                 else
                     warnings_.add(child, "it names no colour");
             }
             if (child.kind != "opacity") continue;
-            const auto opacity = valueOf(child, "opacity", warnings_);
+            const auto opacity = readValue(child, "opacity", warnings_);
             if (opacity && *opacity >= 0 && *opacity <= 1)
                 volume.opacity = *opacity;
             else
@@ -142,9 +142,9 @@ private:
 
     bool setContour(const Node& node, SceneVolume& volume) {
         const MapStatistics& statistics = maps_.front()->statistics;
-        const double relative = valueOf(node, "relative_isovalue", warnings_).value_or(0);
+        const double relative = readValue(node, "relative_isovalue", warnings_).value_or(0);
         volume.level =
-            valueOf(node, "absolute_isovalue", warnings_).value_or(statistics.mean + relative * statistics.rms);
+            readValue(node, "absolute_isovalue", warnings_).value_or(statistics.mean + relative * statistics.rms);
         volume.wires = flag(node, "show_wireframe", false);
         volume.faces = flag(node, "show_faces", true);
         return (volume.wires || volume.faces) && volume.opacity > 0;
@@ -158,13 +158,13 @@ private:
         }
         volume.axis = dimension[0] - 'x';
         const int last = std::max(maps_.front()->boxSize[volume.axis] - 1, 1);
-        const auto share = valueOf(node, "relative_index", warnings_);
-        const auto index = valueOf(node, "absolute_index", warnings_);
+        const auto share = readValue(node, "relative_index", warnings_);
+        const auto index = readValue(node, "absolute_index", warnings_);
         const double slice = share ? std::round(*share * last) : index.value_or(0);
         volume.place = std::clamp(slice / last, 0.0, 1.0);
         const MapStatistics& statistics = maps_.front()->statistics;
-        volume.least = valueOf(node, "absolute_isovalue", warnings_);
-        if (const auto relative = valueOf(node, "relative_isovalue", warnings_); relative && !volume.least)
+        volume.least = readValue(node, "absolute_isovalue", warnings_);
+        if (const auto relative = readValue(node, "relative_isovalue", warnings_); relative && !volume.least)
             volume.least = statistics.mean + *relative * statistics.rms;
         return volume.opacity > 0;
     }

@@ -58,7 +58,7 @@ TextFormat::TextFormat(const std::string& format) {
         if (c == '}' || end == std::string::npos || format[end] == '{') refuseFormat("has a brace without another");
         const std::string field = format.substr(i + 1, end - i - 1);
         const std::size_t colon = std::min(field.find(':'), field.size());
-        Part part{std::move(words), kFirst, styleOf(field.substr(std::min(colon + 1, field.size())))};
+        Part part{std::move(words), kFirst, parseStyle(field.substr(std::min(colon + 1, field.size())))};
         words.clear();
         if (colon > 0) {
             part.field = fields_.size();
@@ -70,7 +70,7 @@ TextFormat::TextFormat(const std::string& format) {
     end_ = std::move(words);
 }
 
-TextFormat::Style TextFormat::styleOf(const std::string& text) {
+TextFormat::Style TextFormat::parseStyle(const std::string& text) {
     constexpr std::string_view kAligns = "<>=^", kTypes = "sdfFeE%";
     Style style;
     std::size_t at = 0;

@@ -30,7 +30,7 @@ private:
         Style style;
     };
     static constexpr std::size_t kFirst = SIZE_MAX;
-    static Style styleOf(const std::string& text);
+    static Style parseStyle(const std::string& text);
     static std::string styled(const std::string& value, const Style& style);
 
     std::vector<Part> parts_;

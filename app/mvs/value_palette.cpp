@@ -17,16 +17,16 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 [[noreturn]] void refusePalette(const std::string& why) { throw std::invalid_argument("its palette " + why); }
 
-const Json* fieldOf(const Json& palette, const char* name) {
+const Json* findField(const Json& palette, const char* name) {
     const auto found = palette.find(name);
     return found == palette.end() || found->is_null() ? nullptr : &*found;
 }
 bool isSet(const Json& palette, const char* name) {
-    const Json* value = fieldOf(palette, name);
+    const Json* value = findField(palette, name);
     return value && value->is_boolean() && value->get<bool>();
 }
-std::string wordOf(const Json& palette, const char* name, const char* otherwise) {
-    const Json* value = fieldOf(palette, name);
+std::string readWord(const Json& palette, const char* name, const char* otherwise) {
+    const Json* value = findField(palette, name);
     return value && value->is_string() ? value->get<std::string>() : otherwise;
 }
 
@@ -39,14 +39,14 @@ std::optional<double> leadingNumber(const std::string& text) {
     return read.ec == std::errc() && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-double boundOf(const Json& value, double otherwise) {
+double readBound(const Json& value, double otherwise) {
     if (value.is_null()) return otherwise;
     if (!value.is_number()) refusePalette("has a checkpoint that is no number");
     return value.get<double>();
 }
 
 std::uint32_t colorInPalette(const Json& value) {
-    const auto color = colorOf(&value);
+    const auto color = readColor(&value);
     if (!color) refusePalette("names a colour that is none: " + nacre::printable(value.dump(-1, ' ', true), 40));
     return *color;
 }
@@ -59,7 +59,7 @@ struct Step {
 
 /// The steps of a list. @param each  numbers given with each colour; 0: only colours
 std::vector<Step> listedSteps(const Json& palette, std::size_t& each) {
-    const Json* list = fieldOf(palette, "colors");
+    const Json* list = findField(palette, "colors");
     const std::string name = list && list->is_string() ? list->get<std::string>() : list ? "" : "YlGn";
     std::vector<Step> steps;
     each = 0;
@@ -81,8 +81,8 @@ std::vector<Step> listedSteps(const Json& palette, std::size_t& each) {
         }
         Step step;
         if (each == 1 || !entry[0].is_null()) step.color = colorInPalette(entry[0]);
-        step.from = boundOf(entry[1], -kInfinity);
-        step.to = each == 2 ? boundOf(entry[2], kInfinity) : 0;
+        step.from = readBound(entry[1], -kInfinity);
+        step.to = each == 2 ? readBound(entry[2], kInfinity) : 0;
         steps.push_back(step);
     }
     return steps;
@@ -90,7 +90,7 @@ std::vector<Step> listedSteps(const Json& palette, std::size_t& each) {
 
 class NumberPalette {
 public:
-    explicit NumberPalette(const Json& palette) : ramp_(wordOf(palette, "kind", "") == "continuous") {
+    explicit NumberPalette(const Json& palette) : ramp_(readWord(palette, "kind", "") == "continuous") {
         std::size_t each = 0;
         steps_ = listedSteps(palette, each);
         if (each == 0 && isSet(palette, "reverse")) std::reverse(steps_.begin(), steps_.end());
@@ -126,7 +126,7 @@ public:
 
 private:
     static std::optional<std::uint32_t> outsideColor(const Json& palette, const char* name, const Step& nearest) {
-        const Json* value = fieldOf(palette, name);
+        const Json* value = findField(palette, name);
         if (!value) return std::nullopt;
         return *value == "auto" ? nearest.color : colorInPalette(*value);
     }
@@ -148,25 +148,25 @@ struct Scale {
     }
 };
 
-Scale scaleOf(const Json& palette, const std::vector<AnnotationRow>& rows) {
+Scale makeScale(const Json& palette, const std::vector<AnnotationRow>& rows) {
     Scale scale;
-    scale.used = wordOf(palette, "mode", "normalized") != "absolute";
+    scale.used = readWord(palette, "mode", "normalized") != "absolute";
     if (!scale.used) return scale;
     double least = kInfinity, largest = -kInfinity;
     for (const AnnotationRow& row : rows)
         if (const auto value = row.value() ? leadingNumber(*row.value()) : std::nullopt)
             least = std::min(least, *value), largest = std::max(largest, *value);
     scale = least <= largest ? Scale{least, largest} : Scale{};
-    if (const Json* domain = fieldOf(palette, "value_domain")) {
+    if (const Json* domain = findField(palette, "value_domain")) {
         if (!domain->is_array() || domain->size() != 2) refusePalette("has a value_domain that is no pair of numbers");
-        scale.from = boundOf((*domain)[0], scale.from);
-        scale.to = boundOf((*domain)[1], scale.to);
+        scale.from = readBound((*domain)[0], scale.from);
+        scale.to = readBound((*domain)[1], scale.to);
     }
     return scale;
 }
 
 ColorOfValue numberColors(const Json& palette, const std::vector<AnnotationRow>& rows) {
-    return [colors = NumberPalette(palette), scale = scaleOf(palette, rows)](const std::string& text) {
+    return [colors = NumberPalette(palette), scale = makeScale(palette, rows)](const std::string& text) {
         const auto value = leadingNumber(text);
         return value ? colors.at(scale(*value)) : std::nullopt;
     };
@@ -180,19 +180,19 @@ std::vector<std::string> sortedValues(const Json& palette, const std::vector<Ann
         if (row.value())
             if (const auto [value, isNew] = known.insert(capitals ? upperCase(*row.value()) : *row.value()); isNew)
                 values.push_back(*value);
-    const std::string order = wordOf(palette, "sort", "none");
+    const std::string order = readWord(palette, "sort", "none");
     if (order == "lexical") std::sort(values.begin(), values.end());
     if (order == "numeric")
         std::stable_sort(values.begin(), values.end(), [](const std::string& a, const std::string& b) {
             return leadingNumber(a).value_or(kInfinity) < leadingNumber(b).value_or(kInfinity);
         });
-    if (wordOf(palette, "sort_direction", "ascending") == "descending") std::reverse(values.begin(), values.end());
+    if (readWord(palette, "sort_direction", "ascending") == "descending") std::reverse(values.begin(), values.end());
     return values;
 }
 
 ColorOfValue wordColors(const Json& palette, const std::vector<AnnotationRow>& rows) {
     static const Json kUsual = "Category10";
-    const Json* given = fieldOf(palette, "colors");
+    const Json* given = findField(palette, "colors");
     const Json& colors = given ? *given : kUsual;
     const bool capitals = isSet(palette, "case_insensitive");
     std::map<std::string, std::uint32_t> named;
@@ -215,7 +215,7 @@ ColorOfValue wordColors(const Json& palette, const std::vector<AnnotationRow>& r
         }
     }
     std::optional<std::uint32_t> missing;
-    if (const Json* color = fieldOf(palette, "missing_color")) missing = colorInPalette(*color);
+    if (const Json* color = findField(palette, "missing_color")) missing = colorInPalette(*color);
     return [=](const std::string& value) -> std::optional<std::uint32_t> {
         const auto found = chosen.find(capitals ? upperCase(value) : value);
         return found == chosen.end() ? missing : found->second;
@@ -235,7 +235,7 @@ std::uint32_t mixedColor(std::uint32_t from, std::uint32_t to, double share) {
 
 ColorOfValue colorsOfPalette(const Json& palette, const std::vector<AnnotationRow>& rows) {
     if (!palette.is_object()) refusePalette("is no object");
-    const std::string kind = wordOf(palette, "kind", "");
+    const std::string kind = readWord(palette, "kind", "");
     if (kind == "categorical") return wordColors(palette, rows);
     if (kind == "discrete" || kind == "continuous") return numberColors(palette, rows);
     refusePalette("is of no kind that is known: '" + nacre::printable(kind, 40) + "'");

@@ -13,29 +13,29 @@ double rounded(double x) { return std::round(x * 1e6) / 1e6; }
 constexpr const char *kEnds[] = {"start", "end"}, *kCorners[] = {"a", "b", "c"};
 
 /// The format of a map for a parse node.
-const char* formatOf(const DensityMap& map) {
+const char* sceneFormat(const DensityMap& map) {
     if (map.format == "dx") return "dx";
     return map.format == "density-server" ? "bcif" : "map";
 }
 
 }  // namespace
 
-Out nodeOf(const char* kind, Out params) {
+Out makeNode(const char* kind, Out params) {
     Out node{{"kind", kind}};
     if (!params.empty()) node["params"] = std::move(params);
     return node;
 }
 
-std::string hexOf(std::uint32_t color) {
+std::string toHex(std::uint32_t color) {
     char text[8];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff);
     return text;
 }
 
-Out listOf(const glm::dvec3& v) { return Out::array({rounded(v.x), rounded(v.y), rounded(v.z)}); }
+Out toList(const glm::dvec3& v) { return Out::array({rounded(v.x), rounded(v.y), rounded(v.z)}); }
 
-Out nodeOf(const char* kind, Out params, Out child) {
-    Out node = nodeOf(kind, std::move(params));
+Out makeNode(const char* kind, Out params, Out child) {
+    Out node = makeNode(kind, std::move(params));
     node["children"] = Out::array({std::move(child)});
     return node;
 }
@@ -43,15 +43,15 @@ Out nodeOf(const char* kind, Out params, Out child) {
 Out cameraNode(const SceneCamera& camera) {
     // In Mol*, a ball of half the distance fills the picture.
     const glm::dvec3 position = camera.target - glm::normalize(camera.direction) * (2 * camera.radius);
-    return nodeOf("camera",
-                  {{"target", listOf(camera.target)}, {"position", listOf(position)}, {"up", listOf(camera.up)}});
+    return makeNode("camera",
+                    {{"target", toList(camera.target)}, {"position", toList(position)}, {"up", toList(camera.up)}});
 }
 
 Out canvasNode(const PictureDescription& picture) {
     std::uint32_t background = 0;
     for (std::size_t i = 0; i < 3; ++i)
         background |= static_cast<std::uint32_t>(std::lround(picture.background[i] * 255.0f)) << (8 * i);
-    return nodeOf("canvas", {{"background_color", hexOf(background)}});
+    return makeNode("canvas", {{"background_color", toHex(background)}});
 }
 
 Out Expressions::of(const std::vector<std::uint32_t>& atoms) const {
@@ -99,14 +99,15 @@ Out volumeNode(const SceneVolume& volume, const std::string& address) {
                   {"absolute_isovalue", volume.level},
                   {"show_wireframe", volume.wires},
                   {"show_faces", volume.faces}};
-    Out shown = nodeOf("volume_representation", std::move(params), nodeOf("color", {{"color", hexOf(volume.color)}}));
-    if (volume.opacity < 1) shown["children"].push_back(nodeOf("opacity", {{"opacity", rounded(volume.opacity)}}));
-    Out parse = nodeOf("parse", {{"format", formatOf(*volume.map)}}, nodeOf("volume", {}, std::move(shown)));
-    return nodeOf("download", {{"url", address}}, std::move(parse));
+    Out shown =
+        makeNode("volume_representation", std::move(params), makeNode("color", {{"color", toHex(volume.color)}}));
+    if (volume.opacity < 1) shown["children"].push_back(makeNode("opacity", {{"opacity", rounded(volume.opacity)}}));
+    Out parse = makeNode("parse", {{"format", sceneFormat(*volume.map)}}, makeNode("volume", {}, std::move(shown)));
+    return makeNode("download", {{"url", address}}, std::move(parse));
 }
 
 Out measureNode(const ResidueFacts& facts, const PictureDescription& picture, std::size_t& left) {
-    Out group = nodeOf("primitives", {});
+    Out group = makeNode("primitives", {});
     group["children"] = Out::array();
     for (const Measure& measure : picture.words.measures) {
         Out params = {{"kind", measure.points.size() == 2 ? "distance_measurement" : "angle_measurement"}};
@@ -121,7 +122,7 @@ Out measureNode(const ResidueFacts& facts, const PictureDescription& picture, st
             const auto atom = std::find(chosen.begin(), chosen.end(), true) - chosen.begin();
             params[names[i]] = {{"atom_index", atom}};
         }
-        group["children"].push_back(nodeOf("primitive", std::move(params)));
+        group["children"].push_back(makeNode("primitive", std::move(params)));
     }
     return group["children"].empty() ? Out() : group;
 }

@@ -15,12 +15,12 @@ namespace nacre::app::mvs {
 
 using Out = nlohmann::ordered_json;
 
-Out nodeOf(const char* kind, Out params);
+Out makeNode(const char* kind, Out params);
 /// A node with one child.
-Out nodeOf(const char* kind, Out params, Out child);
+Out makeNode(const char* kind, Out params, Out child);
 /// "#rrggbb". @param color  packed as in colors.h
-std::string hexOf(std::uint32_t color);
-Out listOf(const glm::dvec3& v);
+std::string toHex(std::uint32_t color);
+Out toList(const glm::dvec3& v);
 Out cameraNode(const SceneCamera& camera);
 Out canvasNode(const PictureDescription& picture);
 

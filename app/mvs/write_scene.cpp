@@ -18,7 +18,7 @@
 namespace nacre::app::mvs {
 namespace {
 
-const char* typeOf(Style style) {
+const char* representationType(Style style) {
     const bool sticks = style == Style::ballAndStick || style == Style::licorice || style == Style::ellipsoids;
     return sticks ? "ball_and_stick" : styleName(style);
 }
@@ -30,30 +30,31 @@ void addColors(const SceneLayer& layer, const Expressions& expressions, Out& chi
         byColor[layer.colors[i] | 0xff000000u].push_back(layer.atoms[i]);
     const auto most = std::max_element(byColor.begin(), byColor.end(),
                                        [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
-    children.push_back(nodeOf("color", {{"color", hexOf(most->first)}}));
+    children.push_back(makeNode("color", {{"color", toHex(most->first)}}));
     for (const auto& [color, atoms] : byColor)
         if (color != most->first)
-            children.push_back(nodeOf("color", {{"selector", expressions.of(atoms)}, {"color", hexOf(color)}}));
+            children.push_back(makeNode("color", {{"selector", expressions.of(atoms)}, {"color", toHex(color)}}));
 }
 
-Out componentOf(const SceneLayer& layer, const Expressions& expressions) {
+Out makeComponent(const SceneLayer& layer, const Expressions& expressions) {
     Out children = Out::array();
     addColors(layer, expressions, children);
     if (!layer.opacity.empty() && layer.opacity.front() < 1)
         children.push_back(
-            nodeOf("opacity", {{"opacity", std::round(static_cast<double>(layer.opacity.front()) * 1e3) / 1e3}}));
-    Out params{{"type", layer.cartoon.putty && layer.style == Style::cartoon ? "putty" : typeOf(layer.style)}};
+            makeNode("opacity", {{"opacity", std::round(static_cast<double>(layer.opacity.front()) * 1e3) / 1e3}}));
+    Out params{
+        {"type", layer.cartoon.putty && layer.style == Style::cartoon ? "putty" : representationType(layer.style)}};
     if (layer.style == Style::cartoon && layer.cartoon.helices != HelixForm::ribbon) params["tubular_helices"] = true;
     if (layer.style == Style::cartoon && !layer.cartoon.putty)
         params["size_factor"] = std::round(layer.cartoon.scale / kCartoonScale * 1e3) / 1e3;
-    Out representation = nodeOf("representation", std::move(params));
+    Out representation = makeNode("representation", std::move(params));
     representation["children"] = std::move(children);
-    return nodeOf("component", {{"selector", expressions.of(layer.atoms)}}, std::move(representation));
+    return makeNode("component", {{"selector", expressions.of(layer.atoms)}}, std::move(representation));
 }
 
 bool hasFields(const Label& label) { return label.text.find('{') != std::string::npos; }
 
-const char* formatOf(const Molecule& molecule) {
+const char* sceneFormat(const Molecule& molecule) {
     const std::string& format = molecule.file.format;
     if (format == "bcif") return "bcif";
     return format == "pdb" ? "pdb" : "mmcif";
@@ -68,13 +69,13 @@ void addLabels(const ResidueFacts& facts, const PictureDescription& d, const Exp
         for (std::uint32_t i = 0; i < chosen.size(); ++i)
             if (chosen[i]) atoms.push_back(i);
         if (!atoms.empty())
-            children.push_back(
-                nodeOf("component", {{"selector", expressions.of(atoms)}}, nodeOf("label", {{"text", label.text}})));
+            children.push_back(makeNode("component", {{"selector", expressions.of(atoms)}},
+                                        makeNode("label", {{"text", label.text}})));
     }
 }
 
 /// Notes about options that no scene can express.
-std::vector<std::string> notesOf(const PictureDescription& d) {
+std::vector<std::string> listNotes(const PictureDescription& d) {
     std::vector<std::string> notes;
     const auto add = [&](bool there, const char* what) {
         if (there) notes.push_back("MolViewSpec cannot store " + std::string(what));
@@ -92,10 +93,10 @@ std::vector<std::string> notesOf(const PictureDescription& d) {
     return notes;
 }
 
-std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& molecule,
-                                 std::span<const SceneLayer> layers, std::span<const SceneVolume> volumes,
-                                 std::size_t torsions) {
-    std::vector<std::string> notes = notesOf(d);
+std::vector<std::string> listNotes(const PictureDescription& d, const Molecule& molecule,
+                                   std::span<const SceneLayer> layers, std::span<const SceneVolume> volumes,
+                                   std::size_t torsions) {
+    std::vector<std::string> notes = listNotes(d);
     if (std::any_of(layers.begin(), layers.end(),
                     [](const SceneLayer& layer) { return layer.style == Style::licorice; }))
         notes.push_back("MolViewSpec cannot store the thickness of sticks: viewers use their own");
@@ -150,7 +151,7 @@ WrittenScene rewriteScene(const PictureDescription& d, const SceneCamera& camera
     scene["kind"] = "single";
     WrittenScene written;
     written.json = jsonText(scene);
-    written.notes = notesOf(d);
+    written.notes = listNotes(d);
     if (d.look.style || !d.look.rules.empty())
         written.notes.push_back("the scene keeps its own representations: styles and rules are left out");
     namespace fs = std::filesystem;
@@ -163,7 +164,7 @@ WrittenScene rewriteScene(const PictureDescription& d, const SceneCamera& camera
 
 }  // namespace
 
-std::string addressOf(const std::string& input, const std::string& path, std::vector<std::string>& outside) {
+std::string sceneAddress(const std::string& input, const std::string& path, std::vector<std::string>& outside) {
     if (input.starts_with("pdb:")) return "https://files.wwpdb.org/download/" + lowerCase(input.substr(4)) + ".cif";
     if (input.starts_with("afdb:"))
         return "https://alphafold.ebi.ac.uk/files/AF-" + upperCase(input.substr(5)) + "-F1-model_v4.cif";
@@ -181,31 +182,32 @@ WrittenScene writeScene(const Molecule& molecule, const PictureDescription& d, s
     if (molecule.guide) return rewriteScene(d, camera, path);
     const ResidueFacts facts(molecule);
     const Expressions expressions(molecule);
-    const std::vector<SceneLayer> layers = layersOf(appearanceOf(facts, drawnAtoms(molecule, d.drawn), d.look), d.look);
+    const std::vector<SceneLayer> layers =
+        splitLayers(makeAppearance(facts, drawnAtoms(molecule, d.drawn), d.look), d.look);
     Out structureParams{{"type", d.look.assembly.empty() ? "model" : "assembly"}};
     if (!d.look.assembly.empty()) structureParams["assembly_id"] = d.look.assembly;
     if (d.input.model > 1) structureParams["model_index"] = d.input.model - 1;
-    Out structure = nodeOf("structure", std::move(structureParams));
+    Out structure = makeNode("structure", std::move(structureParams));
     structure["children"] = Out::array();
     for (const SceneLayer& layer : layers)
-        if (!layer.atoms.empty()) structure["children"].push_back(componentOf(layer, expressions));
+        if (!layer.atoms.empty()) structure["children"].push_back(makeComponent(layer, expressions));
     addLabels(facts, d, expressions, structure["children"]);
     std::vector<std::string> outside;
     std::size_t left = 0;
     if (Out measures = measureNode(facts, d, left); !measures.is_null())
         structure["children"].push_back(std::move(measures));
-    Out parse = nodeOf("parse", {{"format", formatOf(molecule)}}, std::move(structure));
-    Out root =
-        nodeOf("root", {}, nodeOf("download", {{"url", addressOf(d.input.path, path, outside)}}, std::move(parse)));
+    Out parse = makeNode("parse", {{"format", sceneFormat(molecule)}}, std::move(structure));
+    Out root = makeNode("root", {},
+                        makeNode("download", {{"url", sceneAddress(d.input.path, path, outside)}}, std::move(parse)));
     for (const SceneVolume& volume : volumes)
-        root["children"].push_back(volumeNode(volume, addressOf(volume.map->name, path, outside)));
+        root["children"].push_back(volumeNode(volume, sceneAddress(volume.map->name, path, outside)));
     root["children"].push_back(canvasNode(d));
     root["children"].push_back(cameraNode(camera));
     Out metadata{{"version", "1.2"}};
     if (!d.words.title.empty()) metadata["title"] = d.words.title;
     WrittenScene written;
     written.json = jsonText({{"kind", "single"}, {"root", std::move(root)}, {"metadata", std::move(metadata)}});
-    written.notes = notesOf(d, molecule, layers, volumes, left);
+    written.notes = listNotes(d, molecule, layers, volumes, left);
     for (const std::string& file : outside)
         written.notes.push_back("put " + file + " into the scene's folder: the scene names it there");
     return written;

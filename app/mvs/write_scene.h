@@ -23,6 +23,6 @@ WrittenScene writeScene(const Molecule& molecule, const PictureDescription& pict
 
 /// The address of an INPUT in a scene: that of a database entry, or the file's name relative to the scene's folder.
 /// @param path  of the scene @param outside  receives files that are not in its folder
-std::string addressOf(const std::string& input, const std::string& path, std::vector<std::string>& outside);
+std::string sceneAddress(const std::string& input, const std::string& path, std::vector<std::string>& outside);
 
 }  // namespace nacre::app::mvs

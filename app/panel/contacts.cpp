@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostListed = 100;
 
 /// Both residues of a contact.
-Selection residuesOf(const Interaction& contact) {
+Selection bothResidues(const Interaction& contact) {
     return parseSelection("byres (id " + std::to_string(contact.a.atoms.front() + 1) + "+" +
                           std::to_string(contact.b.atoms.front() + 1) + ")");
 }
@@ -53,7 +53,7 @@ void drawContactList(PanelFrame& f) {
         const std::string label = said.substr(std::string_view(contactLook(contact.kind).label).size() + 1);
         if (f.ui.row(Icon::fit, label, -1)) {
             f.s.aim.emplace();
-            f.s.aim->zoomTo = residuesOf(contact);
+            f.s.aim->zoomTo = bothResidues(contact);
         }
         f.ui.explain(said);
         ImGui::PopID();

@@ -13,7 +13,7 @@
 namespace nacre::app {
 namespace {
 
-std::vector<const char*> labelsOf(const Option& row) {
+std::vector<const char*> listLabels(const Option& row) {
     std::vector<const char*> labels;
     for (const auto& choice : row.control.choices) labels.push_back(choice.label);
     return labels;
@@ -100,8 +100,8 @@ void chooseOption(PanelFrame& f, std::string_view key) {
 
 bool chooseValue(Widgets& ui, const char* name, std::string_view key, std::string& value) {
     const Option& row = option(key);
-    std::string word = wordOf(key, value);
-    if (!ui.choose(name, labelsOf(row), word)) return false;
+    std::string word = choiceLabel(key, value);
+    if (!ui.choose(name, listLabels(row), word)) return false;
     for (const auto& choice : row.control.choices)
         if (word == choice.label) value = choice.value;
     return true;
@@ -109,9 +109,9 @@ bool chooseValue(Widgets& ui, const char* name, std::string_view key, std::strin
 
 bool chooseStyle(Widgets& ui, const char* name, const char* none, std::optional<Style>& style, float width) {
     const Option& row = option("style");
-    std::vector<const char*> labels = labelsOf(row);
+    std::vector<const char*> labels = listLabels(row);
     labels.front() = none;
-    std::string word = style ? wordOf("style", styleName(*style)) : none;
+    std::string word = style ? choiceLabel("style", styleName(*style)) : none;
     if (!ui.choose(name, std::span(labels).subspan(none ? 0 : 1), word, width)) return false;
     style.reset();
     for (std::size_t i = 1; i < labels.size(); ++i)

@@ -30,7 +30,7 @@ bool isOwn(char32_t c) {
 
 /// Representative character of a group that fonts cover together: Han, kana and Hangul, Arabic with its joined forms,
 /// else 128 consecutive ones.
-char32_t scriptOf(char32_t c) {
+char32_t findScript(char32_t c) {
     if ((c >= 0x2e80 && c < 0xa000) || (c >= 0xac00 && c < 0xd7b0) || (c >= 0xf900 && c < 0xfb00) ||
         (c >= 0xff00 && c < 0xfff0))
         return 0x4e00;
@@ -48,7 +48,7 @@ std::size_t offsetAt(const std::vector<char>& font, std::size_t at) {
 }
 
 /// From the highest to the lowest point of a font, in em, from its tables head and hhea; 0 if missing.
-float heightOf(const std::vector<char>& font, int index) {
+float readHeight(const std::vector<char>& font, int index) {
     const bool collection = font.size() > 4 && std::string_view(font.data(), 4) == "ttcf";
     const std::size_t start = collection ? offsetAt(font, 12 + 4 * static_cast<std::size_t>(index)) : 0;
     int unitsPerEm = 0, high = 0, low = 0;
@@ -73,7 +73,7 @@ void ForeignGlyphs::read(const std::string& text) {
 void ForeignGlyphs::find() {
     news_ = false;
     std::map<char32_t, std::vector<char32_t>> scripts;
-    for (const char32_t c : met_) scripts[scriptOf(c)].push_back(c);
+    for (const char32_t c : met_) scripts[findScript(c)].push_back(c);
     fonts_.clear();
     for (const auto& [script, characters] : scripts) {
         const std::optional<FontFile> file = find_(characters);
@@ -123,7 +123,7 @@ void addPanelFont(float pixelsPerPoint, const std::vector<ForeignGlyphs::Font>& 
             merged.MergeMode = true;
             merged.FontNo = font.file.index;
             // Dear ImGui's size is from the highest to the lowest point: scales the em to that of the panel's font.
-            const float height = heightOf(font.bytes, font.file.index);
+            const float height = readHeight(font.bytes, font.file.index);
             const float whole = height > 0 ? std::round(size * height / kFontSizeOfEm) : size;
             fonts.AddFontFromMemoryTTF(const_cast<char*>(font.bytes.data()), static_cast<int>(font.bytes.size()), whole,
                                        &merged, font.ranges.data());

@@ -30,7 +30,7 @@ ImVec2 place(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast
 /// Pixels of a text in the panel's font. @param em  pixels
 double textWidth(const std::string& text, double em) {
     const float size = static_cast<float>(em) * kFontSizeOfEm;
-    return static_cast<double>(fontOf(size)->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x);
+    return static_cast<double>(findFont(size)->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x);
 }
 
 bool isDark(std::uint32_t color) { return (color & 255) + (color >> 8 & 255) + (color >> 16 & 255) < 3 * 128; }
@@ -39,7 +39,7 @@ bool isDark(std::uint32_t color) { return (color & 255) + (color >> 8 & 255) + (
 void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, std::uint32_t color, std::uint32_t halo,
               float haloWidth) {
     const float size = static_cast<float>(mark.size) * kFontSizeOfEm;
-    ImFont* font = fontOf(size);
+    ImFont* font = findFont(size);
     // At its original size it is aligned to whole pixels, and as sharp as the panel.
     ImVec2 at = place(mark.at + corner);
     at.y -= font->Ascent * size / font->FontSize;
@@ -97,7 +97,7 @@ void drawBox(PanelFrame& f, const std::string& text, ImVec2 low, ImVec2 high, fl
 /// Small, at the top left of the free area: the legend is at its right.
 void drawHint(PanelFrame& f, const std::string& text) {
     if (text.empty()) return;
-    ImFont* font = fontOf(TextSize::caption);
+    ImFont* font = findFont(TextSize::caption);
     const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
     const ImVec2 pad(f.ui.px(8), f.ui.px(4));
     const Rectangle free = f.s.freeRoom();
@@ -150,21 +150,21 @@ Marks behindGlasses(Marks marks) {
 /// Draws marks of a part of the window.
 void drawMarks(const Marks& marks, const glm::dvec2& corner) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const auto placeOf = [&](const glm::dvec2& p) { return place(p + corner); };
+    const auto toScreen = [&](const glm::dvec2& p) { return place(p + corner); };
     const auto haloWidth = static_cast<float>(marks.haloWidth);
     const ImU32 halo = (marks.halo & 0xffffff) | 0xd8000000;
     for (const BackMark& back : marks.backs)
-        list.AddRectFilled(placeOf(back.low), placeOf(back.high),
+        list.AddRectFilled(toScreen(back.low), toScreen(back.high),
                            (marks.halo & 0xffffff) | static_cast<ImU32>(255 * BackMark::kStrength) << 24);
     for (const bool ink : {false, true})
         for (const LineMark& line : marks.lines)
             for (std::size_t i = 1; i < line.points.size(); ++i)
-                list.AddLine(placeOf(line.points[i - 1]), placeOf(line.points[i]), ink ? marks.color : halo,
+                list.AddLine(toScreen(line.points[i - 1]), toScreen(line.points[i]), ink ? marks.color : halo,
                              static_cast<float>(line.width) + (ink ? 0 : 1.6f * haloWidth));
     for (const bool ink : {false, true})
         for (const ShapeMark& shape : marks.shapes) {
             std::vector<ImVec2> corners;
-            for (const glm::dvec2& p : shape.corners) corners.push_back(placeOf(p));
+            for (const glm::dvec2& p : shape.corners) corners.push_back(toScreen(p));
             const int count = static_cast<int>(corners.size());
             if (ink)
                 list.AddConvexPolyFilled(corners.data(), count, shape.color);
@@ -173,9 +173,9 @@ void drawMarks(const Marks& marks, const glm::dvec2& corner) {
         }
     for (const DiscMark& disc : marks.discs) {
         const auto radius = static_cast<float>(disc.radius);
-        list.AddCircleFilled(placeOf(disc.at), radius + 0.8f * haloWidth, halo, 32);
-        if (disc.ring) list.AddCircleFilled(placeOf(disc.at), radius, disc.ring, 32);
-        list.AddCircleFilled(placeOf(disc.at), static_cast<float>(disc.inner()), disc.color ? disc.color : marks.color,
+        list.AddCircleFilled(toScreen(disc.at), radius + 0.8f * haloWidth, halo, 32);
+        if (disc.ring) list.AddCircleFilled(toScreen(disc.at), radius, disc.ring, 32);
+        list.AddCircleFilled(toScreen(disc.at), static_cast<float>(disc.inner()), disc.color ? disc.color : marks.color,
                              32);
     }
     for (const RampMark& ramp : marks.ramps) {
@@ -184,7 +184,7 @@ void drawMarks(const Marks& marks, const glm::dvec2& corner) {
             const auto y = [&](std::size_t k) {
                 return std::round(ramp.low.y + (ramp.high.y - ramp.low.y) * static_cast<double>(k) / steps);
             };
-            list.AddRectFilled(placeOf({ramp.low.x, y(i)}), placeOf({ramp.high.x, y(i + 1)}), ramp.colors[i]);
+            list.AddRectFilled(toScreen({ramp.low.x, y(i)}), toScreen({ramp.high.x, y(i + 1)}), ramp.colors[i]);
         }
     }
     for (const TextMark& text : marks.texts)
@@ -193,7 +193,7 @@ void drawMarks(const Marks& marks, const glm::dvec2& corner) {
 
 }  // namespace
 
-OverlayEye eyeOf(const ImDrawCmd& command) { return *static_cast<const OverlayEye*>(command.UserCallbackData); }
+OverlayEye commandEye(const ImDrawCmd& command) { return *static_cast<const OverlayEye*>(command.UserCallbackData); }
 
 /// Labels, measurements, legend and so on, as in saved pictures.
 void drawWords(PanelFrame& f) {
@@ -239,17 +239,17 @@ void drawOutline(PanelFrame& f) {
 void drawAnnotations(PanelFrame& f) {
     const Annotations a = f.viewer.picking().annotations();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();  // beneath panel and help
-    const auto placeOf = [&](const glm::dvec2& points) { return place(points * f.s.pixelsPerPoint); };
+    const auto toScreen = [&](const glm::dvec2& points) { return place(points * f.s.pixelsPerPoint); };
     constexpr std::pair<ImU32, float> kPens[] = {{kMarkEdge, 5.0f}, {kMark, 2.0f}};
     const bool glasses = f.viewer.view().stereo.mode == Stereo::Mode::anaglyph;
     for (const std::vector<glm::dvec2>* atoms : {&a.atoms, &a.otherAtoms}) {
         if (glasses) drawFor(atoms == &a.atoms ? OverlayEye::left : OverlayEye::right);
         for (std::size_t i = 1; i < atoms->size(); ++i)
             for (const auto& [color, points] : kPens)
-                list.AddLine(placeOf((*atoms)[i - 1]), placeOf((*atoms)[i]), color, f.ui.px(points));
+                list.AddLine(toScreen((*atoms)[i - 1]), toScreen((*atoms)[i]), color, f.ui.px(points));
         for (const glm::dvec2& atom : *atoms)
             for (const auto& [color, points] : kPens)
-                list.AddCircle(placeOf(atom), f.ui.px(8), color, 24, f.ui.px(points));
+                list.AddCircle(toScreen(atom), f.ui.px(8), color, 24, f.ui.px(points));
     }
     if (glasses) drawFor(OverlayEye::both);
     drawHint(f, a.coarse);

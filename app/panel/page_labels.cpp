@@ -17,13 +17,13 @@ std::string rowText(const Measure& measure, const PlacedWords& placed) {
 }
 
 /// A row each, with a button that removes it. @param id  of the first row
-template <typename Word, typename TextOf>
-void listWords(PanelFrame& f, int id, std::vector<Word>& words, TextOf textOf) {
+template <typename Word, typename GetText>
+void listWords(PanelFrame& f, int id, std::vector<Word>& words, GetText getText) {
     const float side = f.ui.rowHeight();
     std::erase_if(words, [&](const Word& word) {
         ImGui::PushID(id++);
         const float x = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
-        f.ui.name(textOf(word), room - side - f.ui.px(8));
+        f.ui.name(getText(word), room - side - f.ui.px(8));
         ImGui::SameLine(x + room - side);
         const bool gone = f.ui.sign(Icon::close, "Remove");
         ImGui::PopID();

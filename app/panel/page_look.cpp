@@ -51,7 +51,7 @@ void drawStyles(PanelFrame& f) {
         f.ui.controls.back().value = chosen(row, f.look) == i ? "on" : "off";
     }
     if (!look.style && f.viewer.document())
-        f.ui.caption("Automatic: " + wordOf("style", styleName(f.viewer.document()->drawing.scene().style)));
+        f.ui.caption("Automatic: " + choiceLabel("style", styleName(f.viewer.document()->drawing.scene().style)));
     if (shows(Style::cartoon, look)) slideOnRelease(f.ui, "cartoon-opacity", 100, look.cartoonOpacity);
     if (shows(Style::surface, look)) slideOnRelease(f.ui, "surface-opacity", 100, look.surfaceOpacity);
     if (shows(Style::ellipsoids, look)) slideOnRelease(f.ui, "probability", 1, look.sizes.probability);
@@ -72,7 +72,7 @@ void drawLookPage(PanelFrame& f) {
     for (const Look& named : looks()) names.push_back(named.name.c_str());
     std::string name = "Looks";
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (f.ui.choose("Look preset", names, name, f.ui.forFingers() ? -1 : half)) applyLook(lookOf(name), look);
+    if (f.ui.choose("Look preset", names, name, f.ui.forFingers() ? -1 : half)) applyLook(readLook(name), look);
     names.clear();
     for (const Preset& preset : presets()) names.push_back(preset.name);
     name = "Styles";

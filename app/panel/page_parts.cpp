@@ -18,7 +18,7 @@
 namespace nacre::app {
 namespace {
 
-std::string countOf(const Part& part) {
+std::string formatCount(const Part& part) {
     switch (part.kind) {
         case Part::Kind::chain:
             return std::to_string(part.residues) + (part.residues == 1 ? " residue" : " residues");
@@ -126,8 +126,8 @@ namespace {
 void findPartColors(PanelFrame& f) {
     PanelState& s = f.s;
     const Drawing& drawing = f.viewer.document()->drawing;
-    if (s.colorsOf == drawing.sceneNumber() && s.partColors.size() == s.parts.size()) return;
-    s.colorsOf = drawing.sceneNumber();
+    if (s.colorsScene == drawing.sceneNumber() && s.partColors.size() == s.parts.size()) return;
+    s.colorsScene = drawing.sceneNumber();
     s.partColors.assign(s.parts.size(), std::nullopt);
     std::vector<bool> several(s.parts.size());
     const Molecule& m = *s.molecule;
@@ -144,13 +144,13 @@ void findPartColors(PanelFrame& f) {
 }
 
 void drawStyleChoice(PanelFrame& f, const Part& part, float width) {
-    PartLook of = lookOf(f.look, part);
-    if (chooseStyle(f.ui, ("Style of " + part.name).c_str(), "Default", of.style, width)) setLookOf(f.look, part, of);
+    PartLook of = findLook(f.look, part);
+    if (chooseStyle(f.ui, ("Style of " + part.name).c_str(), "Default", of.style, width)) setPartLook(f.look, part, of);
 }
 
 /// A field of the drawn colour, which opens swatches, schemes and a picker.
 void drawColorChoice(PanelFrame& f, const Part& part, std::size_t number) {
-    PartLook of = lookOf(f.look, part);
+    PartLook of = findLook(f.look, part);
     std::optional<std::uint32_t> drawn;
     if (number < f.s.partColors.size()) drawn = f.s.partColors[number];
     if (of.coloring && of.coloring->scheme == ColorScheme::uniform) drawn = of.coloring->color;
@@ -164,7 +164,7 @@ void drawColorChoice(PanelFrame& f, const Part& part, std::size_t number) {
     if (!ImGui::BeginPopup("Colour")) return;
     const auto take = [&](std::optional<Coloring> coloring) {
         of.coloring = coloring;
-        setLookOf(f.look, part, of);
+        setPartLook(f.look, part, of);
     };
     f.ui.name(name);
     if (const auto color = f.ui.pickColor("Custom colour", own ? std::optional(shown) : std::nullopt))
@@ -178,14 +178,14 @@ void drawColorChoice(PanelFrame& f, const Part& part, std::size_t number) {
 /// A row: an eye, the name, a style and a colour. With touch, controls without room go below.
 void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
     ImGui::PushID(static_cast<int>(number));
-    PartLook of = lookOf(f.look, part);
+    PartLook of = findLook(f.look, part);
     const float x = ImGui::GetCursorPosX(), side = f.ui.rowHeight(), room = ImGui::GetContentRegionAvail().x;
     const bool tight = f.ui.forFingers() || room < f.ui.px(240);
     const float styles = tight ? 0 : f.ui.px(61) + side, gap = f.ui.px(4);
     const std::string eye = (of.seen ? "Hide " : "Show ") + part.name;
     if (f.ui.sign(of.seen ? Icon::eye : Icon::eyeOff, eye.c_str())) {
         of.seen = !of.seen;
-        setLookOf(f.look, part, of);
+        setPartLook(f.look, part, of);
     }
     ImGui::SameLine(x + side + gap);
     const float nameWidth = room - 2 * side - styles - 4 * gap;
@@ -194,14 +194,14 @@ void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
         if (f.ui.row(open ? Icon::up : Icon::down, part.name, nameWidth, false, part.label)) {
             f.s.sequence.part = open ? "" : part.selection;
             f.s.sequence.residues.clear();
-            if (part.kind == Part::Kind::chain) f.s.sequence.residues = sequenceOf(*f.s.facts, part.chain);
+            if (part.kind == Part::Kind::chain) f.s.sequence.residues = findSequence(*f.s.facts, part.chain);
             f.s.sequence.input = part.input;
             f.s.sequence.dragFrom = f.s.sequence.dragTo = -1;
         }
-        f.ui.controls.back().value = countOf(part) + (open ? ", open" : "");
+        f.ui.controls.back().value = formatCount(part) + (open ? ", open" : "");
     } else {
         const bool structure = part.kind == Part::Kind::all && !part.input.empty();
-        f.ui.name(structure ? part.name : part.name + " " + countOf(part), nameWidth);
+        f.ui.name(structure ? part.name : part.name + " " + formatCount(part), nameWidth);
     }
     if (!tight) {
         ImGui::SameLine(x + side + nameWidth + 2 * gap);
@@ -274,7 +274,7 @@ std::vector<std::string> readingTexts(const ReadNotes& notes) {
             ReadNote counted = note;
             counted.why.clear();
             text += (text.empty() ? std::string(heading) + ": " : ", ") +
-                    sentenceOf(counted).substr(readActionName(action).size() + 1) +
+                    describeNote(counted).substr(readActionName(action).size() + 1) +
                     (note.why.empty() ? "" : " (" + note.why + ")");
         }
         if (!text.empty()) texts.push_back(text);
@@ -291,12 +291,12 @@ void drawPartsPage(PanelFrame& f) {
         f.s.molecule = document->molecule;
         f.s.facts = ResidueFacts(*f.s.molecule);
         const bool several = document->molecule->modelsAreInputs;
-        f.s.parts = partsOf(*f.s.facts, several ? inputNames(inputOf(document->view)) : std::vector<std::string>(),
-                            &f.s.partOfResidue);
+        f.s.parts = listParts(*f.s.facts, several ? inputNames(makeInput(document->view)) : std::vector<std::string>(),
+                              &f.s.partOfResidue);
         f.s.sequence.part.clear();
         f.s.sequence.colors.clear();
         f.s.fits = several ? fitTexts(*f.s.facts, document->view.input) : std::vector<std::string>();
-        f.s.reading = readingTexts(readingOf(*f.s.molecule, drawnOrders(*f.s.facts)));
+        f.s.reading = readingTexts(listReadNotes(*f.s.molecule, drawnOrders(*f.s.facts)));
     }
     if (!document->molecule->modelsAreInputs) drawTitle(f, document->molecule->file);
     f.ui.heading("What am I seeing?");

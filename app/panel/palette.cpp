@@ -22,18 +22,18 @@ struct Row {
     std::string lowerName{}, lower{};  ///< the name, and all words, in lower case
 };
 
-Row rowOf(const Binding& binding) {
+Row makeRow(const Binding& binding) {
     return {binding.what, binding.keys, "", [command = binding.command](PanelFrame& f) { f.host.run(command); }};
 }
 
 /// A row for one choice of an option's control.
-Row rowOf(const Option& option, const Option::Control::Choice& choice) {
+Row makeRow(const Option& option, const Option::Control::Choice& choice) {
     return {std::string(option.control.label ? option.control.label : option.key) + ": " + choice.label,
             "--" + std::string(option.key) + " " + choice.value, option.help + " " + choice.meaning,
             [&option, &choice](PanelFrame& f) { option.parse(choice.value, f.look); }};
 }
 
-std::string labelOf(const Option& option) {
+std::string controlLabel(const Option& option) {
     std::string label = option.control.label ? option.control.label : std::string(option.key);
     label = label.substr(0, label.find_last_not_of(": ", label.find('%') - 1) + 1);  // a slider's label is "Fog %.2f"
     std::ranges::replace(label, '-', ' ');
@@ -50,7 +50,7 @@ bool takesTypedValue(const Option& option) {
 
 /// A row that asks for the option's value.
 Row rowOfTyped(const Option& option) {
-    return {labelOf(option) + " ...", "--" + std::string(option.key) + " " + option.syntax, option.help,
+    return {controlLabel(option) + " ...", "--" + std::string(option.key) + " " + option.syntax, option.help,
             [&option](PanelFrame& f) {
                 f.s.palette = {true, option.print ? option.print(f.look) : "", 0, &option};
                 f.s.opened();
@@ -61,7 +61,7 @@ std::vector<Row> allRows() {
     std::vector<Row> rows;
     for (const Binding& binding : keyBindings()) {
         const bool known = !rows.empty() && rows.back().name == binding.what;  // listed under another key
-        if (binding.listed && !known && binding.command != ViewerCommand::palette) rows.push_back(rowOf(binding));
+        if (binding.listed && !known && binding.command != ViewerCommand::palette) rows.push_back(makeRow(binding));
     }
     for (const std::string_view page : Panel::pages())
         rows.push_back({"Page: " + std::string(page), "", "show open tab", [page](PanelFrame& f) { f.s.page = page; }});
@@ -69,7 +69,7 @@ std::vector<Row> allRows() {
         rows.push_back({std::string("Preset: ") + preset.name, "", "look style",
                         [&preset](PanelFrame& f) { applyPreset(preset, f.look); }});
     for (const Option& option : options()) {
-        for (const auto& choice : option.control.choices) rows.push_back(rowOf(option, choice));
+        for (const auto& choice : option.control.choices) rows.push_back(makeRow(option, choice));
         if (takesTypedValue(option) && option.control.choices.empty()) rows.push_back(rowOfTyped(option));
     }
     for (Row& row : rows) {
@@ -84,7 +84,7 @@ void addSettings(const std::string& typed, std::vector<Row>& rows) {
     const std::string sought = lowerCase(typed);
     for (const Option& option : options()) {
         if (!takesTypedValue(option)) continue;
-        const std::string label = labelOf(option), key(option.key);
+        const std::string label = controlLabel(option), key(option.key);
         const std::string& what = sought.starts_with(key + " ") ? key : label;
         if (!sought.starts_with(lowerCase(what) + " ") || sought.size() < what.size() + 2) continue;
         const std::string value = typed.substr(what.size() + 1);
@@ -134,7 +134,7 @@ void run(PanelFrame& f, const std::function<void(PanelFrame&)>& change) {
 void drawValue(PanelFrame& f) {
     CommandPalette& palette = f.s.palette;
     const Option& option = *palette.option;
-    const bool closed = beginCard(f, "Commands", labelOf(option).c_str(), kPalettePoints);
+    const bool closed = beginCard(f, "Commands", controlLabel(option).c_str(), kPalettePoints);
     focusField(f);
     const bool entered =
         f.ui.field(("Value of " + std::string(option.key)).c_str(), option.syntax.c_str(), palette.sought, -1,
@@ -187,7 +187,7 @@ void drawPalette(PanelFrame& f) {
         ImGui::PushID(static_cast<int>(i));
         const bool chosen = static_cast<int>(i) == palette.chosen;
         if (f.ui.row(Icon::none, rows[i].name, -1, false, {}, chosen)) pressed = i;
-        ImGui::PushFont(fontOf(TextSize::caption));
+        ImGui::PushFont(findFont(TextSize::caption));
         const ImVec2 high = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(rows[i].about.c_str());
         const float room = high.x - ImGui::GetItemRectMin().x - f.ui.px(40);
         if (ImGui::CalcTextSize(rows[i].name.c_str()).x * 1.3f + size.x < room)

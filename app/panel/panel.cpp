@@ -68,7 +68,7 @@ void collect(Overlay& overlay) {
             overlay.vertices.push_back({v.pos.x, v.pos.y, v.uv.x, v.uv.y, v.col});
         OverlayEye eye = OverlayEye::both;
         for (const ImDrawCmd& command : list.CmdBuffer) {
-            if (command.UserCallback) eye = eyeOf(command);
+            if (command.UserCallback) eye = commandEye(command);
             if (command.ElemCount == 0 || command.UserCallback) continue;
             const ImVec4& clip = command.ClipRect;
             overlay.batches.push_back({clip.x, clip.y, clip.z, clip.w,

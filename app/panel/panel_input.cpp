@@ -33,7 +33,7 @@ constexpr std::pair<ImGuiKey, char32_t> kLetters[] = {{ImGuiKey_Space, U' '}, {I
 bool popupOpen() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
 
 #if IMGUI_VERSION_NUM < 18700
-int indexOf(SpecialKey key) { return static_cast<int>(keyOf(key) - 0x110000); }
+int indexOf(SpecialKey key) { return static_cast<int>(toKey(key) - 0x110000); }
 int indexOf(char32_t letter) { return 256 + static_cast<int>(letter & 0x7f); }
 #endif
 
@@ -173,18 +173,18 @@ std::optional<ViewerCommand> PanelInput::press(SpecialKey special, bool down, Mo
     const bool owned = ownsKeys(), leaves = special == SpecialKey::escape && escapes();
     if (!leaves && (owned || !down || special == SpecialKey::tab)) key(special, down, with);
     if (!down || (owned && !leaves)) return std::nullopt;
-    return commandOf({keyOf(special), with});
+    return findCommand({toKey(special), with});
 }
 
 std::optional<ViewerCommand> PanelInput::type(char32_t c) {
     if (ownsKeys()) return character(c), std::nullopt;
     const bool capital = c >= U'A' && c <= U'Z';
-    return commandOf({capital ? c - U'A' + U'a' : c, {capital, false}});
+    return findCommand({capital ? c - U'A' + U'a' : c, {capital, false}});
 }
 
 std::optional<ViewerCommand> PanelInput::press(const KeyEvent& event) {
     if (ownsKeys() && shortcut(event.key)) return std::nullopt;
-    const std::optional<ViewerCommand> command = commandOf(event);
+    const std::optional<ViewerCommand> command = findCommand(event);
     return s_.over() && command != ViewerCommand::quit ? std::nullopt : command;
 }
 

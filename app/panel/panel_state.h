@@ -59,7 +59,7 @@ struct SequenceState {
     int step = 0;                       ///< of the arrow key
     bool extends = false;               ///< extends the selection
     std::vector<std::uint32_t> colors;  ///< by residue of the molecule
-    std::uint64_t colorsOf = 0;         ///< number of the scene with these colours
+    std::uint64_t colorsScene = 0;      ///< number of the scene with these colours
 };
 
 struct Option;
@@ -190,7 +190,7 @@ struct PanelState {
     std::vector<Part> parts;
     std::vector<std::uint32_t> partOfResidue;              ///< for each residue its part, or kNoPart
     std::vector<std::optional<std::uint32_t>> partColors;  ///< by part, as drawn; empty: several
-    std::uint64_t colorsOf = 0;                            ///< number of the scene with these colours
+    std::uint64_t colorsScene = 0;                         ///< number of the scene with these colours
     std::vector<std::string> fits;                         ///< by structure: its fit on the first
     std::vector<std::string> reading;  ///< sentences about what the reader read, guessed and omitted
     SequenceState sequence;
@@ -244,7 +244,7 @@ void drawMorePage(PanelFrame& f);
 void drawPlayBar(PanelFrame& f);
 void drawWords(PanelFrame& f);
 /// The eye for the commands after a command with a callback.
-OverlayEye eyeOf(const ImDrawCmd& command);
+OverlayEye commandEye(const ImDrawCmd& command);
 /// The outline of the selection, and of the atoms that a click would select.
 void drawOutline(PanelFrame& f);
 void drawAnnotations(PanelFrame& f);

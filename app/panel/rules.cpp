@@ -22,7 +22,7 @@ std::string ruleWords(const Rule& rule) {
         case Rule::Action::color:
             return what + ": " + colorWord(rule.coloring);
         case Rule::Action::show:
-            return what + ": " + wordOf("style", styleName(rule.style));
+            return what + ": " + choiceLabel("style", styleName(rule.style));
     }
     return what;
 }

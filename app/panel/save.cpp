@@ -17,7 +17,7 @@ constexpr int kPaper = 3, kJpeg = 3;  // indices of sizes, and of the format wit
 constexpr float kSavePoints = 460;
 constexpr int kMostMm = 2000, kMostDpi = 2400;
 
-std::uint32_t pixelsOf(int millimetres, int dpi) {
+std::uint32_t toPixels(int millimetres, int dpi) {
     return static_cast<std::uint32_t>(
         std::clamp(std::lround(millimetres / 25.4 * dpi), 1l, static_cast<long>(kLargestSide)));
 }
@@ -44,7 +44,7 @@ bool fieldOfPath(PanelFrame& f, const PathField& field, std::string& path, PathC
         ImGui::SameLine();
         if (f.ui.button(Icon::none, "Choose ...", choose)) f.s.askWhere(field.title, path, std::move(chosen), "Choose");
     }
-    f.ui.folderOf(path.c_str());
+    f.ui.openFolder(path.c_str());
     return entered;
 }
 
@@ -76,7 +76,7 @@ void drawSave(PanelFrame& f) {
     const PixelSize sizes[] = {window,
                                {2048, 2048},
                                {1920, 1080},
-                               {pixelsOf(f.s.save.widthMm, f.s.save.dpi), pixelsOf(f.s.save.heightMm, f.s.save.dpi)}};
+                               {toPixels(f.s.save.widthMm, f.s.save.dpi), toPixels(f.s.save.heightMm, f.s.save.dpi)}};
     wish.size = sizes[f.s.save.preset];
     f.ui.caption(std::to_string(wish.size.width) + " x " + std::to_string(wish.size.height) + " pixels");
     f.ui.heading("Format");

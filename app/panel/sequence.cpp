@@ -19,7 +19,7 @@ struct Letters {
     int perLine, count;
 
     int lines() const { return (count + perLine - 1) / perLine; }
-    ImVec2 placeOf(int i) const {
+    ImVec2 cellPosition(int i) const {
         const int in = i % perLine;
         return {at.x + left + static_cast<float>(in) * cell + static_cast<float>(in / kBlock) * gap,
                 at.y + static_cast<float>(i / perLine) * line};
@@ -29,7 +29,7 @@ struct Letters {
         const int row = static_cast<int>((point.y - at.y) / line);
         if (point.y < at.y || row >= lines()) return -1;
         for (int i = row * perLine; i < std::min((row + 1) * perLine, count); ++i)
-            if (const float x = placeOf(i).x; point.x >= x - gap / 2 && point.x < x + cell) return i;
+            if (const float x = cellPosition(i).x; point.x >= x - gap / 2 && point.x < x + cell) return i;
         return -1;
     }
 };
@@ -81,7 +81,7 @@ void drawLetter(PanelFrame& f, int i, ImVec2 p, ImVec2 size, bool chosen, bool h
         list.AddRectFilled(ImVec2(p.x, p.y + f.ui.px(5)), ImVec2(p.x + size.x, p.y + f.ui.px(8)), color | 0xff000000);
     drawFold(list, fold, last, ImVec2(p.x, p.y + f.ui.px(10)), ImVec2(p.x + size.x, p.y + f.ui.px(13)),
              ImGui::GetColorU32(theme.faint), f.ui.px(1));
-    const char letter[2] = {letterOf(f.s.molecule->residues[r]), '\0'};
+    const char letter[2] = {residueLetter(f.s.molecule->residues[r]), '\0'};
     const float width = ImGui::CalcTextSize(letter).x;
     const ImVec4& ink = chosen ? theme.onAccent : hovered ? theme.mark : theme.text;
     f.ui.write(ImVec2(p.x + (size.x - width) / 2, p.y + (size.y + above - f.ui.px(2) - ImGui::GetFontSize()) / 2),
@@ -92,7 +92,7 @@ void drawLetter(PanelFrame& f, int i, ImVec2 p, ImVec2 size, bool chosen, bool h
 void drawResidueNumber(PanelFrame& f, int i, ImVec2 right, float line) {
     const std::string number =
         std::to_string(f.s.molecule->residues[f.s.sequence.residues[static_cast<std::size_t>(i)]].number);
-    ImGui::PushFont(fontOf(TextSize::caption));
+    ImGui::PushFont(findFont(TextSize::caption));
     f.ui.write(ImVec2(right.x - ImGui::CalcTextSize(number.c_str()).x,
                       right.y + (line + f.ui.px(12) - ImGui::GetFontSize()) / 2),
                ImGui::GetColorU32(f.ui.theme().faint), number);
@@ -104,9 +104,9 @@ void drawResidueNumber(PanelFrame& f, int i, ImVec2 right, float line) {
 void drawSequence(PanelFrame& f, const Part& part) {
     if (f.s.sequence.residues.empty()) return;
     const Drawing& drawing = f.viewer.document()->drawing;
-    if (f.s.sequence.colors.empty() || f.s.sequence.colorsOf != drawing.sceneNumber()) {
+    if (f.s.sequence.colors.empty() || f.s.sequence.colorsScene != drawing.sceneNumber()) {
         f.s.sequence.colors = residueColors(*f.s.molecule, drawing.scene());
-        f.s.sequence.colorsOf = drawing.sceneNumber();
+        f.s.sequence.colorsScene = drawing.sceneNumber();
     }
     Letters letters{};
     letters.cell = f.ui.px(f.ui.forFingers() ? 20 : 11.5f), letters.line = f.ui.px(f.ui.forFingers() ? 42 : 31);
@@ -137,7 +137,7 @@ void drawSequence(PanelFrame& f, const Part& part) {
     const auto [low, high] = std::minmax(f.s.sequence.dragFrom, f.s.sequence.dragTo);
     const ImDrawList& list = *ImGui::GetWindowDrawList();
     for (int i = 0; i < letters.count; ++i) {
-        const ImVec2 p = letters.placeOf(i);
+        const ImVec2 p = letters.cellPosition(i);
         if (p.y + letters.line < list.GetClipRectMin().y || p.y > list.GetClipRectMax().y) continue;
         drawLetter(f, i, p, ImVec2(letters.cell, letters.line), low >= 0 && i >= low && i <= high,
                    hovered && i == under);

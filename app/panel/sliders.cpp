@@ -14,7 +14,7 @@ namespace nacre::app {
 namespace {
 
 /// Position of a number between two others, 0 to 1. @param byRatio  all are above 0
-float shareOf(float value, float low, float high, bool byRatio) {
+float toShare(float value, float low, float high, bool byRatio) {
     const float share = byRatio ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
     return std::clamp(share, 0.0f, 1.0f);
 }
@@ -88,7 +88,7 @@ bool Widgets::slider(const char* name, const Number& value, Number low, Number h
     io.KeyCtrl = control;
     ImGui::PopStyleColor(3);
     ImGui::PopID();
-    const float share = shareOf(static_cast<float>(value), static_cast<float>(low), static_cast<float>(high), byRatio);
+    const float share = toShare(static_cast<float>(value), static_cast<float>(low), static_cast<float>(high), byRatio);
     drawTrack(share, text && !text->words.empty());
     const bool cut = text && drawSliderText(*text);
     note("slider", name, formatted(told, static_cast<double>(value)));

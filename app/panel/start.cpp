@@ -27,7 +27,7 @@ void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 
         const float middle = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
         return i == 0 ? from : i + 1 == count ? to : from + (to - from) * middle;
     };
-    const auto placeOf = [&](std::uint32_t x, std::uint32_t y) {
+    const auto toScreen = [&](std::uint32_t x, std::uint32_t y) {
         return ImVec2(along(low.x, high.x, x, w), along(low.y, high.y, y, h));
     };
     const std::uint32_t most = 0xffff / w;  // rows of vertices that fit 16-bit indices
@@ -37,7 +37,7 @@ void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 
         const unsigned first = list._VtxCurrentIdx;
         for (std::uint32_t y = top; y < top + rows; ++y)
             for (std::uint32_t x = 0; x < w; ++x)
-                list.PrimWriteVtx(placeOf(x, y), white, pixels[std::size_t{y} * recent.width + x]);
+                list.PrimWriteVtx(toScreen(x, y), white, pixels[std::size_t{y} * recent.width + x]);
         for (std::uint32_t y = 0; y + 1 < rows; ++y)
             for (std::uint32_t x = 0; x + 1 < w; ++x) {
                 const unsigned at = first + y * w + x;
@@ -81,7 +81,7 @@ void drawRecent(PanelFrame& f, const RecentFile& recent, float width, const std:
     const ImVec2 to(std::round(low.x + width - in), std::round(low.y + picture));
     list.AddRectFilled(from, to, IM_COL32(255, 255, 255, 255), f.ui.px(4));
     drawPicture(list, recent, from, to);
-    ImGui::PushFont(fontOf(TextSize::caption));
+    ImGui::PushFont(findFont(TextSize::caption));
     const std::string shown = shortened(visualText(recent.name), width - 2 * f.ui.px(6));
     f.ui.write(ImVec2(low.x + f.ui.px(7), low.y + picture + f.ui.px(5)), ink, shown);
     ImGui::PopFont();

@@ -24,14 +24,14 @@ const Theme& lightTheme() {
     return theme;
 }
 
-ImFont* fontOf(float size) {
+ImFont* findFont(float size) {
     ImFont* best = nullptr;
     for (ImFont* font : ImGui::GetIO().Fonts->Fonts)
         if (!best || std::abs(font->FontSize - size) < std::abs(best->FontSize - size)) best = font;
     return best;
 }
 
-ImFont* fontOf(TextSize size) {
+ImFont* findFont(TextSize size) {
     return ImGui::GetIO().Fonts->Fonts[size == TextSize::body ? 0 : size == TextSize::caption ? 2 : 3];
 }
 

@@ -34,8 +34,8 @@ inline constexpr float kFingerPoints = 48;
 enum class TextSize { caption, body, heading };
 
 /// The font whose size is nearest to a number of pixels of ImFont::FontSize.
-ImFont* fontOf(float size);
-ImFont* fontOf(TextSize size);
+ImFont* findFont(float size);
+ImFont* findFont(TextSize size);
 /// FontSize per em: Dear ImGui measures from the highest to the lowest point of DejaVu Sans.
 inline constexpr float kFontSizeOfEm = 1.164f;
 

@@ -161,7 +161,7 @@ bool Widgets::row(Icon icon, const std::string& label, float width, bool faint, 
 
 bool Widgets::tool(Icon icon, const char* label, ImVec2 size, bool on, bool enabled, const char* role, bool alone) {
     const auto [pressed, low, ink] = press("##tool", label, size, on ? Face::accent : Face::clear, enabled);
-    ImFont* font = fontOf(TextSize::caption);
+    ImFont* font = findFont(TextSize::caption);
     const float side = px(17), gap = px(4);
     const float top = low.y + (size.y - side - (alone ? 0 : gap + font->FontSize)) / 2;
     drawIcon(*ImGui::GetWindowDrawList(), icon, ImVec2(low.x + size.x / 2, top + side / 2), side, ink);
@@ -316,7 +316,7 @@ bool Widgets::swatch(const char* name, ImU32 color, bool chosen, float side) {
 }
 
 void Widgets::text(const std::string& text, TextSize size, const ImVec4& color, float right) {
-    ImGui::PushFont(fontOf(size));
+    ImGui::PushFont(findFont(size));
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::PushTextWrapPos(right);
     ImGui::TextUnformatted(visualText(text).c_str());
@@ -337,12 +337,12 @@ void Widgets::progress(double share, const std::string& words) {
     caption(words);
 }
 
-void Widgets::folderOf(const char* path) {
+void Widgets::openFolder(const char* path) {
     if (fingers_) return;
     std::error_code none;
     const std::filesystem::path whole = std::filesystem::absolute(path, none).lexically_normal();
     if (none || !whole.has_parent_path()) return;
-    ImGui::PushFont(fontOf(TextSize::caption));
+    ImGui::PushFont(findFont(TextSize::caption));
     const std::string shown = shortened("In " + whole.parent_path().string(), ImGui::GetContentRegionAvail().x);
     ImGui::PopFont();
     caption(shown);

@@ -101,7 +101,7 @@ public:
     void paragraph(const std::string& words) { text(words, TextSize::body, theme_->text); }
     void warning(const std::string& words) { text(words, TextSize::body, theme_->warning); }
     /// Shows the folder of a file, on desktops. @param path  as typed
-    void folderOf(const char* path);
+    void openFolder(const char* path);
     /// A progress bar with text below. @param share  0 to 1
     void progress(double share, const std::string& words);
     /// One line of text, shortened in its middle if needed.

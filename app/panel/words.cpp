@@ -4,7 +4,7 @@
 
 namespace nacre::app {
 
-std::string wordOf(std::string_view key, std::string_view value) {
+std::string choiceLabel(std::string_view key, std::string_view value) {
     for (const auto& choice : option(key).control.choices)
         if (choice.value == value) return choice.label;
     constexpr std::string_view kCarbons = "element:";
@@ -18,7 +18,7 @@ std::string colorWord(const Coloring& coloring) {
     for (const NamedColor& color : swatches())
         if (coloring.scheme == ColorScheme::uniform && (coloring.color | 0xff000000) == color.packed())
             return color.name;
-    return wordOf("color", coloringText(coloring));
+    return choiceLabel("color", coloringText(coloring));
 }
 
 std::span<const NamedColor> swatches() {

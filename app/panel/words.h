@@ -10,7 +10,7 @@
 namespace nacre::app {
 
 /// A value of an option as its control shows it; unchanged if the control has no such choice.
-std::string wordOf(std::string_view key, std::string_view value);
+std::string choiceLabel(std::string_view key, std::string_view value);
 /// As above for a colouring: "By chain"; swatch colours by name.
 std::string colorWord(const Coloring& coloring);
 struct NamedColor {

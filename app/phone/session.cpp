@@ -32,7 +32,7 @@ ViewerOptions viewerOptions(const PhoneHost& host) {
 }
 
 /// A view from another app or session asks before it downloads.
-InputOptions inputOf(const PhoneHost& host, const PictureDescription& first) {
+InputOptions makeInput(const PhoneHost& host, const PictureDescription& first) {
     InputOptions input;
     input.path = first.input.path;
     if (!first.input.path.empty()) input.namedBy = "the last view";
@@ -45,7 +45,7 @@ InputOptions inputOf(const PhoneHost& host, const PictureDescription& first) {
 
 PhoneSession::PhoneSession(PhoneHost host, const PictureDescription& first, double pixelsPerPoint)
     : host_(std::move(host)),
-      session_(sessionHost(), phoneSources(inputOf(host_, first), host_.readFile), first, viewerOptions(host_),
+      session_(sessionHost(), phoneSources(makeInput(host_, first), host_.readFile), first, viewerOptions(host_),
                host_.wake) {
     scale_ = pixelsPerPoint;
     makePanel();

@@ -9,15 +9,15 @@
 namespace nacre::app {
 
 struct Aim {
-    bool principal = false;           ///< principal axes; else the camera's orientation
-    std::optional<Selection> axesOf;  ///< their principal axes; empty: of everything drawn
-    bool fromSide = false;            ///< the shortest axis to the right, the longest upwards
-    std::optional<Selection> left;    ///< with `principal`: on the left
-    std::optional<Selection> spares;  ///< stays whole under clipping planes
-    std::optional<Selection> clip;    ///< has a clipping plane in front of it
-    std::optional<Selection> center;  ///< its middle is the centre of picture and rotation
-    std::optional<Selection> lookAt;  ///< faces the viewer
-    std::optional<Selection> zoomTo;  ///< fills the picture
+    bool principal = false;             ///< principal axes; else the camera's orientation
+    std::optional<Selection> orientBy;  ///< their principal axes; empty: of everything drawn
+    bool fromSide = false;              ///< the shortest axis to the right, the longest upwards
+    std::optional<Selection> left;      ///< with `principal`: on the left
+    std::optional<Selection> spares;    ///< stays whole under clipping planes
+    std::optional<Selection> clip;      ///< has a clipping plane in front of it
+    std::optional<Selection> center;    ///< its middle is the centre of picture and rotation
+    std::optional<Selection> lookAt;    ///< faces the viewer
+    std::optional<Selection> zoomTo;    ///< fills the picture
 
     /// Atoms to uncover; empty: zoomTo, if `uncovers`.
     std::optional<Selection> uncover;

@@ -92,7 +92,7 @@ Style parseStyle(std::string_view text) {
         if (ours(text, kStyleSynonyms) == name) return style;
         words.emplace_back(name);
     }
-    const std::string wanted = anyOf(words);
+    const std::string wanted = joinAlternatives(words);
     addSynonyms(kStyleSynonyms, words);
     refuse(text, wanted, words);
 }
@@ -115,14 +115,14 @@ bool isColor(std::string_view text) {
     return true;
 }
 
-std::vector<std::string> palettesOf(bool ramps) {
+std::vector<std::string> listPalettes(bool ramps) {
     std::vector<std::string> names;
     for (const Palette palette : allPalettes())
         if (isRamp(palette) == ramps) names.emplace_back(paletteName(palette));
     return names;
 }
 
-std::string rampChoices() { return "one of " + listOf(palettesOf(true)) + ", or colours such as white:red"; }
+std::string rampChoices() { return "one of " + joinWords(listPalettes(true)) + ", or colours such as white:red"; }
 
 /// Takes a ramp of colours from the start of a text: "white:red:10..60" leaves "10..60". @returns nothing, and does not
 /// change the text, if it does not begin with two colours
@@ -162,10 +162,11 @@ void parseColoringPart(std::string_view text, Coloring& coloring) {
     } else if (coloring.scheme == ColorScheme::element) {
         coloring.color = parseAtomColor(text);
     } else if (use != PaletteUse::none) {
-        const std::vector<std::string> palettes = palettesOf(use == PaletteUse::ramp);
+        const std::vector<std::string> palettes = listPalettes(use == PaletteUse::ramp);
         refuse(text,
                (takesRange(coloring.scheme) ? "a range such as 10..60, or " : "") +
-                   (use == PaletteUse::ramp ? rampChoices() : "one of " + listOf(palettes)) + " after '" + name + ":'",
+                   (use == PaletteUse::ramp ? rampChoices() : "one of " + joinWords(palettes)) + " after '" + name +
+                   ":'",
                palettes);
     } else {
         throw std::invalid_argument("'" + name + "' takes no further value, such as '" + std::string(text) +
@@ -185,7 +186,7 @@ std::optional<ColorRange> parseColorRange(std::string_view text) {
     return range;
 }
 
-std::string paletteNames(bool ramps) { return listOf(palettesOf(ramps)); }
+std::string paletteNames(bool ramps) { return joinWords(listPalettes(ramps)); }
 
 namespace {
 
@@ -197,7 +198,7 @@ std::vector<std::string> allSchemes() {
 }
 
 /// The word of a list whose plural is `text`: "entity" for "entities". Empty if there is none.
-std::string singularOf(std::string_view text, std::span<const std::string> words) {
+std::string findSingular(std::string_view text, std::span<const std::string> words) {
     const std::string word = lowerCase(text);
     for (const std::string& one : words)
         if (word == one + "s" || word == one + "es" ||
@@ -218,7 +219,7 @@ std::string singularOf(std::string_view text, std::span<const std::string> words
                                     "' (a scheme does, such as b-factor:10..60:viridis)");
     std::vector<std::string> words = allSchemes();
     const std::string wanted = schemeNames() + ", a colour's name, #rrggbb or element:COLOR for carbons in one colour";
-    if (const std::string one = singularOf(scheme, words); !one.empty())
+    if (const std::string one = findSingular(scheme, words); !one.empty())
         throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "' (did you mean '" + one +
                                     std::string(text.substr(scheme.size())) + "'?)");
     addSynonyms(kColorSynonyms, words);
@@ -229,7 +230,7 @@ std::string singularOf(std::string_view text, std::span<const std::string> words
 
 }  // namespace
 
-std::string schemeNames() { return listOf(allSchemes()); }
+std::string schemeNames() { return joinWords(allSchemes()); }
 
 AnyPalette parsePalette(std::string_view text) {
     if (const auto palette = paletteFromName(lowerCase(text))) return *palette;
@@ -310,7 +311,7 @@ Coloring parseColorSource(std::string_view text) {
         else if (palette)
             throw std::invalid_argument("values take no palette of kinds: one of " + paletteNames(true));
         else if (isWord(part) && text.substr(0, colon).find('.') != std::string_view::npos)  // after a file's extension
-            refuse(part, "value=COLUMN, a range such as 10..60, or " + rampChoices(), palettesOf(true));
+            refuse(part, "value=COLUMN, a range such as 10..60, or " + rampChoices(), listPalettes(true));
         else
             break;
         text = text.substr(0, colon);

@@ -12,7 +12,7 @@ namespace nacre::app {
 namespace {
 
 /// "1crn" of "data/1crn.cif.gz", "dna" of "sample:dna".
-std::string nameOf(const std::string& path) {
+std::string plainName(const std::string& path) {
     std::string name = std::filesystem::path(path.substr(path.rfind(':') + 1)).filename().string();
     name.resize(std::min(name.find('.'), name.size()));
     for (char& c : name)
@@ -51,7 +51,7 @@ void addInput(InputOptions& input, const std::string& text) {
 std::vector<std::string> inputNames(const InputOptions& input) {
     std::vector<std::string> names;
     const auto add = [&](const std::string& name, const std::string& path) {
-        std::string wanted = name.empty() ? nameOf(path) : name, free = wanted;
+        std::string wanted = name.empty() ? plainName(path) : name, free = wanted;
         for (int i = 2; std::find(names.begin(), names.end(), free) != names.end(); ++i)
             free = wanted + "_" + std::to_string(i);
         names.push_back(free);
@@ -81,7 +81,7 @@ void nameInputs(const std::vector<std::string>& names, Selection& selection) {
 namespace {
 
 std::array<std::optional<Selection>*, 10> optionalSelections(PictureDescription& d) {
-    return {&d.aim.lookAt, &d.aim.zoomTo, &d.aim.uncover, &d.aim.center,       &d.aim.axesOf,
+    return {&d.aim.lookAt, &d.aim.zoomTo, &d.aim.uncover, &d.aim.center,       &d.aim.orientBy,
             &d.aim.left,   &d.aim.clip,   &d.aim.spares,  &d.look.contacts.of, &d.look.contacts.with};
 }
 

@@ -22,7 +22,7 @@ const Option* lookOption(std::string_view key) {
     return found && found->look ? found : nullptr;
 }
 
-std::string textOf(const std::vector<std::pair<std::string, std::string>>& options) {
+std::string toJsonText(const std::vector<std::pair<std::string, std::string>>& options) {
     OrderedJson json = OrderedJson::object();
     for (const auto& [key, value] : options) json[key] = value;
     return jsonText(json);
@@ -97,7 +97,7 @@ std::optional<Look> lookAlone(const std::string& path) {
     return look;
 }
 
-Look lookOf(const std::string& nameOrFile) {
+Look readLook(const std::string& nameOrFile) {
     std::vector<std::string> names;
     std::string list;
     for (const Look& look : looks()) {
@@ -117,14 +117,14 @@ void applyLook(const Look& look, PictureDescription& view) {
     for (const auto& [key, value] : look.options) option(key).parse(value, view);
 }
 
-std::string lookJson(const Look& look) { return textOf(look.options); }
+std::string lookJson(const Look& look) { return toJsonText(look.options); }
 
 std::string lookJson(const PictureDescription& view) {
     const auto all = OrderedJson::parse(savedViewJson(view));
     std::vector<std::pair<std::string, std::string>> options;
     for (const auto& [key, value] : all.items())
         if (lookOption(key)) options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
-    return textOf(options);
+    return toJsonText(options);
 }
 
 void applyPocket(std::string_view text, PictureDescription& d) {
@@ -178,7 +178,7 @@ void applyInterface(std::string_view sides, PictureDescription& d) {
     d.look.contacts.of = parseSelection(a);
     d.look.contacts.with = parseSelection(b);
     d.aim.principal = d.aim.fromSide = true;
-    d.aim.axesOf = d.aim.zoomTo = parseSelection(both);
+    d.aim.orientBy = d.aim.zoomTo = parseSelection(both);
     d.aim.left = parseSelection(a);
     d.aim.uncovers = false;
 }

@@ -23,7 +23,7 @@ std::span<const Look> looks();
 
 /// A look by name, or from a JSON file of options; a saved view also works, without its other keys.
 /// @throws std::invalid_argument, Error
-Look lookOf(const std::string& nameOrFile);
+Look readLook(const std::string& nameOrFile);
 
 /// As above from such a file's text. @param name  of the file @throws Error
 Look lookFromText(const std::string& json, const std::string& name);
@@ -34,7 +34,7 @@ std::optional<Look> lookAlone(const std::string& path);
 /// Replaces a view's look. Colours stay unless the look sets them.
 void applyLook(const Look& look, PictureDescription& view);
 
-/// The look of a view, in the format of lookOf().
+/// The look of a view, in the format of readLook().
 std::string lookJson(const PictureDescription& view);
 std::string lookJson(const Look& look);
 

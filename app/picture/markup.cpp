@@ -93,6 +93,6 @@ private:
 
 }  // namespace
 
-std::vector<TextRun> runsOf(std::string_view text) { return MarkupReader(text).read(); }
+std::vector<TextRun> parseMarkup(std::string_view text) { return MarkupReader(text).read(); }
 
 }  // namespace nacre::app

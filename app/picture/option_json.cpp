@@ -135,7 +135,7 @@ bool isRepeated(const Option& option) { return option.kind == Kind::list || opti
 
 bool takesOff(const Option& option) { return takesWord(option, "off") || takesWord(option, "hide"); }
 
-std::vector<OptionValue> optionValuesOf(const std::string& json, const std::string& who) {
+std::vector<OptionValue> parseOptionValues(const std::string& json, const std::string& who) {
     std::string twice;
     JobJson object;
     try {

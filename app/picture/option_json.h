@@ -22,7 +22,7 @@ struct OptionValue {
 /// lists of numbers (such as sizes and angles), lists (repeatable options) and pairs (options with two values).
 /// "rules" is a list as in saved views: [{"show": "ligand=licorice"}, {"hide": "chain B"}]. null means not given.
 /// @param who  accepts no other options, for messages @throws UsageError
-std::vector<OptionValue> optionValuesOf(const std::string& json, const std::string& who = "nacre render");
+std::vector<OptionValue> parseOptionValues(const std::string& json, const std::string& who = "nacre render");
 
 /// Whether false switches an option off.
 bool takesOff(const Option& option);

@@ -16,19 +16,19 @@ void refuse(std::string_view text, const std::string& wanted, std::span<const st
     throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "'" + suggestion(text, words));
 }
 
-std::string listOf(std::span<const std::string> words) {
+std::string joinWords(std::span<const std::string> words) {
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
     return list;
 }
 
-std::string anyOf(std::span<const std::string> words) {
-    return (words.size() > 1 ? listOf(words.first(words.size() - 1)) + " or " : "") + words.back();
+std::string joinAlternatives(std::span<const std::string> words) {
+    return (words.size() > 1 ? joinWords(words.first(words.size() - 1)) + " or " : "") + words.back();
 }
 
 void refuseEnding(std::string_view name, std::span<const std::string> endings, const std::string& also) {
     const std::size_t dot = std::min(name.rfind('.'), name.size());
-    throw std::invalid_argument("expected a name that ends in " + anyOf(endings) + also + ", not '" +
+    throw std::invalid_argument("expected a name that ends in " + joinAlternatives(endings) + also + ", not '" +
                                 std::string(name) + "'" + suggestion(name.substr(dot), endings));
 }
 
@@ -89,7 +89,7 @@ double ScreenLength::pixels(double shorter, double dpi, double pixelsPerAngstrom
     }
 }
 
-std::optional<ScreenLength> screenLengthOf(std::string_view text) {
+std::optional<ScreenLength> parseScreenLength(std::string_view text) {
     for (const auto& [ending, unit] : kScreenUnits) {
         double value = 0;
         if (text.ends_with(ending) && readWhole(text.substr(0, text.size() - ending.size()), value))
@@ -102,13 +102,13 @@ std::string screenLengthText(const ScreenLength& length) {
     return numberText(length.value) + std::string(kScreenUnits[static_cast<std::size_t>(length.unit)].first);
 }
 
-std::optional<double> pointsOf(std::string_view text) {
-    const std::optional<ScreenLength> length = screenLengthOf(text);
+std::optional<double> parsePoints(std::string_view text) {
+    const std::optional<ScreenLength> length = parseScreenLength(text);
     return length && length->unit == ScreenLength::Unit::points ? std::optional(length->value) : std::nullopt;
 }
 
 double parsePixels(std::string_view text, double least, double most) {
-    if (const std::optional<double> points = pointsOf(text)) {
+    if (const std::optional<double> points = parsePoints(text)) {
         const double pixels = *points * kScreenDpi / 72;
         if (!(pixels >= least && pixels <= most))
             refuse(text, "from " + numberText(least) + " to " + numberText(most) + " pixels, of which 96 are 72pt");

@@ -33,9 +33,9 @@ bool readWhole(std::string_view text, Number& value) {
 [[noreturn]] void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words = {});
 
 /// "a, b, c"
-std::string listOf(std::span<const std::string> words);
+std::string joinWords(std::span<const std::string> words);
 /// "a, b or c"
-std::string anyOf(std::span<const std::string> words);
+std::string joinAlternatives(std::span<const std::string> words);
 
 /// As above for a name with an invalid extension. @param also  other valid forms: ", or a folder"
 [[noreturn]] void refuseEnding(std::string_view name, std::span<const std::string> endings,
@@ -106,13 +106,13 @@ struct ScreenLength {
     double pixels(double shorter, double dpi, double pixelsPerAngstrom) const;
 };
 /// "1.5pt", "0.5%", "0.3A"; empty for other units.
-std::optional<ScreenLength> screenLengthOf(std::string_view text);
+std::optional<ScreenLength> parseScreenLength(std::string_view text);
 std::string screenLengthText(const ScreenLength& length);
 constexpr double kScreenDpi = 96;                      ///< unless stated, as in CSS
 constexpr double kThinnestRim = 0.1, kWidestRim = 64;  ///< of outlines and halos, pixels
 
 /// The points of "1.5pt"; empty for other units.
-std::optional<double> pointsOf(std::string_view text);
+std::optional<double> parsePoints(std::string_view text);
 /// "2", "2px"; "1.5pt" at 96 dots per inch.
 double parsePixels(std::string_view text, double least, double most);
 

@@ -7,7 +7,7 @@
 namespace nacre::app {
 
 bool isPictureName(const std::string& path) {
-    return isStandardOutput(path) || std::ranges::count(pictureEndings(), extensionOf(path)) > 0;
+    return isStandardOutput(path) || std::ranges::count(pictureEndings(), fileExtension(path)) > 0;
 }
 
 std::span<const std::string> pictureEndings() {

@@ -74,7 +74,7 @@ std::vector<Option> severalAtOnce() {
          .help = "A named look (light, outlines, fog, colours), one of `nacre looks`, or a JSON file of such\n"
                  "options; options override it",
          .topic = Topic::look,
-         .parse = [](T text, P& d) { applyLook(lookOf(std::string(text)), d); },
+         .parse = [](T text, P& d) { applyLook(readLook(std::string(text)), d); },
          .choices = lookNames()},
         {.key = "thumbnail",
          .syntax = "N",

@@ -21,7 +21,7 @@ inline constexpr EncodedDepth kRungValues[] = {EncodedDepth::automatic,   Encode
 
 /// Maps between two lists of equal length: the name at a value's index.
 template <typename Value>
-std::string nameOf(Value value, const auto& values, const auto& names) {
+std::string findName(Value value, const auto& values, const auto& names) {
     return names[static_cast<std::size_t>(std::find(std::begin(values), std::end(values), value) - std::begin(values))];
 }
 
@@ -33,7 +33,7 @@ void parseOutput(T text, P& d) {
 /// A file with one extension, or standard output.
 std::string parseEnding(T text, const char* ending) {
     const std::string path(text);
-    if (!isStandardOutput(path) && extensionOf(path) != ending)
+    if (!isStandardOutput(path) && fileExtension(path) != ending)
         throw std::invalid_argument(std::string("expected a name that ends in ") + ending + ", not '" + path + "'");
     return path;
 }
@@ -153,7 +153,7 @@ std::vector<Option> drawingRows() {
          .help = "auto, encoded, fragdepth, deferred, raster-order or tiles",
          .topic = Topic::path,
          .parse = [](T text, P& d) { d.device.visibility = kPathValues[parseChoice(text, kPaths)]; },
-         .print = [](const P& d) { return nameOf(d.device.visibility, kPathValues, kPaths); }},
+         .print = [](const P& d) { return findName(d.device.visibility, kPathValues, kPaths); }},
         {.key = "msaa",
          .syntax = "auto|off|4",
          .standard = "auto",
@@ -169,7 +169,7 @@ std::vector<Option> drawingRows() {
          .help = "Format of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8",
          .topic = Topic::path,
          .parse = [](T text, P& d) { d.device.encoded = kRungValues[parseChoice(text, kRungs)]; },
-         .print = [](const P& d) { return nameOf(d.device.encoded, kRungValues, kRungs); }},
+         .print = [](const P& d) { return findName(d.device.encoded, kRungValues, kRungs); }},
         {.key = "prepass",
          .syntax = "on|off",
          .standard = "on",

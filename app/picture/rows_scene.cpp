@@ -170,14 +170,14 @@ std::vector<Option> colors() {
 }
 
 void parseLineWidth(T text, P& d) {
-    d.linePoints = pointsOf(text);
+    d.linePoints = parsePoints(text);
     if (!d.linePoints) d.look.lineWidth = parseNumber(text, 0.5, kWidestWire);
 }
 
 /// A radius in Å; or a width in points, which the picture's scale converts to one.
 template <auto size, auto points>
 void parseThickness(T text, P& d) {
-    d.*points = pointsOf(text);
+    d.*points = parsePoints(text);
     if (!(d.*points)) d.look.sizes.*size = parseNumber(text, 0.01, 5);
 }
 

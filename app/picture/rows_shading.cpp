@@ -116,7 +116,7 @@ Option effect(T key, const char* syntax, const char* help, void (*parse)(T, P&),
 /// picture
 void parseWidth(T text, double& width, std::optional<ScreenLength>& given) {
     constexpr double kUsualSide = 1024, kUsualScale = 10;
-    given = screenLengthOf(text);
+    given = parseScreenLength(text);
     if (text == "off") {
         width = 0;
     } else if (given && given->unit != ScreenLength::Unit::points) {

@@ -220,14 +220,14 @@ std::vector<Option> cameraRows() {
 
 void parseOrient(T text, P& d) {
     d.aim.fromSide = false;
-    d.aim.axesOf.reset();
+    d.aim.orientBy.reset();
     d.aim.principal = text != "file";
     if (!d.aim.principal) d.camera.orientation = glm::dquat(1, 0, 0, 0);
-    if (d.aim.principal && text != "principal") d.aim.axesOf = parseSelection(text);
+    if (d.aim.principal && text != "principal") d.aim.orientBy = parseSelection(text);
 }
 std::string printOrient(const P& d) {
     if (!d.aim.principal) return "file";
-    return d.aim.axesOf ? d.aim.axesOf->text : "principal";
+    return d.aim.orientBy ? d.aim.orientBy->text : "principal";
 }
 
 void parseUncover(T text, P& d) {

@@ -15,7 +15,7 @@ inline constexpr Words2 kSeenAll = {"seen", "all"}, kDistanceOff = {"distance", 
 
 void parseTextSize(T text, P& d) {
     d.words.size = parsePixels(text, 4, 2000);
-    d.textPoints = pointsOf(text);
+    d.textPoints = parsePoints(text);
 }
 
 std::string inkText(const std::array<float, 3>& ink) { return backgroundText({ink[0], ink[1], ink[2], 1}); }

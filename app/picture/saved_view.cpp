@@ -23,7 +23,7 @@ using OrderedJson = nlohmann::ordered_json;
 using Kind = Option::Kind;
 
 /// A number or text in the option's syntax.
-std::string textOf(const Json& value) {
+std::string toText(const Json& value) {
     if (value.is_string()) {
         if (value.get_ref<const std::string&>().find('\0') != std::string::npos)
             throw std::invalid_argument("it contains a NUL character");  // file names would end there
@@ -48,7 +48,7 @@ void readRules(const Json& list, std::vector<Rule>& rules) {
         if (!rule.is_object() || rule.size() != (off ? 2 : 1) || (off && !rule["off"].is_boolean()))
             throw std::invalid_argument("expected each rule as {\"option\": \"value\"}, and \"off\": true if so");
         for (const auto& [option, value] : rule.items())
-            if (option != "off") rules.push_back(parseRule(option, textOf(value)));
+            if (option != "off") rules.push_back(parseRule(option, toText(value)));
         if (off) rules.back().on = !rule["off"].get<bool>();
     }
 }
@@ -72,7 +72,7 @@ void readInputs(const Json& list, std::vector<FurtherInput>& inputs) {
         for (const auto& [key, value] : each.items()) {
             if (key != "name" && key != "input" && key != "hash")
                 throw std::invalid_argument("a molecule has no \"" + key + "\"");
-            (key == "name" ? input.name : key == "input" ? input.path : input.hash) = textOf(value);
+            (key == "name" ? input.name : key == "input" ? input.path : input.hash) = toText(value);
         }
         if (input.path.empty()) throw std::invalid_argument("a molecule without \"input\"");
         if (!input.name.empty() && !isInputName(input.name))
@@ -101,7 +101,7 @@ void readList(const Option& option, const Json& list, PictureDescription& view) 
     for (const Json& one : list) {
         if (option.kind == Kind::pair && (!one.is_array() || one.size() != 2))
             throw std::invalid_argument("expected each as a pair");
-        option.parse(option.kind == Kind::pair ? textOf(one[0]) + "\n" + textOf(one[1]) : textOf(one), view);
+        option.parse(option.kind == Kind::pair ? toText(one[0]) + "\n" + toText(one[1]) : toText(one), view);
     }
 }
 
@@ -124,10 +124,10 @@ void readOption(const Option& option, const Json& value, PictureDescription& vie
         case Kind::pair:
             return readList(option, value, view);
         case Kind::numbers:
-            return option.parse(value.is_array() ? joined(value) : value.is_string() ? textOf(value) : "", view);
+            return option.parse(value.is_array() ? joined(value) : value.is_string() ? toText(value) : "", view);
         case Kind::value:
         case Kind::flag:
-            return option.parse(textOf(value), view);
+            return option.parse(toText(value), view);
     }
 }
 
@@ -149,7 +149,7 @@ std::vector<std::string> divided(const std::string& text, char sign) {
     return pieces;
 }
 
-OrderedJson jsonOf(const Option& option, const PictureDescription& view) {
+OrderedJson toJson(const Option& option, const PictureDescription& view) {
     if (option.kind == Kind::rules) return rulesJson(view.look.rules);
     if (option.kind == Kind::inputs) return inputsJson(view.input.further);
     const std::string text = option.print(view);
@@ -228,7 +228,7 @@ void readStatistics(const Json& view, const std::string& name, PictureDescriptio
     const auto text = [&](const char* key, const char* standard) {
         const Json value = view.value(key, Json(standard));
         if (!value.is_string()) throw Error("cannot read view", name, std::string("\"") + key + "\": expected a text");
-        return textOf(value);
+        return toText(value);
     };
     Camera& camera = d.camera;
     camera = {};
@@ -338,7 +338,7 @@ std::string readViewText(const std::string& path) {
 std::string savedViewJson(const PictureDescription& view) {
     OrderedJson json = OrderedJson::object();
     for (const Option& option : options())
-        if (isSaved(option, view)) json[std::string(option.savedKey())] = jsonOf(option, view);
+        if (isSaved(option, view)) json[std::string(option.savedKey())] = toJson(option, view);
     return jsonText(json);
 }
 
@@ -373,7 +373,7 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     description = std::move(view);
 }
 
-InputOptions inputOf(const PictureDescription& view, InputOptions options) {
+InputOptions makeInput(const PictureDescription& view, InputOptions options) {
     InputOptions input = view.input;
     input.alone = view.look.ownFrame;
     input.cache = options.cache;

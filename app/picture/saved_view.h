@@ -31,6 +31,6 @@ std::string savedViewJson(const PictureDescription& view);
 void applySavedView(const std::string& path, PictureDescription& description);
 
 /// The view's input, read as the view requires; everything else as in `options`.
-InputOptions inputOf(const PictureDescription& view, InputOptions options = {});
+InputOptions makeInput(const PictureDescription& view, InputOptions options = {});
 
 }  // namespace nacre::app

@@ -21,7 +21,7 @@ void checkMarkup(std::string_view text) {
     std::string plain;
     eachPiece(
         text, [&](std::string_view piece) { plain += piece; }, [&](const LabelField&) { plain += 'x'; });
-    runsOf(plain);
+    parseMarkup(plain);
 }
 
 }  // namespace
@@ -117,7 +117,7 @@ const char* scaleBarText(ScaleBar bar) {
 }
 
 std::string parseTitle(std::string_view text) {
-    runsOf(filledTitle(std::string(text), {}));
+    parseMarkup(filledTitle(std::string(text), {}));
     return std::string(text);
 }
 

@@ -105,6 +105,6 @@ struct TextRun {
 
 /// Markup as in TeX: _x and _{xyz} lower, ^x and ^{xyz} raise, \alpha to \Omega and \AA are letters, \ before any other
 /// character gives that character. Fields are not resolved here. @throws std::invalid_argument
-std::vector<TextRun> runsOf(std::string_view text);
+std::vector<TextRun> parseMarkup(std::string_view text);
 
 }  // namespace nacre::app

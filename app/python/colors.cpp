@@ -57,7 +57,7 @@ void checkCount(const Colors& colors, std::size_t atoms) {
 
 void paint(const Colors& colors, Representation& scene) {
     const auto give = [&](std::uint32_t& color, std::uint32_t atom) {
-        color = withSurfaceOf(colors.atoms[atom - 1], color);
+        color = withSurfaceFrom(colors.atoms[atom - 1], color);
     };
     for (SphereLook& look : scene.sphereLooks) give(look.color, look.atom);
     for (SphereLook& look : scene.meshLooks) give(look.color, look.atom);

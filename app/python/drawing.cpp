@@ -105,8 +105,8 @@ Shared& shared() {
 }
 
 /// Reading options of open(). @throws app::UsageError
-app::InputOptions readingOf(const std::vector<std::string>& inputs, const std::string& json) {
-    std::vector<OptionValue> values = app::optionValuesOf(json, "open()");
+app::InputOptions parseReading(const std::vector<std::string>& inputs, const std::string& json) {
+    std::vector<OptionValue> values = app::parseOptionValues(json, "open()");
     for (const OptionValue& value : values)
         if (!isOfReading(app::option(value.key))) throw app::UsageError("open() takes no \"" + value.key + "\"");
     for (const std::string& input : inputs) values.push_back({"input", input});
@@ -118,8 +118,8 @@ app::InputOptions readingOf(const std::vector<std::string>& inputs, const std::s
 
 }  // namespace
 
-PictureDescription requestOf(const Structure& structure, const std::string& json, const std::string& output) {
-    std::vector<OptionValue> values = app::optionValuesOf(json, "render()");
+PictureDescription makeRequest(const Structure& structure, const std::string& json, const std::string& output) {
+    std::vector<OptionValue> values = app::parseOptionValues(json, "render()");
     for (const OptionValue& value : values) {
         const app::Option& option = app::option(value.key);
         if (has(kNotHere, option.topic)) throw app::UsageError("render() takes no \"" + value.key + "\"");
@@ -136,10 +136,10 @@ PictureDescription requestOf(const Structure& structure, const std::string& json
 }
 
 nlohmann::ordered_json interactions(const Structure& structure, const std::string& options) {
-    const RepresentationOptions look = requestOf(structure, options, kPlain).look;
+    const RepresentationOptions look = makeRequest(structure, options, kPlain).look;
     if (!look.contacts.of) throw app::UsageError("info(): \"interactions\" is a selection");
     const Molecule& molecule = *structure.molecule;
-    return app::interactionList(molecule, app::interactionsOf(molecule, look.contacts, look.assembly));
+    return app::interactionList(molecule, app::listInteractions(molecule, look.contacts, look.assembly));
 }
 
 void withScene(const Structure& structure, const PictureDescription& request, const Colors& colors, const Draw& draw) {
@@ -148,13 +148,13 @@ void withScene(const Structure& structure, const PictureDescription& request, co
 
 void checkName(const char* who, const std::string& path, bool good, std::span<const std::string> endings) {
     if (!good || app::isStandardOutput(path))
-        throw app::UsageError(std::string(who) + " takes a name that ends in " + app::anyOf(endings) + ", not '" +
-                              path + "'");
+        throw app::UsageError(std::string(who) + " takes a name that ends in " + app::joinAlternatives(endings) +
+                              ", not '" + path + "'");
 }
 
 Structure openInputs(const std::vector<std::string>& inputs, const std::string& options) {
     if (inputs.empty()) throw app::UsageError("open() needs an input");
-    const app::InputOptions input = readingOf(inputs, options);
+    const app::InputOptions input = parseReading(inputs, options);
     const auto standard = [](const auto& one) { return one.path == "-"; };
     if (standard(input) || std::any_of(input.further.begin(), input.further.end(), standard))
         throw app::UsageError("open() does not read standard input: pass its bytes");
@@ -165,7 +165,7 @@ Structure openInputs(const std::vector<std::string>& inputs, const std::string& 
 }
 
 Structure openBytes(const std::string& name, std::string bytes, const std::string& options) {
-    const app::InputOptions input = readingOf({name.empty() ? "bytes" : name}, options);
+    const app::InputOptions input = parseReading({name.empty() ? "bytes" : name}, options);
     if (!input.trajectory.path.empty())
         throw app::UsageError("\"trajectory\" goes with a structure's path, not its bytes");
     const std::uint64_t most =
@@ -191,9 +191,9 @@ void drawNow(app::Drawing& drawing, app::Canvas& canvas, bool alpha, Drawn& draw
 
 Drawn drawAs(const std::string& output, bool alpha, const Structure& structure, const std::string& options,
              const Colors& colors) {
-    const PictureDescription request = requestOf(structure, options, output);
+    const PictureDescription request = makeRequest(structure, options, output);
     Drawn drawn;
-    drawn.format = app::formatOf(request);
+    drawn.format = app::chooseFormat(request);
     withScene(structure, request, colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
         drawNow(drawing, canvas, alpha || app::hasAlpha(drawn.format, output), drawn);
     });
@@ -212,7 +212,7 @@ std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::st
     std::vector<PictureDescription> requests;
     for (const std::string& one : options) {
         try {
-            requests.push_back(requestOf(structure, one, kPlain));
+            requests.push_back(makeRequest(structure, one, kPlain));
         } catch (const std::exception&) {
             if (requests.empty()) throw;
             break;
@@ -246,7 +246,7 @@ std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::st
                     all.resize(i);
                     break;
                 }
-                all[i].format = app::formatOf(request);
+                all[i].format = app::chooseFormat(request);
                 if (drawing.startsCoded()) {
                     drawing.startCoded(canvas, true);
                     started.push_back(&all[i]);
@@ -271,7 +271,7 @@ std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::st
 LayerPicture drawLayers(const Structure& structure, const std::string& options, const Colors& colors,
                         std::vector<std::string>& warnings) {
     LayerPicture layers;
-    withScene(structure, requestOf(structure, options, kPlain), colors,
+    withScene(structure, makeRequest(structure, options, kPlain), colors,
               [&](app::Drawing& drawing, app::Canvas& canvas) {
                   warnings = drawing.warnings;
                   drawing.show(canvas);

@@ -94,7 +94,7 @@ std::string schemaOfOptions();
 // Shared by the sources of this folder.
 
 /// The description to draw. @param output  determines the format; it is not created @throws app::UsageError
-app::PictureDescription requestOf(const Structure& structure, const std::string& json, const std::string& output);
+app::PictureDescription makeRequest(const Structure& structure, const std::string& json, const std::string& output);
 constexpr const char* kPlain = "picture.png";  ///< a format that keeps a picture's pixels unchanged
 /// @param good  whether the path has one of these extensions @throws app::UsageError that names `who`
 void checkName(const char* who, const std::string& path, bool good, std::span<const std::string> endings);

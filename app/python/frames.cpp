@@ -6,7 +6,7 @@
 
 namespace nacre::python {
 
-std::unique_ptr<Motion> motionOf(const Structure& structure, const Molecule& now) {
+std::unique_ptr<Motion> makeMotion(const Structure& structure, const Molecule& now) {
     const app::TrajectoryOptions& frames = structure.reading.trajectory;
     if (!frames.path.empty()) return app::openMotion(frames, now);
     auto models = trajectoryOfModels(structure.molecule, structure.reading.model);
@@ -14,7 +14,8 @@ std::unique_ptr<Motion> motionOf(const Structure& structure, const Molecule& now
     return std::make_unique<Motion>(std::move(models), now, app::motionOptions(frames, now));
 }
 
-Frames::Frames(const Structure& structure) : structure_(structure), motion_(motionOf(structure, *structure.molecule)) {}
+Frames::Frames(const Structure& structure)
+    : structure_(structure), motion_(makeMotion(structure, *structure.molecule)) {}
 
 Structure Frames::at(std::uint64_t frame) const {
     if (!motion_) return structure_;

@@ -10,7 +10,7 @@
 namespace nacre::python {
 
 /// Null if there is only one model. @param now  the molecule whose positions change @throws Error
-std::unique_ptr<Motion> motionOf(const Structure& structure, const Molecule& now);
+std::unique_ptr<Motion> makeMotion(const Structure& structure, const Molecule& now);
 
 /// Reads frames one by one. Threads may share it.
 class Frames {

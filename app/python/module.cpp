@@ -33,7 +33,7 @@ constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
 template <typename T>
-py::array_t<T> arrayOf(const std::vector<T>& values, std::vector<py::ssize_t> shape) {
+py::array_t<T> toArray(const std::vector<T>& values, std::vector<py::ssize_t> shape) {
     py::array_t<T> array(std::move(shape));
     std::memcpy(array.mutable_data(), values.data(), values.size() * sizeof(T));
     return array;
@@ -50,7 +50,7 @@ py::array_t<T> ofAtoms(const Molecule& m, Value&& value) {
 
 /// Texts of at most eight bytes, as numpy's fixed-width bytes, which Python converts to text.
 template <typename Value>
-py::array namesOf(const Molecule& m, Value&& value) {
+py::array nameArray(const Molecule& m, Value&& value) {
     constexpr std::size_t kWidth = 8;
     py::array array(py::dtype("S8"), static_cast<py::ssize_t>(m.atoms.size()));
     char* out = static_cast<char*>(array.mutable_data());
@@ -64,9 +64,9 @@ py::array namesOf(const Molecule& m, Value&& value) {
 }
 
 /// A character as a text, empty if there is none. The text refers to the character itself.
-std::string_view textOf(const char& character) { return {&character, character != '\0' ? 1u : 0u}; }
+std::string_view toText(const char& character) { return {&character, character != '\0' ? 1u : 0u}; }
 
-py::dict atomsOf(const Structure& structure) {
+py::dict listAtoms(const Structure& structure) {
     const Molecule& m = *structure.molecule;
     py::array_t<float> positions({static_cast<py::ssize_t>(m.atoms.size()), py::ssize_t{3}});
     float* out = positions.mutable_data();
@@ -75,20 +75,20 @@ py::dict atomsOf(const Structure& structure) {
     const auto residue = [&](const Atom& atom) -> const Residue& { return m.residues[atom.residue]; };
     py::dict atoms;
     atoms["position"] = positions;
-    atoms["element"] = namesOf(m, [](const Atom& a) { return elementSymbol(a.element); });
-    atoms["name"] = namesOf(m, [](const Atom& a) { return a.name.view(); });
-    atoms["residue_name"] = namesOf(m, [&](const Atom& a) { return residue(a).name.view(); });
+    atoms["element"] = nameArray(m, [](const Atom& a) { return elementSymbol(a.element); });
+    atoms["name"] = nameArray(m, [](const Atom& a) { return a.name.view(); });
+    atoms["residue_name"] = nameArray(m, [&](const Atom& a) { return residue(a).name.view(); });
     atoms["residue_number"] = ofAtoms<std::int32_t>(m, [&](const Atom& a) { return residue(a).number; });
-    atoms["insertion_code"] = namesOf(m, [&](const Atom& a) { return textOf(residue(a).insertionCode); });
-    atoms["altloc"] = namesOf(m, [](const Atom& a) { return textOf(a.alternate); });
-    atoms["chain"] = namesOf(m, [&](const Atom& a) -> std::string_view { return m.chains[residue(a).chain].name; });
+    atoms["insertion_code"] = nameArray(m, [&](const Atom& a) { return toText(residue(a).insertionCode); });
+    atoms["altloc"] = nameArray(m, [](const Atom& a) { return toText(a.alternate); });
+    atoms["chain"] = nameArray(m, [&](const Atom& a) -> std::string_view { return m.chains[residue(a).chain].name; });
     atoms["model"] = ofAtoms<std::int32_t>(m, [&](const Atom& a) { return m.chains[residue(a).chain].model; });
     atoms["b_factor"] = ofAtoms<float>(m, [](const Atom& a) { return a.temperatureFactor; });
     atoms["occupancy"] = ofAtoms<float>(m, [](const Atom& a) { return a.occupancy; });
     atoms["charge"] = ofAtoms<std::int8_t>(m, [](const Atom& a) { return a.charge; });
     atoms["hetero"] = ofAtoms<bool>(m, [](const Atom& a) { return a.hetero; });
     const ResidueFacts facts(m);
-    atoms["secondary_structure"] = namesOf(m, [&](const Atom& a) -> std::string_view {
+    atoms["secondary_structure"] = nameArray(m, [&](const Atom& a) -> std::string_view {
         if (facts.kinds()[a.residue] != ResidueKind::protein) return {};
         const SecondaryStructure fold = facts.folds()[a.residue];
         return fold == SecondaryStructure::helix ? "helix" : fold == SecondaryStructure::strand ? "strand" : "coil";
@@ -96,13 +96,13 @@ py::dict atomsOf(const Structure& structure) {
     return atoms;
 }
 
-py::array_t<std::uint32_t> bondsOf(const Structure& structure) {
+py::array_t<std::uint32_t> listBonds(const Structure& structure) {
     const std::vector<Bond>& bonds = structure.molecule->bonds;
     const std::vector<std::uint8_t> orders = drawnOrders(*structure.molecule);
     std::vector<std::uint32_t> rows;
     for (std::size_t i = 0; i < bonds.size(); ++i) rows.insert(rows.end(), {bonds[i].a, bonds[i].b, orders[i]});
     const auto count = static_cast<py::ssize_t>(bonds.size());
-    return arrayOf(rows, {count, 3});
+    return toArray(rows, {count, 3});
 }
 
 [[noreturn]] void refuse(const std::string& what) { throw app::UsageError("from_arrays(): " + what); }
@@ -139,7 +139,7 @@ struct AtomColumns {
 };
 
 template <typename T>
-T entryOf(const std::vector<T>& column, std::size_t i, const T& otherwise) {
+T entryOr(const std::vector<T>& column, std::size_t i, const T& otherwise) {
     return column.empty() ? otherwise : column[i];
 }
 
@@ -191,11 +191,11 @@ Structure fromArrays(const Floats& positions, const std::vector<std::string>& el
         atom.element = elementFromSymbol(elements[i]);
         if (atom.element == 0 && elements[i] != "X")
             refuse("elements, entry " + std::to_string(i) + ": there is no element '" + elements[i] + "'");
-        atom.name = Name(entryOf(columns.names, i, elements[i]));
-        atom.temperatureFactor = entryOf(columns.temperatureFactors, i, 0.0f);
-        atom.occupancy = entryOf(columns.occupancies, i, 1.0f);
-        place(m, entryOf(columns.chains, i, std::string()), entryOf(columns.residueNames, i, std::string()),
-              entryOf(columns.residueNumbers, i, 0));
+        atom.name = Name(entryOr(columns.names, i, elements[i]));
+        atom.temperatureFactor = entryOr(columns.temperatureFactors, i, 0.0f);
+        atom.occupancy = entryOr(columns.occupancies, i, 1.0f);
+        place(m, entryOr(columns.chains, i, std::string()), entryOr(columns.residueNames, i, std::string()),
+              entryOr(columns.residueNumbers, i, 0));
         atom.residue = static_cast<std::uint32_t>(m.residues.size() - 1);
         m.atoms.push_back(atom);
     }
@@ -225,7 +225,7 @@ void keepDensity(const std::string& name, const Floats& values, const std::vecto
 }
 
 /// Rows of sRGB code values with straight alpha, as in a PNG.
-py::array codesOf(Drawn drawn) {
+py::array codeArray(Drawn drawn) {
     if (drawn.codes) {
         auto* const codes = new CodedPicture(std::move(*drawn.codes));
         const py::capsule owner(codes, [](void* picture) { delete static_cast<CodedPicture*>(picture); });
@@ -242,14 +242,14 @@ py::array codesOf(Drawn drawn) {
     return array;
 }
 
-py::dict layersOf(const LayerPicture& l) {
+py::dict toDict(const LayerPicture& l) {
     const auto height = static_cast<py::ssize_t>(l.height), width = static_cast<py::ssize_t>(l.width);
     py::dict layers;
-    layers["rgba"] = arrayOf(l.rgba, {height, width, 4});
-    layers["z"] = arrayOf(l.z, {height, width});
-    layers["normal"] = arrayOf(l.normal, {height, width, 3});
-    layers["id"] = arrayOf(l.id, {height, width});
-    layers["occlusion"] = arrayOf(l.occlusion, {height, width});
+    layers["rgba"] = toArray(l.rgba, {height, width, 4});
+    layers["z"] = toArray(l.z, {height, width});
+    layers["normal"] = toArray(l.normal, {height, width, 3});
+    layers["id"] = toArray(l.id, {height, width});
+    layers["occlusion"] = toArray(l.occlusion, {height, width});
     return layers;
 }
 
@@ -268,8 +268,8 @@ void addReading(py::module_& m) {
         .def_property_readonly("warnings", [](const Structure& s) { return s.molecule->warnings; })
         .def_property_readonly("said", [](const Structure& s) { return std::pair(s.warnings, s.notes); })
         .def("__len__", [](const Structure& s) { return s.molecule->atoms.size(); })
-        .def("atoms", &atomsOf)
-        .def("bonds", &bondsOf)
+        .def("atoms", &listAtoms)
+        .def("bonds", &listBonds)
         .def("info",
              [](const Structure& s) { return py::bytes(app::infoJson(*s.molecule).dump(-1, ' ', true, kReplace)); })
         .def("interactions",
@@ -336,14 +336,14 @@ void addDrawing(py::module_& m) {
     m.def("render", [](const Structure& s, const std::string& options, const Colors& colors) {
         Drawn drawn = interruptible([s, options, colors] { return draw(s, options, colors); });
         std::vector<std::string> warnings = std::move(drawn.warnings);
-        return std::pair(codesOf(std::move(drawn)), std::move(warnings));
+        return std::pair(codeArray(std::move(drawn)), std::move(warnings));
     });
     m.def("render_all", [](const Structure& s, const std::vector<std::string>& options, const Colors& colors) {
         std::vector<Drawn> all = interruptible([s, options, colors] { return drawAll(s, options, colors); });
         py::list pictures;
         for (Drawn& drawn : all) {
             std::vector<std::string> warnings = std::move(drawn.warnings);
-            pictures.append(py::make_tuple(codesOf(std::move(drawn)), std::move(warnings)));
+            pictures.append(py::make_tuple(codeArray(std::move(drawn)), std::move(warnings)));
         }
         return pictures;
     });
@@ -353,7 +353,7 @@ void addDrawing(py::module_& m) {
             LayerPicture drawn = drawLayers(s, options, colors, said);
             return std::pair(std::move(drawn), std::move(said));
         });
-        return std::pair(layersOf(layers), warnings);
+        return std::pair(toDict(layers), warnings);
     });
     m.def("save", [](const Structure& s, const std::string& path, const std::string& options, const Colors& colors) {
         return interruptible([s, path, options, colors] { return save(s, path, options, colors); });

@@ -23,7 +23,7 @@ namespace nacre::python {
 namespace {
 
 /// @throws app::UsageError
-app::CameraMotion motionOf(const Moving& moving) {
+app::CameraMotion parseMotion(const Moving& moving) {
     app::CameraMotion motion;
     for (const auto& [key, text] : moving.motion) try {
             if (!app::setMotion(key, text, motion)) throw app::UsageError("movie() takes no \"" + key + "\"");
@@ -41,8 +41,8 @@ app::CameraMotion motionOf(const Moving& moving) {
     return motion;
 }
 
-std::uint64_t framesOf(const app::CameraMotion& motion, std::uint64_t models, bool trajectory) {
-    const double seconds = app::secondsOf(motion, models, trajectory);
+std::uint64_t countFrames(const app::CameraMotion& motion, std::uint64_t models, bool trajectory) {
+    const double seconds = app::movieSeconds(motion, models, trajectory);
     return static_cast<std::uint64_t>(std::max(std::llround(seconds * motion.framesPerSecond), 1ll));
 }
 
@@ -51,7 +51,7 @@ class Models {
 public:
     /// @throws Error if there is only one model
     Models(const Structure& structure, const app::CameraMotion& motion)
-        : now_(*structure.molecule), motion_(madeOf(structure, motion, now_)) {
+        : now_(*structure.molecule), motion_(chooseMotion(structure, motion, now_)) {
         if (!motion_)
             throw Error("cannot show models", structure.inputs.front(),
                         structure.molecule->othersMissing.empty() ? "it has only one, or models of other atoms"
@@ -69,16 +69,17 @@ public:
     }
 
 private:
-    static std::unique_ptr<Motion> madeOf(const Structure& structure, const app::CameraMotion& motion,
-                                          const Molecule& now) {
-        if (motion.models != app::MovieModels::morph) return motionOf(structure, now);
+    static std::unique_ptr<Motion> chooseMotion(const Structure& structure, const app::CameraMotion& motion,
+                                                const Molecule& now) {
+        if (motion.models != app::MovieModels::morph) return makeMotion(structure, now);
         const app::InputOptions& read = structure.reading;
         if (!read.trajectory.path.empty()) throw app::UsageError("morph: it goes through models, not a trajectory");
         const std::uint64_t models = std::max<std::uint64_t>(now.others.size() + 1, 2);
-        return std::make_unique<Motion>(morphOfModels(structure.molecule, read.model,
-                                                      app::morphPlaces(motion, framesOf(motion, models, false), models),
-                                                      motion.loop, structure.inputs.front()),
-                                        now, app::motionOptions(read.trajectory, now));
+        return std::make_unique<Motion>(
+            morphOfModels(structure.molecule, read.model,
+                          app::morphPlaces(motion, countFrames(motion, models, false), models), motion.loop,
+                          structure.inputs.front()),
+            now, app::motionOptions(read.trajectory, now));
     }
 
     Molecule now_;
@@ -91,8 +92,8 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
                                                          const Moving& moving, const std::string& options,
                                                          const Colors& colors, const std::function<void()>& between) {
     checkName("movie()", path, app::isMovieName(path) && !app::isFrameFolder(path), app::movieEndings());
-    const app::CameraMotion motion = motionOf(moving);
-    app::PictureDescription request = requestOf(structure, options, kPlain);
+    const app::CameraMotion motion = parseMotion(moving);
+    app::PictureDescription request = makeRequest(structure, options, kPlain);
     const bool several = moving.models != app::MovieModels::one;
     if (motion.sweep && (several || request.maps.files.empty()))
         throw app::UsageError("map_sweep: it needs map, and does not go with models");
@@ -102,7 +103,7 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
     const std::uint64_t modelCount = models ? models->count() : 1;
     const bool morph = moving.models == app::MovieModels::morph;  // its models are the movie's frames
     const std::uint64_t frames =
-        morph ? modelCount : framesOf(motion, modelCount, !structure.reading.trajectory.path.empty());
+        morph ? modelCount : countFrames(motion, modelCount, !structure.reading.trajectory.path.empty());
     if (frames > app::kMostMovieFrames)
         throw app::UsageError("more than " + std::to_string(app::kMostMovieFrames) + " frames: seconds, fps");
     const app::MovieShape shape{request.size, motion.framesPerSecond, request.background[3] < 1.0f, frames};
@@ -143,7 +144,7 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
 std::vector<std::string> exportScene(const Structure& structure, const std::string& path, const std::string& options,
                                      const Colors& colors) {
     checkName("export()", path, app::isSceneName(path), app::sceneEndings());
-    const app::PictureDescription request = requestOf(structure, options, kPlain);
+    const app::PictureDescription request = makeRequest(structure, options, kPlain);
     app::OutputFile file(path);
     const Molecule& molecule = *structure.molecule;
     app::loadMaps(request);
@@ -156,7 +157,7 @@ std::vector<std::string> exportScene(const Structure& structure, const std::stri
     checkInterrupt();
     const std::string& title = molecule.file.title;
     const app::SceneFileOptions titled{title.empty() ? structure.inputs.front() : title, 1};
-    app::writeText(file, app::sceneFile(app::exportScene(molecule, scene, {}), app::extensionOf(path), titled));
+    app::writeText(file, app::sceneFile(app::exportScene(molecule, scene, {}), app::fileExtension(path), titled));
     return scene.warnings;
 }
 

@@ -19,7 +19,7 @@ std::string heading() {
     return text;
 }
 
-std::uint64_t hashOf(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
+std::uint64_t hashBytes(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
 class Writer {
 public:
@@ -228,7 +228,7 @@ std::string pickled(const Molecule& molecule) {
     Writer writer;
     writer.text(heading());
     write(writer, molecule);
-    writer.plain(hashOf(writer.bytes));
+    writer.plain(hashBytes(writer.bytes));
     return std::move(writer.bytes);
 }
 
@@ -241,7 +241,7 @@ Molecule unpickled(std::string_view bytes) {
     std::string begin;
     reader.text(begin);
     if (begin != heading()) throw Error("cannot unpickle", "a structure", "another version of nacre pickled it");
-    if (hash != hashOf(whole)) throw Error("cannot unpickle", "a structure", "its bytes are damaged");
+    if (hash != hashBytes(whole)) throw Error("cannot unpickle", "a structure", "its bytes are damaged");
     return read(reader, true);
 }
 

@@ -61,7 +61,7 @@ void takeInput(std::string& path, Opened& opened, const ServeOptions& options, c
 }
 
 /// Key of an input: its name, its content, and the content of files that it names. A body's name is ignored.
-std::string keyOf(const InputOptions& input) {
+std::string makeKey(const InputOptions& input) {
     if (!input.opened) return input.path;
     return input.path + (input.sceneFiles ? " with its folder " : " ") + fileHash(input.opened->path()) + "\n" +
            contentOfNamed(input);
@@ -70,7 +70,7 @@ std::string keyOf(const InputOptions& input) {
 /// Whether an option takes a file or its text; the server accepts the text.
 bool takesText(const Option& option) { return option.syntax.find("FILE|") != std::string::npos; }
 
-OptionValue valueOf(const std::string& key, const std::string& text) {
+OptionValue parseValue(const std::string& key, const std::string& text) {
     std::string name = key;
     std::replace(name.begin(), name.end(), '_', '-');
     const Option* row = findOption(name);
@@ -155,9 +155,9 @@ bool isServed(const Option& option) {
 
 std::string moleculeKey(const PictureDescription& description) {
     const InputOptions& input = description.input;
-    std::string key = printed(description, true) + (input.alone ? "alone " : "") + keyOf(input);
+    std::string key = printed(description, true) + (input.alone ? "alone " : "") + makeKey(input);
     for (const FurtherInput& further : input.further)
-        key += "\n" + further.name + "=" + keyOf(furtherInput(input, further));
+        key += "\n" + further.name + "=" + makeKey(furtherInput(input, further));
     return key;
 }
 
@@ -176,7 +176,7 @@ PictureRequest pictureRequest(const Query& query, const UnnamedFile* body, const
         std::vector<OptionValue> values;
         for (const auto& [key, text] : query) {
             if (isPictureFormat(key, text)) continue;
-            OptionValue value = valueOf(key, text);
+            OptionValue value = parseValue(key, text);
             if (!value.key.empty()) values.push_back(std::move(value));
         }
         setOptions(values, d);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kPrefix = "picture-";
 
-std::string digitsOf(const XXH128_hash_t& hash) {
+std::string toDigits(const XXH128_hash_t& hash) {
     char text[33];
     std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
                   static_cast<unsigned long long>(hash.low64));
@@ -19,7 +19,7 @@ std::string digitsOf(const XXH128_hash_t& hash) {
 }
 
 /// Head of an entry: the picture's name, length and hash. Its size depends on the name alone.
-std::string headOf(const std::string& name, std::string_view picture) {
+std::string makeHead(const std::string& name, std::string_view picture) {
     char length[17];
     std::snprintf(length, sizeof length, "%016llx", static_cast<unsigned long long>(picture.size()));
     return "nacre picture " + name + " " + length + " " + contentKey(picture) + "\n";
@@ -27,13 +27,13 @@ std::string headOf(const std::string& name, std::string_view picture) {
 
 }  // namespace
 
-std::string contentKey(std::string_view bytes) { return digitsOf(XXH3_128bits(bytes.data(), bytes.size())); }
+std::string contentKey(std::string_view bytes) { return toDigits(XXH3_128bits(bytes.data(), bytes.size())); }
 
 std::string contentKey(const UnnamedFile& file) {
     const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
     XXH3_128bits_reset(state.get());
     file.eachPiece([&](std::string_view piece) { XXH3_128bits_update(state.get(), piece.data(), piece.size()); });
-    return digitsOf(XXH3_128bits_digest(state.get()));
+    return toDigits(XXH3_128bits_digest(state.get()));
 }
 
 PictureStore::PictureStore(std::string folder, std::uint64_t bytes)
@@ -44,8 +44,8 @@ PictureStore::PictureStore(std::string folder, std::uint64_t bytes)
 std::optional<std::string> PictureStore::find(const std::string& name) const {
     std::optional<std::string> entry = cache_.read(kPrefix + name);
     if (!entry) return std::nullopt;
-    const std::size_t head = headOf(name, {}).size();
-    if (entry->size() >= head && entry->compare(0, head, headOf(name, std::string_view(*entry).substr(head))) == 0) {
+    const std::size_t head = makeHead(name, {}).size();
+    if (entry->size() >= head && entry->compare(0, head, makeHead(name, std::string_view(*entry).substr(head))) == 0) {
         entry->erase(0, head);
         return entry;
     }
@@ -54,7 +54,7 @@ std::optional<std::string> PictureStore::find(const std::string& name) const {
 }
 
 void PictureStore::keep(const std::string& name, const std::string& picture) {
-    const std::string head = headOf(name, picture);
+    const std::string head = makeHead(name, picture);
     const std::string_view parts[] = {head, picture};
     if (picture.size() > slack_ || !cache_.write(kPrefix + name, parts, false)) return;
     const std::lock_guard lock(turn_);

@@ -7,7 +7,7 @@
 
 namespace nacre::app {
 
-const char* titleOf(int status) {
+const char* statusTitle(int status) {
     constexpr std::pair<int, const char*> kTitles[] = {{400, "Bad Request"},         {401, "Unauthorized"},
                                                        {403, "Forbidden"},           {404, "Not Found"},
                                                        {405, "Method Not Allowed"},  {413, "Content Too Large"},
@@ -21,7 +21,7 @@ const char* titleOf(int status) {
 
 std::string problemJson(int status, const std::string& detail) {
     return jsonText(
-        {{"type", "about:blank"}, {"title", titleOf(status)}, {"status", status}, {"detail", shortened(detail)}});
+        {{"type", "about:blank"}, {"title", statusTitle(status)}, {"status", status}, {"detail", shortened(detail)}});
 }
 
 }  // namespace nacre::app

@@ -12,7 +12,7 @@ struct Problem : std::runtime_error {
 };
 
 /// "Not Found"
-const char* titleOf(int status);
+const char* statusTitle(int status);
 /// {"type": "about:blank", "title": "Not Found", "status": 404, "detail": "..."}
 std::string problemJson(int status, const std::string& detail);
 

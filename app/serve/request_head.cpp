@@ -50,7 +50,7 @@ bool takesBodies(const std::string& path) { return path == "/picture" || path ==
 
 }  // namespace
 
-std::string methodsOf(const std::string& path) {
+std::string allowedMethods(const std::string& path) {
     return path == "/structures" ? "POST" : path == "/picture" ? "GET, HEAD, POST" : "GET, HEAD";
 }
 
@@ -65,11 +65,11 @@ bool isLoopback(const std::string& host) {
     return address || name == "localhost" || name == "::1" || name == "[::1]";
 }
 
-std::optional<Problem> refusalOf(const httplib::Request& request, bool local) {
+std::optional<Problem> checkRequest(const httplib::Request& request, bool local) {
     const bool post = request.method == "POST";
     const bool get = request.method == "GET" || request.method == "HEAD";
     if ((!post && !get) || (post && !takesBodies(request.path)) || (get && request.path == "/structures"))
-        return Problem(405, request.path + " takes " + methodsOf(request.path));
+        return Problem(405, request.path + " takes " + allowedMethods(request.path));
     const std::size_t hosts = request.get_header_value_count("Host");
     if (hosts > 1 || (hosts == 0 && request.version != "HTTP/1.0"))
         return Problem(400, "a request has one header Host");
@@ -86,7 +86,7 @@ std::optional<Problem> refusalOf(const httplib::Request& request, bool local) {
     return {};
 }
 
-Query queryOf(const httplib::Request& request) {
+Query parseQuery(const httplib::Request& request) {
     Query query;
     const std::size_t mark = request.target.find('?');
     if (mark == std::string::npos) return query;

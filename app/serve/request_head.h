@@ -17,17 +17,17 @@ namespace nacre::app {
 /// site's page.
 /// @param local  the server listens on loopback. Then only loopback names are accepted as hosts: a foreign page may
 /// resolve its own name to 127.0.0.1 (DNS rebinding), and could read the server's answers
-std::optional<Problem> refusalOf(const httplib::Request& request, bool local);
+std::optional<Problem> checkRequest(const httplib::Request& request, bool local);
 
 /// The methods that a path supports, as in the Allow header.
-std::string methodsOf(const std::string& path);
+std::string allowedMethods(const std::string& path);
 
 /// Whether an address, or a host with or without a port, is loopback: "localhost", "127.0.0.1:8080", "[::1]".
 bool isLoopback(const std::string& host);
 
 /// Keys and values in order, which httplib's own table loses. @throws Problem for invalid percent-encoding, and for
 /// control characters other than tabs and line ends
-Query queryOf(const httplib::Request& request);
+Query parseQuery(const httplib::Request& request);
 
 /// Removes a key from a query. @returns its last value
 std::string taken(Query& query, const std::string& key);

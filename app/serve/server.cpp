@@ -65,14 +65,14 @@ std::string forClient(std::string text, const PictureDescription& asked) {
 }
 
 /// "127.0.0.1:8080", "[::1]:8080"
-std::string placeOf(const ServeOptions& asked, int port) {
+std::string formatAddress(const ServeOptions& asked, int port) {
     const bool colons = asked.address.find(':') != std::string::npos;
     return (colons ? "[" + asked.address + "]" : asked.address) + ":" + std::to_string(port);
 }
 
 /// Why binding failed, and what to do. @param reason  from errno; 0: the address is invalid
 std::string whyNotBound(const ServeOptions& asked, int reason) {
-    const std::string free = "--listen " + placeOf(asked, 0) + " takes a free port";
+    const std::string free = "--listen " + formatAddress(asked, 0) + " takes a free port";
     if (reason == EADDRINUSE) return "another program listens there; stop it, or name another port: " + free;
     if (reason == EACCES) return "this port needs more rights; name one from 1024 on, or any: " + free;
     return "not an address of this machine; --listen 127.0.0.1:" + std::to_string(asked.port) +
@@ -100,14 +100,14 @@ struct Server::Parts {
             bound = http.bind_to_any_port(options.address.c_str());
         else if (http.bind_to_port(options.address.c_str(), options.port))
             bound = options.port;
-        if (bound <= 0) throw Error("cannot listen", placeOf(options, options.port), whyNotBound(options, errno));
+        if (bound <= 0) throw Error("cannot listen", formatAddress(options, options.port), whyNotBound(options, errno));
     }
 
     void addRoutes() {
         http.set_pre_routing_handler([local = isLoopback(options.address)](const Request& request, Response& response) {
-            const std::optional<Problem> refusal = refusalOf(request, local);
+            const std::optional<Problem> refusal = checkRequest(request, local);
             if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
-            if (refusal->status == 405) response.set_header("Allow", methodsOf(request.path));
+            if (refusal->status == 405) response.set_header("Allow", allowedMethods(request.path));
             tell(*refusal, response);
             return httplib::Server::HandlerResponse::Handled;
         });
@@ -127,10 +127,10 @@ struct Server::Parts {
             response.set_content(schema, "application/schema+json");
         });
         http.Get("/picture", answer([this](const Request& request, Response& response) {
-                     sendPicture(queryOf(request), nullptr, request, response);
+                     sendPicture(parseQuery(request), nullptr, request, response);
                  }));
         http.Post("/picture", withBody([this](const Request& request, const UnnamedFile& body, Response& response) {
-                      sendPicture(queryOf(request), &body, request, response);
+                      sendPicture(parseQuery(request), &body, request, response);
                   }));
         http.Post("/structures", withBody([this](const Request&, const UnnamedFile& body, Response& response) {
                       response.set_content(jsonText({{"input", uploads.keep(body)}}), "application/json");
@@ -140,14 +140,14 @@ struct Server::Parts {
                  answer([this](const Request& request, Response& response) {
                      Query query = queryOfName(request.matches[1].str());
                      if (query.empty()) throw Problem(404, "no picture has this name");
-                     for (auto& pair : queryOf(request)) query.push_back(std::move(pair));
+                     for (auto& pair : parseQuery(request)) query.push_back(std::move(pair));
                      sendPicture(query, nullptr, request, response);
                  }));
         http.set_error_handler([](const Request& request, Response& response) {
             if (!response.body.empty()) return;
             const std::string detail = response.status == 404   ? "there is no " + request.path
                                        : response.status == 413 ? kTooLarge
-                                                                : titleOf(response.status);
+                                                                : statusTitle(response.status);
             tell(Problem(response.status, detail), response);
         });
         http.set_logger([this](const Request&, const Response& response) {
@@ -222,7 +222,7 @@ struct Server::Parts {
         const std::string session = taken(query, "session");
         const bool moving = !taken(query, "moving").empty();
         const PictureRequest asked = pictureRequest(query, body, options, uploads);
-        const std::string extension = extensionOf(asked.description.output);
+        const std::string extension = fileExtension(asked.description.output);
         const std::string name = contentKey(asked.identity + program()) + extension;
         const std::string tag = "\"" + name.substr(0, 32) + "\"";
         const bool kept = !body && !moving;
@@ -271,7 +271,7 @@ struct Server::Parts {
     }
 
     void sendInfo(const Request& request, Response& response) {
-        const PictureRequest asked = pictureRequest(queryOf(request), nullptr, options, uploads);
+        const PictureRequest asked = pictureRequest(parseQuery(request), nullptr, options, uploads);
         InfoOptions info;
         info.picture = asked.description;
         info.paths = {asked.description.input.path};
@@ -333,7 +333,7 @@ void serveCommand(const ServeOptions& options) {
     });
     std::future<void> ended = serving.get_future();
     std::thread listening = startThread(std::move(serving));
-    sayNote("serving http://" + placeOf(options, server->port()) + "/ (Ctrl C stops it)");
+    sayNote("serving http://" + formatAddress(options, server->port()) + "/ (Ctrl C stops it)");
     while (!stop.asked() && ended.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
     }
     server->stop();

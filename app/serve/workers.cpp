@@ -22,7 +22,7 @@ namespace {
 /// A picture in its format. Lack of space may be temporary; the texts of other errors name the server's folders.
 std::string encoded(const Picture& picture, const PictureDescription& description) {
     try {
-        return encodePicture(extensionOf(description.output), picture, formatOf(description));
+        return encodePicture(fileExtension(description.output), picture, chooseFormat(description));
     } catch (const Error& error) {
         const std::string_view why = error.what();
         for (const int code : {ENOSPC, EDQUOT, EMFILE, ENFILE, ENOMEM})

@@ -154,8 +154,8 @@ void CameraControl::take(Aim aim, bool fly, double now) {
     const Document& document = stage_.document;
     aim.fits = false;  // the scale fits all sides
     for (std::optional<Selection>* selection :
-         {&aim.lookAt, &aim.zoomTo, &aim.uncover, &aim.axesOf, &aim.left, &aim.clip})
-        if (*selection && document.view.input.several()) nameInputs(inputNames(inputOf(document.view)), **selection);
+         {&aim.lookAt, &aim.zoomTo, &aim.uncover, &aim.orientBy, &aim.left, &aim.clip})
+        if (*selection && document.view.input.several()) nameInputs(inputNames(makeInput(document.view)), **selection);
     try {
         const PixelSize size = frames_.freeSize();
         Camera from = stage_.motion.camera();

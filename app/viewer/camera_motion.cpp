@@ -11,7 +11,7 @@ namespace {
 /// Points per Å on the plane through the molecule's centre.
 double pointsPerAngstrom(const Camera& camera, double radius, const Viewport& viewport) {
     constexpr std::uint32_t kUnit = 1000;  // of a square window; the scale is proportional to its side
-    const View view = viewOf(camera, radius, kUnit, kUnit);
+    const View view = makeView(camera, radius, kUnit, kUnit);
     return view.pixelsPerAngstrom * std::min(viewport.width, viewport.height) / kUnit;
 }
 

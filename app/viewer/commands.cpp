@@ -6,8 +6,8 @@ namespace {
 using C = ViewerCommand;
 
 constexpr KeyEvent key(char32_t k) { return {k, {}}; }
-constexpr KeyEvent key(SpecialKey k) { return {keyOf(k), {}}; }
-constexpr KeyEvent shift(SpecialKey k) { return {keyOf(k), {true, false}}; }
+constexpr KeyEvent key(SpecialKey k) { return {toKey(k), {}}; }
+constexpr KeyEvent shift(SpecialKey k) { return {toKey(k), {true, false}}; }
 
 constexpr KeyEvent control(char32_t k) { return {k, {false, true}}; }
 
@@ -97,11 +97,11 @@ constexpr PointerBinding kPointer[] = {
 std::span<const Binding> keyBindings() { return kBindings; }
 std::span<const PointerBinding> pointerBindings() { return kPointer; }
 
-std::optional<ViewerCommand> commandOf(const KeyEvent& event) {
+std::optional<ViewerCommand> findCommand(const KeyEvent& event) {
     const bool letter = event.key >= U'a' && event.key <= U'z';
     for (const Binding& b : kBindings) {
         // Characters such as '?' need Shift on some layouts only.
-        const bool shiftCounts = letter || event.key >= keyOf(SpecialKey::left);
+        const bool shiftCounts = letter || event.key >= toKey(SpecialKey::left);
         if (b.key.key == event.key && b.key.with.control == event.with.control &&
             (!shiftCounts || b.key.with.shift == event.with.shift))
             return b.command;

@@ -83,7 +83,7 @@ struct Binding {
 };
 
 std::span<const Binding> keyBindings();
-std::optional<ViewerCommand> commandOf(const KeyEvent& event);
+std::optional<ViewerCommand> findCommand(const KeyEvent& event);
 
 /// Actions of pointer and fingers, for the help.
 struct PointerBinding {

@@ -52,6 +52,6 @@ struct KeyEvent {
     char32_t key = 0;
     Modifiers with;
 };
-constexpr char32_t keyOf(SpecialKey key) { return static_cast<char32_t>(key); }
+constexpr char32_t toKey(SpecialKey key) { return static_cast<char32_t>(key); }
 
 }  // namespace nacre::app

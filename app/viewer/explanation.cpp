@@ -37,7 +37,7 @@ Drawn drawnBy(const Representation& scene, const ResidueFacts& facts) {
     return drawn;
 }
 
-std::string meaningOf(std::string_view key, std::string_view value) {
+std::string findMeaning(std::string_view key, std::string_view value) {
     for (const auto& choice : option(key).control.choices)
         if (choice.value == value) return choice.meaning;
     return {};
@@ -48,7 +48,7 @@ bool acts(const PictureDescription& picture, Rule::Action action) {
 }
 
 std::string styleText(Style style, const Drawn& drawn) {
-    std::string text = meaningOf("style", styleName(style));
+    std::string text = findMeaning("style", styleName(style));
     if (drawn.helices && drawn.strands) text += " Coils are helices, arrows are strands.";
     if (drawn.helices != drawn.strands) text += drawn.helices ? " Coils are helices." : " Arrows are strands.";
     if ((style == Style::cartoon || style == Style::backbone) && drawn.ligands) text += " Ligands are sticks.";
@@ -82,14 +82,14 @@ std::string colorText(const PictureDescription& picture, const Drawn& drawn) {
         case ColorScheme::element:
             if (drawn.elements.empty()) return {};
             if (coloring == Coloring(ColorScheme::element))
-                return meaningOf("color", "element") + elementsText(drawn.elements, true);
+                return findMeaning("color", "element") + elementsText(drawn.elements, true);
             return "Carbon has one colour." + elementsText(drawn.elements, false);
         case ColorScheme::chainCarbons:
-            if (drawn.elements.empty()) return meaningOf("color", "chain");
+            if (drawn.elements.empty()) return findMeaning("color", "chain");
             return std::string("Carbon has the colour of its chain") + (drawn.ligands ? ", in ligands grey." : ".") +
                    elementsText(drawn.elements, false);
         default:
-            return meaningOf("color", colorSchemeName(coloring.scheme));
+            return findMeaning("color", colorSchemeName(coloring.scheme));
     }
 }
 

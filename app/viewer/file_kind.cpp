@@ -11,15 +11,15 @@
 namespace nacre::app {
 namespace {
 
-bool endsAsOneOf(const std::string& name, std::initializer_list<const char*> endings) {
+bool endsWithAny(const std::string& name, std::initializer_list<const char*> endings) {
     return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
 }
 
-bool isSceneName(const std::string& name) { return endsAsOneOf(name, {".mvsj", ".mvsx"}); }
+bool isSceneName(const std::string& name) { return endsWithAny(name, {".mvsj", ".mvsx"}); }
 
 }  // namespace
 
-FileKind kindOf(const std::string& path) {
+FileKind detectKind(const std::string& path) {
     if (isSceneName(lowerCase(path))) return FileKind::scene;
     if (isViewFile(path)) return FileKind::view;
     if (isTrajectoryFile(path)) return FileKind::trajectory;
@@ -29,7 +29,7 @@ FileKind kindOf(const std::string& path) {
 bool mayOpen(const std::string& name) {
     const std::string lower = lowerCase(name);
     return isSceneName(lower) || formatOfFileName(name) ||
-           endsAsOneOf(lower, {".json", ".dcd", ".xtc", ".trr", ".nc", ".ncdf", ".netcdf", ".h5", ".h5md", ".ccp4",
+           endsWithAny(lower, {".json", ".dcd", ".xtc", ".trr", ".nc", ".ncdf", ".netcdf", ".h5", ".h5md", ".ccp4",
                                ".mrc", ".mrcs", ".map", ".map.gz", ".dsn6", ".omap", ".brix", ".dx", ".cube"});
 }
 

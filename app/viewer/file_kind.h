@@ -13,7 +13,7 @@ enum class FileKind {
     view         ///< a saved view, or a look
 };
 /// By content; scenes by name.
-FileKind kindOf(const std::string& path);
+FileKind detectKind(const std::string& path);
 
 /// Whether a file list shows it: its name is that of a file that can be opened.
 bool mayOpen(const std::string& name);

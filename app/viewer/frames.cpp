@@ -172,12 +172,12 @@ Picture Frames::draw(Renderer& renderer, PictureDescription picture, bool marked
     const PixelSize size{drawn.view.width, drawn.view.height};
     const double enlarged =
         std::min(size.width, size.height) / static_cast<double>(std::min(size_.width, size_.height));
-    paintMarks(outlineOf(renderer.atoms(drawn), size, {marks_.selected}, kOutlinePoints * scale_ * enlarged), image);
+    paintMarks(makeOutline(renderer.atoms(drawn), size, {marks_.selected}, kOutlinePoints * scale_ * enlarged), image);
     stage_.document.drawing.addWords(drawn, image);
     return image;
 }
 
-glm::dvec2 Frames::pointOf(const glm::dvec3& place, const View& view) const {
+glm::dvec2 Frames::projectPoint(const glm::dvec3& place, const View& view) const {
     const glm::dvec3 v = view.seen(place);
     const double magnify =
         view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1.0;
@@ -283,7 +283,7 @@ void Frames::findMarks(bool moving) {
         seenSize_ = size;
         seenAt_ = stage_.changes();
     }
-    shownMarks_.spans = outlineOf(seen_, size, marks_, kOutlinePoints * scale_ / step);
+    shownMarks_.spans = makeOutline(seen_, size, marks_, kOutlinePoints * scale_ / step);
 }
 
 /// Puts the document's scene on a screen that lacks it.
@@ -311,7 +311,7 @@ void Frames::expectScene(const PictureDescription& coming) {
             Representation like = standIn(coming.look, style);
             Camera camera;
             camera.projection = stage_.view().camera.projection;
-            s.view = viewOf(camera, like.radius, size_.width, size_.height);
+            s.view = makeView(camera, like.radius, size_.width, size_.height);
             screen_.expectScene(std::move(like), s, frame_);
         }
     } catch (const Error&) {

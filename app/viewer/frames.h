@@ -92,7 +92,7 @@ public:
     /// Settings of such a picture; shifts the molecule clear of the words if it is fully visible. @throws Error
     const RenderSettings& compose(PictureDescription picture);
     /// Screen position of a point relative to the scene's centre. @param view  from settings() @returns points
-    glm::dvec2 pointOf(const glm::dvec3& place, const View& view) const;
+    glm::dvec2 projectPoint(const glm::dvec3& place, const View& view) const;
     /// @param at, reach  points
     /// @returns the atom from 1, 0 for none; empty if it failed, which is reported
     std::optional<std::uint32_t> atomAt(glm::dvec2 at, double reach, double now);

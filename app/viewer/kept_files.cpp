@@ -31,7 +31,7 @@ void write(const std::string& path, const std::string& content) {
 }
 
 /// FNV-1a, 64 bits: detects a truncated or damaged file.
-std::uint64_t hashOf(std::string_view bytes) {
+std::uint64_t hashBytes(std::string_view bytes) {
     std::uint64_t hash = 0xcbf29ce484222325ull;
     for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
     return hash;
@@ -59,7 +59,7 @@ std::vector<std::byte> loadPipelineCache(const std::string& path) {
     std::uint64_t head[2];
     std::memcpy(head, content.data(), sizeof head);
     const std::string_view data = std::string_view(content).substr(sizeof head);
-    if (head[0] != kMagic || head[1] != hashOf(data)) return {};
+    if (head[0] != kMagic || head[1] != hashBytes(data)) return {};
     std::vector<std::byte> bytes(data.size());
     std::memcpy(bytes.data(), data.data(), data.size());
     return bytes;
@@ -68,7 +68,7 @@ std::vector<std::byte> loadPipelineCache(const std::string& path) {
 void keepPipelineCache(const std::string& path, const std::vector<std::byte>& data) {
     if (data.empty() || data.size() > kLargestCache) return;
     const std::string_view bytes(reinterpret_cast<const char*>(data.data()), data.size());
-    const std::uint64_t head[2] = {kMagic, hashOf(bytes)};
+    const std::uint64_t head[2] = {kMagic, hashBytes(bytes)};
     std::string content(reinterpret_cast<const char*>(head), sizeof head);
     write(path, content.append(bytes));
 }

@@ -20,31 +20,31 @@ struct Beside {
     std::uint8_t alpha;
 };
 
-std::uint8_t alphaOf(double share) { return static_cast<std::uint8_t>(std::lround(255 * share)); }
+std::uint8_t toAlpha(double share) { return static_cast<std::uint8_t>(std::lround(255 * share)); }
 
 /// Pixels within reach of an outline; its rim is anti-aliased.
-std::vector<Beside> reachOf(double width, double strength) {
+std::vector<Beside> findReached(double width, double strength) {
     const int most = static_cast<int>(std::ceil(width + 0.5));
     std::vector<Beside> reach;
     for (int down = -most; down <= most; ++down)
         for (int right = -most; right <= most; ++right)
             if (const double covered = std::clamp(width + 1 - std::hypot(right, down), 0.0, 1.0); covered > 0)
-                reach.push_back({right, down, alphaOf(covered * strength)});
+                reach.push_back({right, down, toAlpha(covered * strength)});
     return reach;
 }
 
 /// Marks the pixels where `in` is true. @param alphas  by pixel: the strongest mark stays
 void mark(const std::vector<bool>& in, PixelSize size, double width, Strength strength,
           std::vector<std::uint8_t>& alphas) {
-    const std::vector<Beside> reach = reachOf(width, strength.outline);
-    const std::uint8_t inside = alphaOf(strength.inside);
+    const std::vector<Beside> reach = findReached(width, strength.outline);
+    const std::uint8_t inside = toAlpha(strength.inside);
     const int columns = static_cast<int>(size.width), rows = static_cast<int>(size.height);
-    const auto placeOf = [&](int x, int y) {
+    const auto pixelIndex = [&](int x, int y) {
         return static_cast<std::size_t>(y) * size.width + static_cast<std::size_t>(x);
     };
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
-            const std::size_t here = placeOf(x, y);
+            const std::size_t here = pixelIndex(x, y);
             if (!in[here]) continue;
             alphas[here] = std::max(alphas[here], inside);
             const bool border = (x > 0 && !in[here - 1]) || (x + 1 < columns && !in[here + 1]) ||
@@ -53,7 +53,7 @@ void mark(const std::vector<bool>& in, PixelSize size, double width, Strength st
             for (const Beside& beside : reach) {
                 const int right = x + beside.right, down = y + beside.down;
                 if (right < 0 || right >= columns || down < 0 || down >= rows) continue;
-                const std::size_t there = placeOf(right, down);
+                const std::size_t there = pixelIndex(right, down);
                 if (!in[there]) alphas[there] = std::max(alphas[there], beside.alpha);
             }
         }
@@ -61,8 +61,8 @@ void mark(const std::vector<bool>& in, PixelSize size, double width, Strength st
 
 }  // namespace
 
-std::vector<MarkSpan> outlineOf(std::span<const std::uint32_t> atoms, PixelSize size, const Highlights& marks,
-                                double width) {
+std::vector<MarkSpan> makeOutline(std::span<const std::uint32_t> atoms, PixelSize size, const Highlights& marks,
+                                  double width) {
     std::vector<MarkSpan> spans;
     const std::size_t count = std::size_t{size.width} * size.height;
     if (!marks.any() || atoms.size() != count) return spans;

@@ -29,8 +29,8 @@ constexpr std::uint32_t kMarkColor = 0xa02dff;
 
 /// @param atoms  for each pixel, row by row, the visible atom, from 1; 0: none
 /// @param width  of the outline, pixels
-std::vector<MarkSpan> outlineOf(std::span<const std::uint32_t> atoms, PixelSize size, const Highlights& marks,
-                                double width);
+std::vector<MarkSpan> makeOutline(std::span<const std::uint32_t> atoms, PixelSize size, const Highlights& marks,
+                                  double width);
 
 /// Paints spans onto a picture of their size.
 void paintMarks(const std::vector<MarkSpan>& spans, Picture& picture);

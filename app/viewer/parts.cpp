@@ -35,14 +35,14 @@ struct Group {
 };
 
 /// Groups the residues that match a test by the name from another function.
-template <typename Test, typename NameOf>
-std::vector<std::pair<std::string, Group>> groupsOf(const Molecule& m, Test test, NameOf nameOf) {
+template <typename Test, typename FindName>
+std::vector<std::pair<std::string, Group>> listGroups(const Molecule& m, Test test, FindName findName) {
     std::vector<std::pair<std::string, Group>> groups;
     std::map<std::string, std::size_t> places;
     for (std::uint32_t r = 0; r < m.residues.size(); ++r) {
         const Residue& residue = m.residues[r];
         if (!test(r)) continue;
-        const std::string name = nameOf(residue);
+        const std::string name = findName(residue);
         const auto [at, isNew] = places.emplace(name, groups.size());
         if (isNew) groups.push_back({name, {}});
         Group& group = groups[at->second].second;
@@ -53,13 +53,13 @@ std::vector<std::pair<std::string, Group>> groupsOf(const Molecule& m, Test test
 }
 
 /// The file's name for an identifier; the identifier if it has none.
-std::string nameOf(const std::string& identifier, const std::map<std::string, std::string>& names) {
+std::string findName(const std::string& identifier, const std::map<std::string, std::string>& names) {
     const auto found = names.find(identifier);
     return found == names.end() ? identifier : found->second;
 }
 
 /// Words of a name, without punctuation: "HEMOGLOBIN (ALPHA CHAIN)" has three.
-std::vector<std::string> wordsOf(const std::string& name) {
+std::vector<std::string> nameWords(const std::string& name) {
     std::vector<std::string> words(1);
     for (const char c : name) {
         const bool in = std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0 || c == '-' || c == '\'';
@@ -95,7 +95,7 @@ void labelParts(std::vector<Part>& parts, std::size_t from) {
         Part& part = parts[i];
         part.label = part.chainName.empty() ? part.name : part.chainName;
         if (part.title.empty()) continue;
-        names.push_back(wordsOf(part.title));
+        names.push_back(nameWords(part.title));
         chains.push_back(&part);
     }
     const bool differ =
@@ -128,7 +128,7 @@ struct Parts {
 /// For a packed scene: its compartments, if there are several, and its entities.
 void addPackedParts(const Molecule& m, Parts& parts) {
     const auto groups = [&](const auto& nameOfEntity) {
-        return groupsOf(
+        return listGroups(
             m, [&](std::uint32_t r) { return m.residues[r].entity > 0; },
             [&](const Residue& r) { return nameOfEntity(m.entities[r.entity - 1]); });
     };
@@ -136,18 +136,18 @@ void addPackedParts(const Molecule& m, Parts& parts) {
         parts.add({Part::Kind::all, name, "entity '" + selected + "'"}, group);
     };
     const auto compartments = groups([&](const std::string& id) {
-        const std::string name = nameOf(id, m.file.entityNames);
+        const std::string name = findName(id, m.file.entityNames);
         const std::size_t point = name.find_last_of('.');
         return point == std::string::npos ? std::string() : name.substr(0, point);
     });
     for (const auto& [name, group] : compartments)
         if (compartments.size() > 1 && !name.empty()) add("Compartment " + name, name + ".*", group);
     for (const auto& [id, group] : groups([](const std::string& identifier) { return identifier; }))
-        add(nameOf(id, m.file.entityNames), id, group);
+        add(findName(id, m.file.entityNames), id, group);
 }
 
 /// The summary of an input's file. @param model  its number among several; 0: there is one input
-const FileSummary& summaryOf(const Molecule& m, int model) {
+const FileSummary& findSummary(const Molecule& m, int model) {
     const auto input = static_cast<std::size_t>(model - 1);
     return model > 0 && input < m.inputFiles.size() ? m.inputFiles[input] : m.file;
 }
@@ -156,14 +156,14 @@ const FileSummary& summaryOf(const Molecule& m, int model) {
 void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const std::string& input, int model,
               Parts& parts) {
     const std::size_t before = parts.parts.size();
-    const FileSummary& file = summaryOf(m, model);
+    const FileSummary& file = findSummary(m, model);
     const std::string of = input.empty() ? "" : "/" + input + " and ";
     const auto ours = [&](std::uint32_t r) { return input.empty() || m.chains[m.residues[r].chain].model == model; };
     const auto ofKind = [&](ResidueKind kind) {
         return [&, kind](std::uint32_t r) { return kinds[r] == kind && ours(r); };
     };
     const auto residueName = [](const Residue& r) { return std::string(r.name.view()); };
-    for (const auto& [name, group] : groupsOf(
+    for (const auto& [name, group] : listGroups(
              m, [&](std::uint32_t r) { return isPolymer(kinds[r]) && ours(r); },
              [&](const Residue& r) { return m.chains[r.chain].name; })) {
         Part part{Part::Kind::chain, name.empty() ? "Polymer" : "Chain " + name,
@@ -179,9 +179,9 @@ void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const st
     }
     for (const auto& [kind, partKind, word] : {std::tuple(ResidueKind::ligand, Part::Kind::ligand, " and ligand"),
                                                {ResidueKind::ion, Part::Kind::ion, " and ion"}})
-        for (const auto& [name, group] : groupsOf(m, ofKind(kind), residueName)) {
+        for (const auto& [name, group] : listGroups(m, ofKind(kind), residueName)) {
             if (name.empty()) continue;
-            Part part{partKind, nameOf(name, file.componentNames), of + "resn " + quotedName(name) + word};
+            Part part{partKind, findName(name, file.componentNames), of + "resn " + quotedName(name) + word};
             part.input = input;
             parts.add(std::move(part), group);
         }
@@ -198,8 +198,8 @@ void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const st
 
 }  // namespace
 
-std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::string>& inputs,
-                          std::vector<std::uint32_t>* ofResidue) {
+std::vector<Part> listParts(const ResidueFacts& facts, const std::vector<std::string>& inputs,
+                            std::vector<std::uint32_t>* ofResidue) {
     const Molecule& m = facts.molecule();
     Parts parts{{}, std::vector<std::uint32_t>(m.residues.size(), kNoPart)};
     const std::vector<ResidueKind>& kinds = facts.kinds();
@@ -220,7 +220,7 @@ std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::stri
     return std::move(parts.parts);
 }
 
-PartLook lookOf(const PictureDescription& view, const Part& part) {
+PartLook findLook(const PictureDescription& view, const Part& part) {
     PartLook look;
     if (part.kind == Part::Kind::water) look.seen = view.drawn.water;
     for (const Rule& rule : view.look.rules) {
@@ -232,7 +232,7 @@ PartLook lookOf(const PictureDescription& view, const Part& part) {
     return look;
 }
 
-void setLookOf(PictureDescription& view, const Part& part, const PartLook& look) {
+void setPartLook(PictureDescription& view, const Part& part, const PartLook& look) {
     std::vector<Rule>& rules = view.look.rules;
     std::erase_if(rules, [&](const Rule& rule) { return rule.on && rule.selection.text == part.selection; });
     const auto add = [&](Rule::Action action) -> Rule& {
@@ -256,7 +256,7 @@ std::string quotedName(const std::string& name) {
     return plain ? name : "'" + name + "'";
 }
 
-std::vector<std::uint32_t> sequenceOf(const ResidueFacts& facts, std::uint32_t chain) {
+std::vector<std::uint32_t> findSequence(const ResidueFacts& facts, std::uint32_t chain) {
     const Molecule& m = facts.molecule();
     std::vector<std::uint32_t> residues;
     for (std::uint32_t r = 0; r < m.residues.size(); ++r) {
@@ -268,7 +268,7 @@ std::vector<std::uint32_t> sequenceOf(const ResidueFacts& facts, std::uint32_t c
     return residues;
 }
 
-char letterOf(const Residue& residue) {
+char residueLetter(const Residue& residue) {
     if (const char letter = aminoAcidLetter(residue.name)) return letter;
     if (const char letter = nucleotideLetter(residue.name)) return letter;
     return 'X';
@@ -299,7 +299,8 @@ std::string meantSelection(const std::string& typed, const Molecule& molecule) {
     const std::string number = numbered ? capital.substr(digits) : "";
     const auto is = [&](const Residue& residue) {
         const std::string own(residue.name.view());
-        const bool named = upperCase(own) == name || (name.size() == 1 && std::string(1, letterOf(residue)) == name);
+        const bool named =
+            upperCase(own) == name || (name.size() == 1 && std::string(1, residueLetter(residue)) == name);
         return (name.empty() || named) && (number.empty() || std::to_string(residue.number) == number) &&
                !(name.empty() && number.empty());
     };

@@ -30,8 +30,8 @@ constexpr std::size_t kMostParts = 200;
 /// its compartments and entities. For several molecules, the parts of each. At most kMostParts.
 /// @param inputs  names of the molecules, if there are several
 /// @param ofResidue  if not null: receives for each residue its part, or kNoPart; for a packed scene its entity
-std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::string>& inputs = {},
-                          std::vector<std::uint32_t>* ofResidue = nullptr);
+std::vector<Part> listParts(const ResidueFacts& facts, const std::vector<std::string>& inputs = {},
+                            std::vector<std::uint32_t>* ofResidue = nullptr);
 constexpr std::uint32_t kNoPart = 0xffffffff;
 
 /// Visibility and look of a part, from rules for exactly its selection.
@@ -40,17 +40,17 @@ struct PartLook {
     std::optional<Style> style;        ///< empty: same as molecule
     std::optional<Coloring> coloring;  ///< empty: same as molecule
 };
-PartLook lookOf(const PictureDescription& view, const Part& part);
+PartLook findLook(const PictureDescription& view, const Part& part);
 /// A name in the syntax of selections: plain, or in quotes.
 std::string quotedName(const std::string& name);
 /// Sets a part's look by rules for exactly its selection, after all others.
-void setLookOf(PictureDescription& view, const Part& part, const PartLook& look);
+void setPartLook(PictureDescription& view, const Part& part, const PartLook& look);
 
 /// Residues of a chain that have letters: the polymer, in file order.
 /// @param chain  index into Molecule::chains @returns indices into Molecule::residues
-std::vector<std::uint32_t> sequenceOf(const ResidueFacts& facts, std::uint32_t chain);
+std::vector<std::uint32_t> findSequence(const ResidueFacts& facts, std::uint32_t chain);
 /// 'X' for an unusual residue of a polymer.
-char letterOf(const Residue& residue);
+char residueLetter(const Residue& residue);
 /// Consecutive residues as a selection: "chain A and resi 10-15". @param input  as Part::input
 std::string residuesText(const Molecule& molecule, std::uint32_t first, std::uint32_t last,
                          const std::string& input = {});

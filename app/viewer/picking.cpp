@@ -14,7 +14,7 @@ namespace {
 
 /// An atom's name in the format of words, after a scene file's tooltip.
 std::string hoverText(const Molecule& molecule, std::uint32_t atom) {
-    const std::string tip = molecule.guide ? tooltipOf(*molecule.guide, atom) : std::string();
+    const std::string tip = molecule.guide ? joinTooltips(*molecule.guide, atom) : std::string();
     return tip + (tip.empty() ? "" : "; ") + atomText(molecule, atom);
 }
 
@@ -23,9 +23,9 @@ constexpr double kHoverPoints = 2;      // likewise for a resting pointer
 constexpr double kHoverSeconds = 0.08;  // time at rest before the atom under it is looked up
 
 /// A typed selection: `/name` is one of several molecules. @throws std::invalid_argument
-Selection selectionOf(const std::string& text, const PictureDescription& view) {
+Selection resolveSelection(const std::string& text, const PictureDescription& view) {
     Selection selection = parseSelection(text);
-    if (view.input.several()) nameInputs(inputNames(inputOf(view)), selection);
+    if (view.input.several()) nameInputs(inputNames(makeInput(view)), selection);
     return selection;
 }
 
@@ -51,7 +51,8 @@ std::string residueText(const Document& document, std::uint32_t atom) {
         return "id " + std::to_string(atom + 1);
     std::string input;
     if (molecule.modelsAreInputs)
-        input = inputNames(inputOf(document.view))[static_cast<std::size_t>(molecule.chains[residue.chain].model - 1)];
+        input =
+            inputNames(makeInput(document.view))[static_cast<std::size_t>(molecule.chains[residue.chain].model - 1)];
     return residuesText(molecule, number, number, input);
 }
 
@@ -70,12 +71,12 @@ void Picking::tap(glm::dvec2 at, double now) {
     stage_.schedule.overlayChanged();
     stage_.messages.clear();
     pointerLeft();
-    if (*atom == 0 || stage_.document.drawing.scene().noteOf(*atom) > 0) {
+    if (*atom == 0 || stage_.document.drawing.scene().noteNumber(*atom) > 0) {
         picks_.clear();
         select("");
         return;
     }
-    if (const DrawnContact* contact = stage_.document.drawing.scene().contactOf(*atom)) {
+    if (const DrawnContact* contact = stage_.document.drawing.scene().findContact(*atom)) {
         picks_.clear();
         select(residuesText(*contact));
         return;
@@ -104,8 +105,8 @@ std::optional<Selection> Picking::doubleTap(glm::dvec2 at, double now) {
     picks_ = picksBefore_;
     stage_.schedule.overlayChanged();
     std::uint32_t atom = frames_.atomAt(at, kFingerPoints, now).value_or(0);
-    if (stage_.document.drawing.scene().noteOf(atom) > 0) atom = 0;
-    if (const DrawnContact* contact = stage_.document.drawing.scene().contactOf(atom))
+    if (stage_.document.drawing.scene().noteNumber(atom) > 0) atom = 0;
+    if (const DrawnContact* contact = stage_.document.drawing.scene().findContact(atom))
         return parseSelection(residuesText(*contact));
     if (atom == 0 || stage_.document.molecule->residues.size() < 2) return std::nullopt;
     return parseSelection(residueText(stage_.document, atom - 1));
@@ -170,7 +171,8 @@ void Picking::placeSelection() {
     marked_.clear();
     if (!selected_.text.empty() && stage_.shown()) try {
             const Document& document = stage_.document;
-            const std::vector<bool> chosen = selectAtoms(*document.placed, selectionOf(selected_.text, document.view));
+            const std::vector<bool> chosen =
+                selectAtoms(*document.placed, resolveSelection(selected_.text, document.view));
             selected_.count = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
             if (selected_.count > 0) marked_ = markedAtoms(chosen);
         } catch (const std::exception& error) {
@@ -200,9 +202,9 @@ Annotations Picking::annotations() const {
     a.coarse = frames_.coarseness();
     if (!stage_.shown()) return a;
     const Document& document = stage_.document;
-    if (const DrawnContact* contact = hovers() ? document.drawing.scene().contactOf(hovered_) : nullptr)
+    if (const DrawnContact* contact = hovers() ? document.drawing.scene().findContact(hovered_) : nullptr)
         a.hover = contactText(*document.molecule, contact->interaction);
-    else if (const std::uint32_t note = hovers() ? document.drawing.scene().noteOf(hovered_) : 0; note > 0)
+    else if (const std::uint32_t note = hovers() ? document.drawing.scene().noteNumber(hovered_) : 0; note > 0)
         a.hover = note <= document.drawing.maps().notes.size() ? document.drawing.maps().notes[note - 1] : "";
     else if (hovers() && hovered_ <= document.molecule->atoms.size())
         a.hover = hoverText(*document.molecule, hovered_ - 1);
@@ -215,7 +217,7 @@ Annotations Picking::annotations() const {
     for (const FreePart& part : parts)
         for (const glm::dvec3& place : places)
             (&part == &parts[0] ? a.atoms : a.otherAtoms)
-                .push_back(frames_.pointOf(place - document.drawing.scene().center, part.view) +
+                .push_back(frames_.projectPoint(place - document.drawing.scene().center, part.view) +
                            part.corner / frames_.pixelsPerPoint());
     if (!picks_.empty()) a.atom = atomText(*document.molecule, picks_.back());
     a.measurement = measurement(places);

@@ -42,7 +42,7 @@ struct Reading::Files {
 
     explicit Files(const std::vector<std::string>& paths) {
         for (const std::string& path : paths) {
-            const FileKind kind = kindOf(path);
+            const FileKind kind = detectKind(path);
             (kind == FileKind::map ? maps : kind == FileKind::trajectory ? trajectories : structures).push_back(path);
         }
     }
@@ -135,7 +135,7 @@ bool Reading::beginWith(PictureDescription& view, const std::vector<std::string>
         return false;
     }
     for (const std::string& path : paths) view.input.further.push_back({"", path, ""});
-    if (!paths.empty() && view.input.several()) colorApart(inputNames(inputOf(view)), view.look, before);
+    if (!paths.empty() && view.input.several()) colorApart(inputNames(makeInput(view)), view.look, before);
     return true;
 }
 

@@ -183,7 +183,7 @@ std::string Session::report(const std::string& system) const {
         const FrameStats& stats = renderer_->stats();
         report["device"] = deviceJson(stats.device);
         report["driver_feedback"] = describe(renderer_->driverFeedback());
-        report["memory_traffic"] = trafficJson(countedOf(stats.device, options_));
+        report["memory_traffic"] = trafficJson(queryTraffic(stats.device, options_));
         report["frames"] = {{"shown", stats.windowFrames},
                             {"device_milliseconds", stats.windowMilliseconds},
                             {"of_motions", motions.frames},

@@ -46,7 +46,7 @@ public:
     PictureDescription placed(PictureDescription view) const {
         if (!shown()) return view;
         constexpr std::uint32_t kAnySize = 1000;
-        const View seen = viewOf(view.camera, document.drawing.radius(), kAnySize, kAnySize);
+        const View seen = makeView(view.camera, document.drawing.radius(), kAnySize, kAnySize);
         view.camera = absoluteCamera(seen, view.camera.fovDegrees, document.drawing.scene().center);
         return view;
     }

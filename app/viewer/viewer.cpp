@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kOneTurn = 1;  // seconds within which steps of a wheel form one undo step
 
-std::string nameOf(const std::string& input) {
+std::string displayName(const std::string& input) {
     return input.starts_with("sample:") ? input : std::filesystem::path(input).filename().string();
 }
 
@@ -122,7 +122,7 @@ void Viewer::resume(double now) {
 
 void Viewer::open(const std::vector<std::string>& paths, bool beside, double now) {
     const auto view =
-        std::find_if(paths.begin(), paths.end(), [](const auto& path) { return kindOf(path) == FileKind::view; });
+        std::find_if(paths.begin(), paths.end(), [](const auto& path) { return detectKind(path) == FileKind::view; });
     if (view == paths.end()) return beside ? reading_.add(paths, now) : reading_.open(paths, now);
     messages().dismissFailure();
     try {
@@ -290,8 +290,8 @@ std::string Viewer::title() const {
     std::string title;
     if (stage_.shown()) {
         const PictureDescription& view = stage_.document.view;
-        title = nameOf(view.input.path);
-        for (const FurtherInput& further : view.input.further) title += " + " + nameOf(further.path);
+        title = displayName(view.input.path);
+        for (const FurtherInput& further : view.input.further) title += " + " + displayName(further.path);
     }
     if (reading_.question()) title = "question";
     if (title.empty() && reading_.failed()) title = "not opened";

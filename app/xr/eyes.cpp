@@ -64,7 +64,7 @@ Placement keepInFront(Placement& placement, const std::array<EyePose, 2>& eyes) 
     return placement;
 }
 
-EyeViews viewsOf(const Placement& placement, std::array<EyePose, 2> eyes, std::uint32_t width, std::uint32_t height) {
+EyeViews makeViews(const Placement& placement, std::array<EyePose, 2> eyes, std::uint32_t width, std::uint32_t height) {
     const bool parallel = straighten(eyes);
     double pixels = INFINITY;  // per unit of tangent
     for (const EyePose& eye : eyes)

@@ -38,7 +38,7 @@ struct EyeViews {
 Placement keepInFront(Placement& placement, const std::array<EyePose, 2>& eyes);
 
 /// @param placement  in front of both eyes @param width, height  of each eye's picture, pixels
-EyeViews viewsOf(const Placement& placement, std::array<EyePose, 2> eyes, std::uint32_t width, std::uint32_t height);
+EyeViews makeViews(const Placement& placement, std::array<EyePose, 2> eyes, std::uint32_t width, std::uint32_t height);
 
 /// Rotates and scales the molecule with the hand that holds it.
 class Grip {

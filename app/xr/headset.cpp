@@ -13,18 +13,18 @@ namespace {
 constexpr XrViewConfigurationType kStereo = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 constexpr XrPosef kHere{{0, 0, 0, 1}, {0, 0, 0}};
 
-Pose poseOf(const XrPosef& p) {
+Pose convertPose(const XrPosef& p) {
     const auto& [x, y, z, w] = p.orientation;
     return {{p.position.x, p.position.y, p.position.z}, glm::normalize(glm::dquat(w, x, y, z))};
 }
 
-XrPosef poseOf(const Pose& p) {
+XrPosef convertPose(const Pose& p) {
     const auto f = [](double value) { return static_cast<float>(value); };
     const glm::dquat& q = p.orientation;
     return {{f(q.x), f(q.y), f(q.z), f(q.w)}, {f(p.position.x), f(p.position.y), f(p.position.z)}};
 }
 
-XrFovf fovOf(const EyePose& eye) {
+XrFovf toFov(const EyePose& eye) {
     const auto angle = [](double tangent) { return static_cast<float>(std::atan(tangent)); };
     return {angle(eye.left), angle(eye.right), angle(eye.up), angle(eye.down)};
 }
@@ -278,7 +278,7 @@ std::optional<std::array<EyePose, 2>> Headset::eyes(const Frame& frame) {
     for (std::size_t i = 0; i < 2; ++i) {
         const XrFovf& fov = views[i].fov;
         const auto tangent = [](float angle) { return std::tan(static_cast<double>(angle)); };
-        static_cast<Pose&>(eyes[i]) = poseOf(views[i].pose);
+        static_cast<Pose&>(eyes[i]) = convertPose(views[i].pose);
         eyes[i].left = tangent(fov.angleLeft), eyes[i].right = tangent(fov.angleRight);
         eyes[i].down = tangent(fov.angleDown), eyes[i].up = tangent(fov.angleUp);
     }
@@ -310,7 +310,7 @@ std::optional<Hand> Headset::hand(const Frame& frame) {
         checkXr(xr_.locateSpace(grips_[i], room_, frame.time, &at), "xrLocateSpace");
         constexpr XrSpaceLocationFlags kKnown =
             XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
-        if ((at.locationFlags & kKnown) == kKnown) hands[i] = Hand{poseOf(at.pose), pressed(hold_, hands_[i])};
+        if ((at.locationFlags & kKnown) == kKnown) hands[i] = Hand{convertPose(at.pose), pressed(hold_, hands_[i])};
     }
     const auto holds = [&](std::size_t i) { return hands[i] && hands[i]->holds; };
     if (!holds(holding_) && holds(1 - holding_)) holding_ = 1 - holding_;
@@ -336,8 +336,8 @@ void Headset::endFrame(const Frame& frame, const std::optional<std::array<EyePos
     layer.views = views.data();
     for (std::uint32_t i = 0; shown && i < 2; ++i) {
         views[i].type = XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW;
-        views[i].pose = poseOf((*shown)[i]);
-        views[i].fov = fovOf((*shown)[i]);
+        views[i].pose = convertPose((*shown)[i]);
+        views[i].fov = toFov((*shown)[i]);
         views[i].subImage.swapchain = swapchain_;
         views[i].subImage.imageRect.extent = {static_cast<std::int32_t>(width_), static_cast<std::int32_t>(height_)};
         views[i].subImage.imageArrayIndex = i;

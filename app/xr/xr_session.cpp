@@ -142,7 +142,7 @@ FrameOutcome HeadsetSession::present(Renderer& renderer, const RenderSettings& s
     placement_.rotation = seen.rotation;
     placement_.radius = seen.radius;
     placement_.metresPerAngstrom = kMetresAcross * seen.pixelsPerAngstrom / kPicture.width;
-    const EyeViews drawn = viewsOf(keepInFront(placement_, *eyes_), *eyes_, headset_.width(), headset_.height());
+    const EyeViews drawn = makeViews(keepInFront(placement_, *eyes_), *eyes_, headset_.width(), headset_.height());
     RenderSettings both = settings;
     both.view = drawn.views[0];
     both.effects.depthOfField.strength = 0;  // the user's eyes focus themselves

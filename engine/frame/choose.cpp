@@ -11,12 +11,12 @@ namespace nacre {
 
 using graph::DeviceKind;
 using graph::FrameCaps;
-using passes::bytesOf;
-using passes::costOf;
+using passes::chooseShapes;
+using passes::computeCost;
+using passes::countBytes;
 using passes::Handed;
 using passes::PassCost;
 using passes::PrimitiveCounts;
-using passes::shapesOf;
 using passes::SphereShapes;
 using Kind = Effect::Kind;
 using Where = Samples::Where;
@@ -61,14 +61,14 @@ PathRow pathOfKind(DeviceKind kind, const graph::PlanCaps& caps) {
 }
 
 /// Like choosePath(), without the reason, which would allocate.
-Visibility pathOf(const FrameCaps& device) {
+Visibility pickPath(const FrameCaps& device) {
     if (device.visibility != Visibility::automatic) return device.visibility;
     if (device.tested.visibility != Visibility::automatic) return device.tested.visibility;
     return pathOfKind(device.kind, device.plan).path;
 }
 
 /// The path of a debug view on a device whose path is `usual`.
-Visibility pathOf(DebugView view, Visibility usual) {
+Visibility pickPath(DebugView view, Visibility usual) {
     switch (view) {
         case DebugView::encoded:
             return Visibility::encoded;
@@ -110,7 +110,7 @@ const char* whySingleInMotion(DeviceKind kind, Visibility path, const graph::Pla
 /// Like chooseMotionSamples(), without the reason, which would allocate.
 std::uint32_t motionSamples(const FrameCaps& device) {
     if (device.multisampling == Multisampling::four) return kMultisamples;
-    const Visibility path = pathOf(device);
+    const Visibility path = pickPath(device);
     const bool several = device.multisampling == Multisampling::automatic &&
                          lackOfMultisampling(path, device.plan) == Lack::nothing &&
                          !whySingleInMotion(device.kind, path, device.plan);
@@ -200,7 +200,7 @@ private:
     /// The device's path, or the path of frames that add samples or depth to a picture. Devices that shade by tiles
     /// always draw those by tiles: other paths draw each sample as a pixel.
     Visibility usual(bool adds) const {
-        return adds && device_.tiles.shade && device_.plan.tiles ? Visibility::tiles : pathOf(device_);
+        return adds && device_.tiles.shade && device_.plan.tiles ? Visibility::tiles : pickPath(device_);
     }
     bool adds() const {
         switch (choice_.part) {
@@ -228,8 +228,8 @@ private:
     void choosePath();
     void chooseGeometry();
     HostWork hostWorkOfTiles() const;
-    HostWork hostWorkOf(Visibility path) const;
-    bool prepassOf(Visibility path, PlateShape plates) const;
+    HostWork chooseHostWork(Visibility path) const;
+    bool needsPrepass(Visibility path, PlateShape plates) const;
     void chooseEnding();
     void chooseOverflow();
     const char* lackOfViews() const;
@@ -237,8 +237,8 @@ private:
     const char* lackOfFoveation() const;
     void chooseFoveation();
     std::uint64_t mostVertexBytes() const;
-    Rounds roundsOf(const PassCost& cost, const PrimitiveCounts& counts) const;
-    GeometryWorks geometryOf(Visibility path, const SphereShapes& shapes) const;
+    Rounds planRounds(const PassCost& cost, const PrimitiveCounts& counts) const;
+    GeometryWorks planGeometry(Visibility path, const SphereShapes& shapes) const;
     VertexOutputs fitted(Visibility path) const;
     void chooseVertices();
 
@@ -354,14 +354,14 @@ void Chooser::choosePath() {
     const bool computes = path == Visibility::tiles && device_.tiles.shade && choice_.color == ColorFormat::coded &&
                           isPicture(request_.part) && !request_.counted;
     choice_.path = rims()     ? (computes ? Visibility::tiles : Visibility::deferred)
-                   : debugs() ? pathOf(settings_.debug, path)
+                   : debugs() ? pickPath(settings_.debug, path)
                               : path;
     if (computes && !debugs()) choice_.shading = Shading::compute;
     if (!reasons_) return;
-    because("path", rims() && !computes               ? "outlines and halos need the primitive of each pixel"
-                    : choice_.path == pathOf(device_) ? nacre::choosePath(device_).why
-                    : debugs()                        ? "the debug view needs this path"
-                                                      : "compute adds samples and depth to pictures of this device");
+    because("path", rims() && !computes                 ? "outlines and halos need the primitive of each pixel"
+                    : choice_.path == pickPath(device_) ? nacre::choosePath(device_).why
+                    : debugs()                          ? "the debug view needs this path"
+                                                        : "compute adds samples and depth to pictures of this device");
     because("shading", choice_.shadedByCompute()           ? "compute shades faster than fragments on this device"
                        : choice_.path != Visibility::tiles ? "triangles cover the pixels"
                        : request_.counted                  ? "fragments are counted"
@@ -370,7 +370,7 @@ void Chooser::choosePath() {
 }
 
 /// Work of the host before a path that draws triangles.
-HostWork Chooser::hostWorkOf(Visibility path) const {
+HostWork Chooser::chooseHostWork(Visibility path) const {
     // Where depth is tested late, shading hidden fragments takes a CPU longer than finding hidden spheres.
     const bool late = device_.kind == DeviceKind::software && !platesReject(path, device_.plan);
     return settings_.tuning.cull && late ? HostWork::hiddenSpheres : HostWork::none;
@@ -392,7 +392,7 @@ HostWork Chooser::hostWorkOfTiles() const {
     return HostWork::none;
 }
 
-bool Chooser::prepassOf(Visibility path, PlateShape plates) const {
+bool Chooser::needsPrepass(Visibility path, PlateShape plates) const {
     if (debugs()) return true;  // views show the prepass
     // Without plates, passes that write depth themselves need no prepass.
     const bool wanted = plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);
@@ -401,11 +401,11 @@ bool Chooser::prepassOf(Visibility path, PlateShape plates) const {
 
 void Chooser::chooseGeometry() {
     const bool tiles = choice_.path == Visibility::tiles;
-    choice_.prepass = prepassOf(choice_.path, settings_.tuning.plates);
+    choice_.prepass = needsPrepass(choice_.path, settings_.tuning.plates);
     choice_.geometry = tiles                                                       ? Geometry::hostLists
                        : device_.plan.geometry.storesVaryings && !request_.counted ? Geometry::fetched
                                                                                    : Geometry::instanced;
-    if (!debugs()) choice_.host = tiles ? hostWorkOfTiles() : hostWorkOf(choice_.path);
+    if (!debugs()) choice_.host = tiles ? hostWorkOfTiles() : chooseHostWork(choice_.path);
     // A volume between layers needs their depth.
     if (tiles && !scene_.hasTranslucentAtoms && !choice_.has(Kind::volume))
         choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
@@ -443,7 +443,7 @@ void Chooser::chooseEnding() {
 void Chooser::chooseOverflow() {
     if (!choice_.drawnByTiles()) return;
     Overflow& overflow = choice_.overflow;
-    const Visibility usual = pathOf(device_);
+    const Visibility usual = pickPath(device_);
     overflow.longestListOfLayers = device_.tiles.longestList;
     // Rims walk through each list twice.
     overflow.longestList =
@@ -451,8 +451,8 @@ void Chooser::chooseOverflow() {
     overflow.path = rims() ? Visibility::deferred : usual == Visibility::tiles ? Visibility::fragdepth : usual;
     // Tiles of blocks cover a quarter of the side, so their lists are shorter.
     if (choice_.drawsEdges()) overflow.refinement = blind() ? Refinement::everywhere : Refinement::blocks;
-    overflow.host = hostWorkOf(overflow.path);
-    overflow.prepass = prepassOf(overflow.path, settings_.tuning.plates);
+    overflow.host = chooseHostWork(overflow.path);
+    overflow.prepass = needsPrepass(overflow.path, settings_.tuning.plates);
     if (reasons_)
         because("long lists",
                 "taken where a tile's list has more than " + std::to_string(overflow.longestList) + " entries");
@@ -513,11 +513,11 @@ std::uint64_t Chooser::mostVertexBytes() const {
 }
 
 /// Rounds of a pass that keep each one's vertex outputs within the limit.
-Rounds Chooser::roundsOf(const PassCost& cost, const PrimitiveCounts& counts) const {
-    const std::uint64_t all = bytesOf(cost, counts) * choice_.views, most = mostVertexBytes();
+Rounds Chooser::planRounds(const PassCost& cost, const PrimitiveCounts& counts) const {
+    const std::uint64_t all = countBytes(cost, counts) * choice_.views, most = mostVertexBytes();
     Rounds rounds;
     if (all <= most) return rounds;
-    rounds.bytes = bytesOf(cost);
+    rounds.bytes = countBytes(cost);
     // Shares are of whole primitives: each may have one more.
     const std::uint64_t one = std::uint64_t{*std::ranges::max_element(rounds.bytes)} * choice_.views;
     const std::uint64_t room = most > 2 * one ? most - one : one;
@@ -526,13 +526,13 @@ Rounds Chooser::roundsOf(const PassCost& cost, const PrimitiveCounts& counts) co
 }
 
 /// The passes of a path over the primitives, in order.
-GeometryWorks Chooser::geometryOf(Visibility path, const SphereShapes& shapes) const {
+GeometryWorks Chooser::planGeometry(Visibility path, const SphereShapes& shapes) const {
     const bool stores = device_.plan.geometry.storesVaryings, fetched = stores && !request_.counted;
-    const auto cost = [&](Handed handed) { return costOf(handed, stores, shapes); };
+    const auto cost = [&](Handed handed) { return computeCost(handed, stores, shapes); };
     GeometryWorks passes;
     if (path == Visibility::tiles) return passes;
-    if (prepassOf(path, shapes.plates)) passes.add({&VertexOutputs::plating, cost(Handed::plates)});
-    const std::span<const ScreenTarget> targets = targetsOf(choice_);
+    if (needsPrepass(path, shapes.plates)) passes.add({&VertexOutputs::plating, cost(Handed::plates)});
+    const std::span<const ScreenTarget> targets = screenTargets(choice_);
     if (path == Visibility::deferred) passes.add({&VertexOutputs::nearest, cost(Handed::number)});
     if (path == Visibility::encoded || (path == Visibility::rasterOrder && !settlesWhileShading(targets)))
         passes.add({&VertexOutputs::nearest, cost(Handed::depth)});
@@ -559,13 +559,13 @@ VertexOutputs Chooser::fitted(Visibility path) const {
     if (most == 0) return {};
     const auto fit = [&](VertexOutputs outputs) {
         const bool usual = outputs == VertexOutputs();
-        const SphereShapes shapes =
-            shapesOf(usual ? tuning.plates : outputs.plates, usual ? tuning.impostor : outputs.impostor, caps, counts);
+        const SphereShapes shapes = chooseShapes(usual ? tuning.plates : outputs.plates,
+                                                 usual ? tuning.impostor : outputs.impostor, caps, counts);
         std::uint64_t sum = 0;
         std::uint32_t renderPasses = 1;
-        for (const auto& [rounds, cost] : geometryOf(path, shapes)) {
-            Rounds made = roundsOf(cost, counts);
-            const std::uint64_t bytes = bytesOf(cost, counts) * choice_.views / made.count;
+        for (const auto& [rounds, cost] : planGeometry(path, shapes)) {
+            Rounds made = planRounds(cost, counts);
+            const std::uint64_t bytes = countBytes(cost, counts) * choice_.views / made.count;
             made.apart = sum > 0 && (made.count > 1 || sum + bytes > most);
             sum = made.apart || made.count > 1 ? bytes : sum + bytes;
             renderPasses += begun(made);
@@ -592,28 +592,30 @@ VertexOutputs Chooser::fitted(Visibility path) const {
 
 void Chooser::chooseVertices() {
     choice_.vertices = fitted(choice_.path);
-    if (choice_.vertices.plates == PlateShape::none) choice_.prepass = prepassOf(choice_.path, PlateShape::none);
+    if (choice_.vertices.plates == PlateShape::none) choice_.prepass = needsPrepass(choice_.path, PlateShape::none);
     Overflow& overflow = choice_.overflow;
     if (choice_.drawnByTiles()) {
         overflow.vertices = fitted(overflow.path);
-        if (overflow.vertices.plates == PlateShape::none) overflow.prepass = prepassOf(overflow.path, PlateShape::none);
+        if (overflow.vertices.plates == PlateShape::none)
+            overflow.prepass = needsPrepass(overflow.path, PlateShape::none);
     }
     if (mostVertexBytes() == 0) return;
     const graph::GeometryCaps& caps = device_.plan.geometry;
     const FrameTuning& tuning = settings_.tuning;
-    const SphereShapes ofLight = shapesOf(PlateShape::none, tuning.impostor, caps, scene_.light);
+    const SphereShapes ofLight = chooseShapes(PlateShape::none, tuning.impostor, caps, scene_.light);
     const PassCost ofLayers =
-        costOf(Handed::number, false, shapesOf(PlateShape::none, tuning.impostor, caps, scene_.layers));
+        computeCost(Handed::number, false, chooseShapes(PlateShape::none, tuning.impostor, caps, scene_.layers));
     for (VertexOutputs* outputs : {&choice_.vertices, &overflow.vertices}) {
-        outputs->light = roundsOf(costOf(Handed::depth, caps.storesVaryings, ofLight), scene_.light);
-        outputs->layers = roundsOf(ofLayers, scene_.layers);
+        outputs->light = planRounds(computeCost(Handed::depth, caps.storesVaryings, ofLight), scene_.light);
+        outputs->layers = planRounds(ofLayers, scene_.layers);
     }
     if (!reasons_ || !limited(choice_.vertices)) return;
     PrimitiveCounts counts = scene_;
     counts.flat = counts.flat || choice_.attachmentSamples() > 1;
     std::uint64_t all = 0;
-    for (const GeometryWork& pass : geometryOf(choice_.path, shapesOf(tuning.plates, tuning.impostor, caps, counts)))
-        all += bytesOf(pass.cost, counts) * choice_.views;
+    for (const GeometryWork& pass :
+         planGeometry(choice_.path, chooseShapes(tuning.plates, tuning.impostor, caps, counts)))
+        all += countBytes(pass.cost, counts) * choice_.views;
     constexpr std::uint64_t kMega = 1'000'000;
     const auto text = [&](std::uint64_t bytes) {
         return bytes < kMega ? std::to_string(bytes) + " B" : std::to_string((bytes + kMega / 2) / kMega) + " MB";
@@ -649,7 +651,8 @@ std::string samplesText(const FrameChoice& choice) {
 /// "3 render passes without plates, shadow map in 2"
 std::string verticesText(const FrameChoice& choice) {
     const VertexOutputs& v = choice.vertices;
-    const auto targets = static_cast<std::uint32_t>(choice.path == Visibility::deferred ? 1 : targetsOf(choice).size());
+    const auto targets =
+        static_cast<std::uint32_t>(choice.path == Visibility::deferred ? 1 : screenTargets(choice).size());
     const std::uint32_t count = 1 + begun(v.plating) + begun(v.nearest) + targets * begun(v.shading);
     std::string text = std::to_string(count) + (count == 1 ? " render pass" : " render passes");
     if (v.plates == PlateShape::none)
@@ -819,7 +822,7 @@ graph::TestedPath choosePath(const FrameCaps& device) {
 
 MotionSamples chooseMotionSamples(const FrameCaps& device) {
     if (device.multisampling == Multisampling::off) return {1, kAskedFor};
-    const Visibility path = pathOf(device);
+    const Visibility path = pickPath(device);
     const std::string lacks = lacksMultisampling(path, device.plan);
     if (device.multisampling == Multisampling::four) {
         if (!lacks.empty()) throw Error("cannot draw 4 samples per pixel", device.plan.name, lacks);
@@ -833,8 +836,8 @@ MotionSamples chooseMotionSamples(const FrameCaps& device) {
 OcclusionMaps chooseOcclusionMaps(const FrameCaps& device) {
     if (device.kind == DeviceKind::software && device.plan.tiles) return OcclusionMaps::tiles;
     // Where MIN is a blend shader, the depth buffer is cheaper.
-    return pathOf(device) == Visibility::encoded && !device.encoded.ordered ? OcclusionMaps::encoded
-                                                                            : OcclusionMaps::fragdepth;
+    return pickPath(device) == Visibility::encoded && !device.encoded.ordered ? OcclusionMaps::encoded
+                                                                              : OcclusionMaps::fragdepth;
 }
 
 graph::TestedPath plainestPath(const char* why) { return {Visibility::fragdepth, why}; }

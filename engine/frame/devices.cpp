@@ -25,7 +25,7 @@ graph::FrameCaps deviceCaps(const DeviceOptions& options) { return gpu::Device(o
 
 DeviceInfo deviceInfo(const DeviceOptions& options) {
     const gpu::Device device(options);
-    DeviceInfo info = gpu::infoOf(device.caps(), device.physical());
+    DeviceInfo info = gpu::describeDevice(device.caps(), device.physical());
     addChoices(info, device.caps());
     return info;
 }
@@ -37,8 +37,8 @@ std::vector<DeviceInfo> listDevices() {
         const vk::raii::Instance instance = gpu::makeInstance(context, false, found);
         std::vector<DeviceInfo> devices;
         for (const auto& physical : vk::raii::PhysicalDevices(instance)) {
-            const gpu::Caps caps = gpu::capsOf(physical);
-            devices.push_back(gpu::infoOf(caps, physical));
+            const gpu::Caps caps = gpu::queryCaps(physical);
+            devices.push_back(gpu::describeDevice(caps, physical));
             addChoices(devices.back(), caps);
         }
         return devices;

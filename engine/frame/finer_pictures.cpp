@@ -30,7 +30,7 @@ void addUp(std::vector<Row>& sum, const std::vector<Row>& more, Number Row::*num
 
 /// Margin around a part, in pixels, that influences it: neighbours for edges, and the reach of outlines and halos.
 /// @param more  of passes over the whole picture
-std::uint32_t rimOf(const RenderSettings& settings, double more = 0) {
+std::uint32_t measureRim(const RenderSettings& settings, double more = 0) {
     constexpr std::uint32_t kRim = PictureRect::kStep;
     static_assert(kRim == TileBins::kPixels);  // bins of a part are bins of the whole
     const double reach = std::max(settings.effects.contours.width, settings.effects.halos.width) + more;
@@ -42,17 +42,17 @@ std::pair<View, PictureRect> withRim(const View& whole, const PictureRect& part,
     const std::uint32_t left = part.x - std::min(part.x, rim), top = part.y - std::min(part.y, rim);
     const std::uint32_t right = std::min(part.x + part.width + rim, whole.width);
     const std::uint32_t bottom = std::min(part.y + part.height + rim, whole.height);
-    return {partOf(whole, left, top, right - left, bottom - top),
+    return {cropView(whole, left, top, right - left, bottom - top),
             {part.x - left, part.y - top, part.width, part.height}};
 }
 
-PictureRect wholeOf(graph::Extent image) { return {0, 0, image.width, image.height}; }
+PictureRect wholeRect(graph::Extent image) { return {0, 0, image.width, image.height}; }
 
 }  // namespace
 
 Picture PictureFrames::part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part) {
     const double reach = hasLens(settings) ? largestCircle(settings) + passes::kLensBlock : 0;
-    const auto [view, inner] = withRim(settings.view, part, rimOf(settings, reach));
+    const auto [view, inner] = withRim(settings.view, part, measureRim(settings, reach));
     return picture(settings, atlas, {view, inner});
 }
 
@@ -68,7 +68,7 @@ void PictureFrames::endInPicture(PreparedFrame& prepared, const View& picture, s
             "picture");
     }
     prepared.shape.picture = {desc, true, false, n};
-    picture_.place = {wholeOf(desc.extent)};
+    picture_.place = {wholeRect(desc.extent)};
 }
 
 /// The picture's image, as the host reads it.
@@ -98,7 +98,7 @@ FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Want
     endInPicture(coarse, wanted.view, 1);
     const bool fine = coarse.choice().color == ColorFormat::linear;
     const Drawn drawn = run(std::move(coarse), settings);
-    const auto [pixels, rowPixels] = rowsOf(drawn, wanted.view, 1);
+    const auto [pixels, rowPixels] = pictureRows(drawn, wanted.view, 1);
     const graph::Extent image = imageExtent(wanted.view);
     FinerPlaces places = fine ? FinerPlaces(reinterpret_cast<const float*>(pixels), image)
                               : FinerPlaces(reinterpret_cast<const std::uint32_t*>(pixels), rowPixels, image);
@@ -111,10 +111,10 @@ FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Want
 /// @returns false if the tiles' lists are too long
 bool PictureFrames::drawEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                               const FinerPlaces& places) {
-    const PictureRect whole = wholeOf(imageExtent(view));
+    const PictureRect whole = wholeRect(imageExtent(view));
     const PictureRect rect = hasLens(settings) ? places.boundsIn(whole) : whole;  // else they are everywhere
-    const auto [part, inner] = withRim(view, rect, rimOf(settings));
-    const auto [wanted, tiles] = places.edgesOf({rect.x - inner.x, rect.y - inner.y, part.width, part.height}, rect);
+    const auto [part, inner] = withRim(view, rect, measureRim(settings));
+    const auto [wanted, tiles] = places.findEdges({rect.x - inner.x, rect.y - inner.y, part.width, part.height}, rect);
     FrameInputs inputs{atlas, part, "finer screen"};
     inputs.mask = &tiles;
     inputs.places = &wanted;
@@ -144,10 +144,10 @@ void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atl
             if (rect.width == 0) continue;
             Wanted block{wanted.view, rect};
             if (rect.width < all.width || rect.height < all.height)
-                std::tie(block.view, block.inner) = withRim(wanted.view, rect, rimOf(settings));
+                std::tie(block.view, block.inner) = withRim(wanted.view, rect, measureRim(settings));
             TileMask mask;
             if (places)
-                mask = places->tilesOf(
+                mask = places->findTiles(
                     {rect.x - block.inner.x, rect.y - block.inner.y, block.view.width, block.view.height}, rect);
             const View view = scaled(block.view, n);
             checkSize(view);

@@ -29,14 +29,14 @@ void compare(const std::uint32_t* a, const std::uint32_t* b, std::uint32_t count
 }
 
 /// A channel in steps of equal visibility: the square root is close to sRGB's coding.
-std::uint32_t stepOf(float linear) {
+std::uint32_t toStep(float linear) {
     return static_cast<std::uint32_t>(255 * std::sqrt(std::clamp(linear, 0.0f, 1.0f)));
 }
 
-std::vector<std::uint32_t> stepsOf(const float* seen, std::size_t count) {
+std::vector<std::uint32_t> toSteps(const float* seen, std::size_t count) {
     std::vector<std::uint32_t> steps(count);
     for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t c = 0; c < 4; ++c) steps[i] |= stepOf(seen[4 * i + c]) << (8 * c);
+        for (std::size_t c = 0; c < 4; ++c) steps[i] |= toStep(seen[4 * i + c]) << (8 * c);
     return steps;
 }
 
@@ -52,7 +52,7 @@ FinerPlaces::FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, gra
 }
 
 FinerPlaces::FinerPlaces(const float* seen, graph::Extent image)
-    : FinerPlaces(stepsOf(seen, std::size_t{image.width} * image.height).data(), image.width, image) {}
+    : FinerPlaces(toSteps(seen, std::size_t{image.width} * image.height).data(), image.width, image) {}
 
 void FinerPlaces::grow() {
     const std::size_t down = across_ == 0 ? 0 : pixels_.size() / across_;
@@ -106,7 +106,7 @@ std::vector<PictureRect> FinerPlaces::bandsIn(const PictureRect& part) const {
     return bands;
 }
 
-TileMask FinerPlaces::tilesOf(const PictureRect& shown, const PictureRect& wanted) const {
+TileMask FinerPlaces::findTiles(const PictureRect& shown, const PictureRect& wanted) const {
     static_assert(TileMask::kSide == RenderSettings::kBlockSamples);
     TileMask mask;
     mask.across = shown.width;
@@ -117,8 +117,8 @@ TileMask FinerPlaces::tilesOf(const PictureRect& shown, const PictureRect& wante
     return mask;
 }
 
-std::pair<passes::EdgePlaces, TileMask> FinerPlaces::edgesOf(const PictureRect& shown,
-                                                             const PictureRect& wanted) const {
+std::pair<passes::EdgePlaces, TileMask> FinerPlaces::findEdges(const PictureRect& shown,
+                                                               const PictureRect& wanted) const {
     constexpr std::uint32_t kSide = TileMask::kSide;
     passes::EdgePlaces edges{shown.width, std::vector<std::uint8_t>(std::size_t{shown.width} * shown.height)};
     TileMask mask;

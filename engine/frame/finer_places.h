@@ -40,9 +40,9 @@ public:
     /// The mask of a frame with RenderSettings::kBlockSamples x kBlockSamples samples per pixel.
     /// @param shown  part of the picture in the frame
     /// @param wanted  the frame's wanted part
-    TileMask tilesOf(const PictureRect& shown, const PictureRect& wanted) const;
+    TileMask findTiles(const PictureRect& shown, const PictureRect& wanted) const;
     /// The edges of a frame with one sample per pixel, and the tiles that need them.
-    std::pair<passes::EdgePlaces, TileMask> edgesOf(const PictureRect& shown, const PictureRect& wanted) const;
+    std::pair<passes::EdgePlaces, TileMask> findEdges(const PictureRect& shown, const PictureRect& wanted) const;
 
 private:
     bool finer(std::uint32_t x, std::uint32_t y) const { return pixels_[std::size_t{y} * across_ + x] != 0; }

@@ -13,7 +13,7 @@ namespace nacre {
 constexpr double kGaze = 15;  ///< degrees by which eyes turn before the head follows
 
 /// State of a map between frames. The host reads it while a render pass begins, so that its contents are there before.
-inline const graph::State kDensityState = graph::stateOf(graph::Verb::density, graph::PassKind::graphics);
+inline const graph::State kDensityState = graph::verbState(graph::Verb::density, graph::PassKind::graphics);
 
 /// A map for an image. @param views  of the image: each has a layer of the map @param texel  PlanCaps::densityTexel
 graph::ImageDesc densityMapFor(graph::Extent image, std::uint32_t views, std::uint32_t texel);
@@ -28,7 +28,7 @@ struct EyeAxis {
     glm::dvec2 place{};  ///< pixels from the top left
     double pixels = 0;   ///< per tangent at the axis
 };
-EyeAxis axisOf(const View& perspective);
+EyeAxis axisIndex(const View& perspective);
 /// Whether a map for one does for the other: heads that move change them by rounding alone.
 bool alike(const EyeAxis& a, const EyeAxis& b);
 

@@ -29,11 +29,11 @@ constexpr ScreenTarget kLayers[] = {{"colour", VK_FORMAT_R32G32B32A32_SFLOAT, Ou
                                     {"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
 
 // Structured bindings name every member: a new one does not compile until it is compared.
-auto membersOf(const ScreenTarget& t) {
+auto tieMembers(const ScreenTarget& t) {
     const auto& [image, format, output, pass, clear, lent] = t;
     return std::tuple(std::string_view(image), format, output, std::string_view(pass), clear, lent);
 }
-auto membersOf(const FrameShape& s) {
+auto tieMembers(const FrameShape& s) {
     const auto& [choice, extent, atlas, targets, name, picture, window, density, overlay, eye, merge, transient] = s;
     return std::tuple(choice, extent, atlas, targets.size(), std::string_view(name), picture, window, density, overlay,
                       eye, merge, transient);
@@ -47,7 +47,7 @@ graph::Clear opaqueClear(const std::array<float, 4>& background) {
     return {channel(0), channel(1), channel(2), 1.0f};
 }
 
-std::span<const ScreenTarget> targetsOf(const FrameChoice& choice) {
+std::span<const ScreenTarget> screenTargets(const FrameChoice& choice) {
     const std::span<const ScreenTarget> layers(kLayers);
     switch (choice.part) {
         case Part::layers:
@@ -78,8 +78,8 @@ bool settlesWhileShading(std::span<const ScreenTarget> targets) {
 }
 
 bool operator==(const FrameShape& a, const FrameShape& b) {
-    return membersOf(a) == membersOf(b) && std::ranges::equal(a.targets, b.targets, [](const auto& x, const auto& y) {
-               return membersOf(x) == membersOf(y);
+    return tieMembers(a) == tieMembers(b) && std::ranges::equal(a.targets, b.targets, [](const auto& x, const auto& y) {
+               return tieMembers(x) == tieMembers(y);
            });
 }
 

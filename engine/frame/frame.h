@@ -33,7 +33,7 @@ struct ScreenTarget {
 };
 
 /// The targets of a choice, except those of windows.
-std::span<const ScreenTarget> targetsOf(const FrameChoice& choice);
+std::span<const ScreenTarget> screenTargets(const FrameChoice& choice);
 
 /// Whether `raster-order` settles depth and shades in one pass: colour and depth together fit every tile.
 bool settlesWhileShading(std::span<const ScreenTarget> targets);

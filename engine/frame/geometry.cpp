@@ -14,11 +14,11 @@ namespace nacre {
 namespace {
 
 using graph::Verb;
-using passes::costOf;
+using passes::chooseShapes;
+using passes::computeCost;
 using passes::Handed;
 using passes::PassCost;
 using passes::PrimitiveCounts;
-using passes::shapesOf;
 using passes::SphereShapes;
 
 /// Whether a colour of the pass holds integers: primitive numbers, which the vertex stage passes on.
@@ -31,35 +31,35 @@ bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
 
 }  // namespace
 
-SceneCounts countsOf(Representation r, const RenderSettings& settings, SceneFacts& facts) {
+SceneCounts countPrimitives(Representation r, const RenderSettings& settings, SceneFacts& facts) {
     RenderSettings unbaked = settings.ofFrame();
     unbaked.occlusion.directions = 0;
     if (LevelScenes::draws(r, unbaked)) {
         LevelScenes scenes;
-        SceneCounts counts = countsOf(scenes.show(r, unbaked, settings.view), settings, facts);
+        SceneCounts counts = countPrimitives(scenes.show(r, unbaked, settings.view), settings, facts);
         counts.copyLevels = scenes.counts();
         return counts;
     }
     orderInSpace(r);
-    const Chunks chunks = chunksOf(r);
+    const Chunks chunks = makeChunks(r);
     const View& view = settings.view;
     passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks, cullingMargin(settings, view, !r.wires.empty()),
-                                                      meshErrorOf(settings, view), true);
-    const SceneSizes sizes = sizesOf(r);
+                                                      computeMeshError(settings, view), true);
+    const SceneSizes sizes = measureSizes(r);
     const TranslucentParts parts = translucentParts(r);
     SceneCounts counts;
     counts.meshLevels = placed.triangleLevels(r);
-    const auto countedOf = [&](passes::PlacedCopies copies, passes::Opacity which) -> PrimitiveCounts {
+    const auto countSelected = [&](passes::PlacedCopies copies, passes::Opacity which) -> PrimitiveCounts {
         passes::select(copies, parts, which);
         return {copies.sphereCount(), copies.cylinderCount(), copies.triangleCount(),
                 sizes.meanRadius * view.pixelsPerAngstrom, view.projection == Projection::perspective};
     };
-    static_cast<PrimitiveCounts&>(counts) = countedOf(placed, passes::Opacity::opaque);
-    counts.layers = countedOf(placed, passes::Opacity::translucent);
+    static_cast<PrimitiveCounts&>(counts) = countSelected(placed, passes::Opacity::opaque);
+    counts.layers = countSelected(placed, passes::Opacity::translucent);
 
     if (shadowPixels(settings) > 0) counts.light = countsInLight(r, settings, parts);
 
-    facts = factsOf(r, chunks, parts);
+    facts = collectFacts(r, chunks, parts);
     static_cast<PrimitiveCounts&>(facts) = counts;
     facts.light = counts.light;
     facts.layers = counts.layers;
@@ -69,7 +69,7 @@ SceneCounts countsOf(Representation r, const RenderSettings& settings, SceneFact
 
 void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const graph::GeometryCaps& caps,
                   PlateShape plates, ImpostorShape impostor, std::vector<PassGeometry>& list) {
-    const SphereShapes shapes = shapesOf(plates, impostor, caps, counts);
+    const SphereShapes shapes = chooseShapes(plates, impostor, caps, counts);
     std::size_t told = 0;
     const auto tell = [&](std::uint32_t p, const PassCost& cost, const PrimitiveCounts& of) {
         if (told == list.size()) list.emplace_back();
@@ -79,7 +79,7 @@ void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const gr
         geometry.pass = p;
         geometry.vertices = geometry.triangles = geometry.varyingBytes = 0;
         for (std::size_t kind = 0; kind < cost.size(); ++kind) {
-            const auto [first, end] = pass.share.range(kind, passes::kindsOf(of));
+            const auto [first, end] = pass.share.range(kind, passes::countKinds(of));
             geometry.vertices += (end - first) * cost[kind].vertices;
             geometry.triangles += (end - first) * cost[kind].triangles;
             geometry.varyingBytes += (end - first) * cost[kind].bytes;
@@ -92,14 +92,15 @@ void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const gr
         const bool screen = pass.has(Verb::reads) || pass.name.starts_with(kTranslucentColor);
         if (pass.kind != graph::PassKind::graphics || !tests) continue;
         if (pass.name.starts_with(kTranslucentLayer)) {
-            tell(p, costOf(Handed::number, false, shapesOf(plates, impostor, caps, counts.layers)), counts.layers);
+            tell(p, computeCost(Handed::number, false, chooseShapes(plates, impostor, caps, counts.layers)),
+                 counts.layers);
         } else if (screen) {
             continue;
         } else if (pass.name == kShadowPass) {
-            tell(p, costOf(Handed::depth, caps.storesVaryings, shapesOf(plates, impostor, caps, counts.light)),
+            tell(p, computeCost(Handed::depth, caps.storesVaryings, chooseShapes(plates, impostor, caps, counts.light)),
                  counts.light);
         } else if (!pass.has(Verb::color) && !pass.has(Verb::ordered)) {
-            tell(p, costOf(Handed::plates, false, shapes), counts);
+            tell(p, computeCost(Handed::plates, false, shapes), counts);
         } else {
             // Passes that sample the occlusion atlas shade.
             const bool numbered = numbers(graph, pass) || pass.name == kRimPass;
@@ -107,20 +108,20 @@ void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const gr
             const Handed handed = !pass.has(Verb::samples) ? (numbered ? Handed::number : Handed::depth)
                                   : fetched                ? Handed::shadingFetched
                                                            : Handed::shading;
-            tell(p, costOf(handed, caps.storesVaryings, shapes), counts);
+            tell(p, computeCost(handed, caps.storesVaryings, shapes), counts);
         }
     }
     list.resize(told);
 }
 
-std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,
-                                     const graph::GeometryCaps& caps, PlateShape plates, ImpostorShape impostor) {
+std::vector<PassGeometry> describeGeometry(const graph::Graph& graph, const SceneCounts& counts,
+                                           const graph::GeometryCaps& caps, PlateShape plates, ImpostorShape impostor) {
     std::vector<PassGeometry> list;
     tellGeometry(graph, counts, caps, plates, impostor, list);
     return list;
 }
 
-std::vector<std::uint64_t> vertexBytesOf(const graph::Plan& plan, std::span<const PassGeometry> passes) {
+std::vector<std::uint64_t> countVertexBytes(const graph::Plan& plan, std::span<const PassGeometry> passes) {
     std::vector<std::uint64_t> bytes;
     for (const graph::Step& step : plan.steps) {
         std::uint64_t sum = 0;
@@ -132,7 +133,7 @@ std::vector<std::uint64_t> vertexBytesOf(const graph::Plan& plan, std::span<cons
     return bytes;
 }
 
-PassGeometry sumOf(std::span<const PassGeometry> passes) {
+PassGeometry sumGeometry(std::span<const PassGeometry> passes) {
     PassGeometry sum;
     for (const PassGeometry& pass : passes) {
         sum.vertices += pass.vertices;

@@ -21,20 +21,20 @@ struct SceneCounts : passes::PrimitiveCounts {
 
 /// Primitives that the settings' view of a scene submits, after the culling of frames.
 /// @param facts  receives the facts about the view for choose()
-SceneCounts countsOf(Representation representation, const RenderSettings& settings, SceneFacts& facts);
+SceneCounts countPrimitives(Representation representation, const RenderSettings& settings, SceneFacts& facts);
 
 /// Geometry of a screen frame's passes that draw primitives, in order. @param plates, impostor  as requested
-std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,
-                                     const graph::GeometryCaps& caps, PlateShape plates, ImpostorShape impostor);
+std::vector<PassGeometry> describeGeometry(const graph::Graph& graph, const SceneCounts& counts,
+                                           const graph::GeometryCaps& caps, PlateShape plates, ImpostorShape impostor);
 
 /// As above, into an existing list.
 void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const graph::GeometryCaps& caps,
                   PlateShape plates, ImpostorShape impostor, std::vector<PassGeometry>& list);
 
 /// Bytes of vertex outputs of each render pass; 0 for those that draw no primitives.
-std::vector<std::uint64_t> vertexBytesOf(const graph::Plan& plan, std::span<const PassGeometry> passes);
+std::vector<std::uint64_t> countVertexBytes(const graph::Plan& plan, std::span<const PassGeometry> passes);
 
 /// The total.
-PassGeometry sumOf(std::span<const PassGeometry> passes);
+PassGeometry sumGeometry(std::span<const PassGeometry> passes);
 
 }  // namespace nacre

@@ -26,7 +26,7 @@ HeadsetFrames::HeadsetFrames(const gpu::Device& device, gpu::Executor& executor,
     executor_.makePipelinesAhead();
 }
 
-const HeadsetFrames::Layers& HeadsetFrames::layersOf(const HeadsetImage& image) {
+const HeadsetFrames::Layers& HeadsetFrames::imageLayers(const HeadsetImage& image) {
     const auto known = std::ranges::find(images_, image.image, &Layers::image);
     if (known != images_.end()) return *known;
     const auto view = [&](std::uint32_t first, std::uint32_t count) {
@@ -41,8 +41,8 @@ const HeadsetFrames::Layers& HeadsetFrames::layersOf(const HeadsetImage& image) 
 }
 
 /// The device has written a map before a frame that it decides is recorded. Eyes keep theirs while a head moves.
-const HeadsetFrames::Fovea& HeadsetFrames::foveaOf(const std::array<View, 2>& eyes) {
-    const std::array<EyeAxis, 2> axes{axisOf(eyes[0]), axisOf(eyes[1])};
+const HeadsetFrames::Fovea& HeadsetFrames::makeFovea(const std::array<View, 2>& eyes) {
+    const std::array<EyeAxis, 2> axes{axisIndex(eyes[0]), axisIndex(eyes[1])};
     if (fovea_ && std::ranges::equal(fovea_->eyes, axes, alike)) return *fovea_;
     if (fovea_) {
         executor_.retireFramebuffers(retired_);
@@ -65,7 +65,7 @@ const HeadsetFrames::Fovea& HeadsetFrames::foveaOf(const std::array<View, 2>& ey
 void HeadsetFrames::present(const RenderSettings& settings, const passes::Atlas& atlas, const std::array<View, 2>& eyes,
                             const HeadsetImage& into) {
     gpu::FrameSlot& slot = ring_.next();
-    const Layers& layers = layersOf(into);
+    const Layers& layers = imageLayers(into);
     RenderSettings drawn = settings.ofFrame();
     drawn.supersample = 1;
     ScreenTarget target{"headset",         static_cast<VkFormat>(into.format), passes::Output::color,
@@ -93,7 +93,7 @@ void HeadsetFrames::present(const RenderSettings& settings, const passes::Atlas&
                            both ? gpu::ImageRef(into.image, *layers.both)
                                 : gpu::ImageRef(into.image, *layers.each[i], static_cast<std::uint32_t>(i)));
         if (frame.frame.density) {
-            const Fovea& fovea = foveaOf(eyes);
+            const Fovea& fovea = makeFovea(eyes);
             frame.imports.bind(*frame.frame.density,
                                both ? gpu::ImageRef(fovea.map)
                                     : gpu::ImageRef(*fovea.map.handle, *fovea.each[i], static_cast<std::uint32_t>(i)));

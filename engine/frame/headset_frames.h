@@ -38,8 +38,8 @@ private:
         gpu::Image map;
         std::array<vk::raii::ImageView, 2> each{vk::raii::ImageView{nullptr}, vk::raii::ImageView{nullptr}};
     };
-    const Layers& layersOf(const HeadsetImage& image);
-    const Fovea& foveaOf(const std::array<View, 2>& eyes);
+    const Layers& imageLayers(const HeadsetImage& image);
+    const Fovea& makeFovea(const std::array<View, 2>& eyes);
 
     const gpu::Device& device_;
     gpu::Executor& executor_;

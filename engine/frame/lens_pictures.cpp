@@ -24,12 +24,12 @@ bool PictureFrames::leaveBlurred(const RenderSettings& settings, const View& vie
     // Groups of pixels start at the top left, also in parts of pictures.
     constexpr std::uint32_t n = FinerPlaces::kTogether;
     const auto wholes = [](std::uint32_t pixels) { return (pixels + n - 1) / n * n; };
-    const View few = scaled(partOf(view, 0, 0, wholes(view.width), wholes(view.height)), 1.0 / n);
+    const View few = scaled(cropView(view, 0, 0, wholes(view.width), wholes(view.height)), 1.0 / n);
     const RenderSettings far = distances(settings);
     const Drawn drawn = run(prepare({far, Part::distances, Ending::readBack}, {{}, few, "distances"}), far);
     const auto* shown = reinterpret_cast<const float*>(drawn.pixels[0].mapped);
     const double rim = std::max(settings.effects.contours.width, settings.effects.halos.width);
-    places.keep(sharpPlaces(shown, imageExtent(few), lensOf(settings, view), rim / n));
+    places.keep(sharpPlaces(shown, imageExtent(few), makeLens(settings, view), rim / n));
     return true;
 }
 
@@ -37,7 +37,7 @@ bool PictureFrames::leaveBlurred(const RenderSettings& settings, const View& vie
 PictureFrames::Drawn PictureFrames::blur(const RenderSettings& settings, const Wanted& wanted) {
     const PictureStats first = stats_;
     const RenderSettings far = distances(settings);
-    picture_.lens = lensOf(settings, wanted.view);
+    picture_.lens = makeLens(settings, wanted.view);
     PreparedFrame prepared = prepare({far, Part::distances, Ending::throughLens}, {{}, wanted.view, "depth of field"});
     prepared.shape.picture = {picture_.image.desc};
     Drawn drawn = run(std::move(prepared), far);

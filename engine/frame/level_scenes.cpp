@@ -7,7 +7,7 @@
 namespace nacre {
 namespace {
 
-ScreenView screenViewOf(const View& view, const RenderSettings& settings) {
+ScreenView makeScreenView(const View& view, const RenderSettings& settings) {
     const graph::Extent image = imageExtent(view);
     const layout::ViewConstants c = passes::viewConstants(view, image.width / 2.0, image.height / 2.0);
     ScreenView v = passes::screenView(c, view, image.width, image.height);
@@ -21,7 +21,7 @@ ScreenView screenViewOf(const View& view, const RenderSettings& settings) {
 
 }  // namespace
 
-std::uint32_t LevelScenes::gridOf(std::uint32_t width, std::uint32_t height) {
+std::uint32_t LevelScenes::chooseGrid(std::uint32_t width, std::uint32_t height) {
     static_assert(RenderSettings::kEdgeSamples == RenderSettings::kBlockSamples * RenderSettings::kBlockSamples);
     constexpr std::uint64_t kMostPlaces = std::uint64_t{1} << 26;  // 512 MB
     std::uint32_t grid = RenderSettings::kBlockSamples;
@@ -37,10 +37,11 @@ bool LevelScenes::draws(const Representation& r, const RenderSettings& settings)
 
 Representation LevelScenes::shownBy(const Representation& whole, const RenderSettings& settings, const View& view,
                                     bool edges) {
-    const ScreenView seen = screenViewOf(view, settings);
+    const ScreenView seen = makeScreenView(view, settings);
     const float samples = edges ? RenderSettings::kBlockSamples : 1;
     copies_.draw(seen, {levels_, whole.copies, view.rotation, view.shift},
-                 static_cast<float>(settings.levelError) / samples, edges ? gridOf(seen.width, seen.height) : 1, edges);
+                 static_cast<float>(settings.levelError) / samples, edges ? chooseGrid(seen.width, seen.height) : 1,
+                 edges);
     Representation r;
     r.spheres.assign(copies_.spheres().begin(), copies_.spheres().end());
     r.sphereLooks.assign(copies_.looks().begin(), copies_.looks().end());
@@ -53,14 +54,14 @@ Representation LevelScenes::shownBy(const Representation& whole, const RenderSet
 
 Representation LevelScenes::show(const Representation& whole, const RenderSettings& settings, const View& view) {
     leveled_.reset();
-    levels_ = sphereLevelsOf(whole);
+    levels_ = makeSphereLevels(whole);
     return shownBy(whole, settings, view, false);
 }
 
 std::shared_ptr<const Scene> LevelScenes::show(const gpu::Device& device, const std::shared_ptr<const Scene>& scene,
                                                const RenderSettings& settings, const View& view, bool edges) {
     if (leveled_.lock() != scene) {
-        levels_ = sphereLevelsOf(scene->representation);
+        levels_ = makeSphereLevels(scene->representation);
         leveled_ = scene;
     }
     return std::make_shared<const Scene>(

@@ -14,7 +14,7 @@ public:
     static bool draws(const Representation& representation, const RenderSettings& settings);
 
     /// Grid places per pixel side where pixels have several samples: fewer in a large picture, to save memory.
-    static std::uint32_t gridOf(std::uint32_t width, std::uint32_t height);
+    static std::uint32_t chooseGrid(std::uint32_t width, std::uint32_t height);
 
     /// The spheres that a view of such a scene shows, without copies. One sample per pixel.
     Representation show(const Representation& whole, const RenderSettings& settings, const View& view);

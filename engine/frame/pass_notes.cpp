@@ -45,7 +45,7 @@ const char* depthTimingName(DepthTiming timing) {
     return "";
 }
 
-PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
+PassNotes describePass(const graph::PassDecl& pass, bool conservative) {
     using graph::Verb;
     const bool shades = pass.has(Verb::samples);  // the occlusion atlas
     if (pass.name.starts_with(kTranslucentLayer))

@@ -28,6 +28,6 @@ struct PassNotes {
 
 /// @param pass          of the screen frame
 /// @param conservative  PlanCaps::conservativeDepth
-PassNotes notesOf(const graph::PassDecl& pass, bool conservative);
+PassNotes describePass(const graph::PassDecl& pass, bool conservative);
 
 }  // namespace nacre

@@ -12,7 +12,7 @@
 namespace nacre {
 namespace {
 
-std::string pixelsOf(const ScreenTarget& target) { return std::string(target.image) + " pixels"; }
+std::string pixelsName(const ScreenTarget& target) { return std::string(target.image) + " pixels"; }
 
 /// Bytes of all views.
 std::uint64_t pixelBytes(const ScreenTarget& target, const FrameShape& shape) {
@@ -40,7 +40,7 @@ void declareEnding(Frame& frame, const FrameShape& shape, const PictureImage& pi
             continue;
         }
         const ScreenTarget target = readTarget(shape, i);
-        frame.pixels.push_back(frame.graph.importBuffer(pixelsOf(target), pixelBytes(target, shape)));
+        frame.pixels.push_back(frame.graph.importBuffer(pixelsName(target), pixelBytes(target, shape)));
         passes::readBack(frame.graph, frame.targets[i], {target.format, shape.extent, 1, shape.choice.views},
                          frame.pixels.back());
     }
@@ -53,7 +53,7 @@ std::vector<gpu::Buffer> bindPixels(const gpu::Device& device, DeclaredFrame& de
         const ScreenTarget target = readTarget(declared.shape, i);
         pixels.push_back(gpu::makeBuffer(device, pixelBytes(target, declared.shape),
                                          vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback,
-                                         pixelsOf(target)));
+                                         pixelsName(target)));
         declared.imports.bind(declared.frame.pixels[i], pixels.back());
     }
     return pixels;
@@ -154,14 +154,14 @@ void PictureFrames::checkSize(const View& view) const {
 
 /// A frame's pixels in host memory, and the number of pixels per row.
 /// @param view  at the device's resolution divided by n
-std::pair<const std::byte*, std::uint32_t> PictureFrames::rowsOf(const Drawn& drawn, const View& view,
-                                                                 std::uint32_t n) {
+std::pair<const std::byte*, std::uint32_t> PictureFrames::pictureRows(const Drawn& drawn, const View& view,
+                                                                      std::uint32_t n) {
     if (drawn.colors) return {drawn.colors->pixels().mapped, drawn.colors->rowPixels()};
     return {drawn.pixels[0].mapped, imageExtent(view).width * n};
 }
 
 /// All pixels of a view.
-PictureFrames::Wanted PictureFrames::wantedOf(const RenderSettings& settings) {
+PictureFrames::Wanted PictureFrames::wholePicture(const RenderSettings& settings) {
     const graph::Extent image = imageExtent(settings.view);
     return {settings.view, {0, 0, image.width, image.height}};
 }
@@ -193,13 +193,13 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
 }
 
 Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas) {
-    return picture(settings, atlas, wantedOf(settings));
+    return picture(settings, atlas, wholePicture(settings));
 }
 
 Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
     const Drawn drawn = draw(settings, atlas, wanted, Ending::readBack);
     const std::uint32_t n = hasLens(settings) ? 1 : samplesPerSide(settings);
-    const auto [pixels, rowPixels] = rowsOf(drawn, wanted.view, n);
+    const auto [pixels, rowPixels] = pictureRows(drawn, wanted.view, n);
     const ResolvedPart part{rowPixels, n, wanted.inner};
     Picture picture = emptyPicture(wanted.inner.width, wanted.inner.height);
     const bool fine = settings.fine && settings.debug == DebugView::none;
@@ -239,7 +239,7 @@ std::array<Picture, 2> PictureFrames::eyes(const RenderSettings& settings, const
     }
     const std::uint32_t n = samplesPerSide(settings);
     const Drawn drawn = drawBoth(request, atlas);
-    const Wanted wanted = wantedOf(settings);
+    const Wanted wanted = wholePicture(settings);
     const ResolvedPart part{imageExtent(scaled(settings.view, n)).width, n, wanted.inner};
     const bool fine = settings.fine && settings.debug == DebugView::none;
     const std::size_t bytes = drawn.pixels[0].size / 2;
@@ -257,24 +257,24 @@ std::array<Picture, 2> PictureFrames::eyes(const RenderSettings& settings, const
 
 CodedPicture PictureFrames::coded(RenderSettings settings, const passes::Atlas& atlas, bool alpha) {
     settings.fine = false;
-    const Wanted wanted = wantedOf(settings);
+    const Wanted wanted = wholePicture(settings);
     if (samplesPerSide(settings) > 1 && !hasLens(settings))
         return nacre::coded(picture(settings, atlas, wanted), alpha);
     const Drawn drawn = draw(settings, atlas, wanted, Ending::readBack);
-    const auto [pixels, rowPixels] = rowsOf(drawn, wanted.view, 1);
+    const auto [pixels, rowPixels] = pictureRows(drawn, wanted.view, 1);
     return codePixels(reinterpret_cast<const std::uint32_t*>(pixels), {rowPixels, 1, wanted.inner}, settings.background,
                       alpha, stats_.coveredPixels);
 }
 
 void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& atlas) {
     const FrameRequest both{settings, Part::whole, Ending::left, 0, settings.tuning.countFragments, true};
-    if (!settings.view.other) return void(draw(settings, atlas, wantedOf(settings), Ending::left));
+    if (!settings.view.other) return void(draw(settings, atlas, wholePicture(settings), Ending::left));
     if (drawsBoth(both)) return void(drawBoth(both, atlas));
     RenderSettings one = settings;
     for (const View& view : {settings.view, otherView(settings.view)}) {
         one.view = view;
         one.view.other.reset();
-        draw(one, atlas, wantedOf(one), Ending::left);
+        draw(one, atlas, wholePicture(one), Ending::left);
     }
     asked_->eyes = true;
 }

@@ -69,7 +69,7 @@ private:
         std::vector<gpu::Buffer> pixels;                  ///< per target, if read back
         std::shared_ptr<const passes::TileFrame> colors;  ///< if not null, the picture, in memory that the host reads
     };
-    static Wanted wantedOf(const RenderSettings& settings);
+    static Wanted wholePicture(const RenderSettings& settings);
     static std::uint32_t samplesPerSide(const RenderSettings& settings);
     void checkSize(const View& view) const;
     /// Whether one frame draws both eyes of the view.
@@ -84,7 +84,8 @@ private:
 
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted, Ending ending);
-    static std::pair<const std::byte*, std::uint32_t> rowsOf(const Drawn& drawn, const View& view, std::uint32_t n);
+    static std::pair<const std::byte*, std::uint32_t> pictureRows(const Drawn& drawn, const View& view,
+                                                                  std::uint32_t n);
 
     // Pictures of several frames end in picture_.image.
     void endInPicture(PreparedFrame& prepared, const View& picture, std::uint32_t n);

@@ -14,7 +14,7 @@ bool PictureFrames::submit(const RenderSettings& settings, const passes::Atlas& 
     if (settings.tuning.countFragments || settings.tuning.timePasses || settings.supersample > 1 ||
         !isOneFrame(choose(request, frames_.facts(settings), device_.caps())))
         return false;
-    const Wanted wanted = wantedOf(settings);
+    const Wanted wanted = wholePicture(settings);
     checkSize(wanted.view);
     PreparedFrame prepared = prepare(request, {atlas, wanted.view});
     if (!isOneFrame(prepared.choice())) return false;

@@ -12,14 +12,14 @@
 namespace nacre {
 
 // Pipelines depend only on the kind of input; recording alone needs images.
-inline vk::ImageView viewOf(const gpu::PassContext& c, graph::Image image) { return c.view(image); }
-inline vk::ImageView viewOf(const gpu::PipelineContext&, graph::Image) { return {}; }
+inline vk::ImageView viewIn(const gpu::PassContext& c, graph::Image image) { return c.view(image); }
+inline vk::ImageView viewIn(const gpu::PipelineContext&, graph::Image) { return {}; }
 
 /// Inputs of a pass that shades. @param nearest  depth or numbers, from `from`
 template <typename Context>
-passes::Reads readsOf(const Context& c, passes::NearestFrom from, graph::Image atlas,
-                      std::optional<graph::Image> nearest = {}) {
-    return {from, viewOf(c, atlas), nearest ? viewOf(c, *nearest) : vk::ImageView()};
+passes::Reads makeReads(const Context& c, passes::NearestFrom from, graph::Image atlas,
+                        std::optional<graph::Image> nearest = {}) {
+    return {from, viewIn(c, atlas), nearest ? viewIn(c, *nearest) : vk::ImageView()};
 }
 
 /// Where the result of an earlier pass lies: on the tile, or in memory.

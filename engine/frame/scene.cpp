@@ -46,7 +46,7 @@ bool isOrdered(const std::vector<T>& ordered, const std::vector<T>& stream, cons
 }
 
 /// Whether a representation has the scene's shapes in its order. Not for assemblies, whose copies may differ.
-bool hasShapesOf(const Scene& scene, const Representation& r) {
+bool hasSameShapes(const Scene& scene, const Representation& r) {
     const Representation& now = scene.representation;
     return r.copies.transforms.empty() && now.copies.transforms.empty() && r.radius == now.radius &&
            r.meshLooks.size() == now.meshLooks.size() && r.sphereLooks.size() == now.sphereLooks.size() &&
@@ -59,11 +59,11 @@ bool hasShapesOf(const Scene& scene, const Representation& r) {
 }
 
 /// Whether the same primitives are opaque in the scene and in a representation with its shapes.
-bool hasOpacitiesOf(const Scene& scene, const Representation& r) {
+bool hasSameOpacities(const Scene& scene, const Representation& r) {
     const Representation& now = scene.representation;
     const auto same = [](const auto& looks, const auto& others, const std::vector<std::uint32_t>& order) {
         for (std::size_t i = 0; i < order.size(); ++i)
-            if (translucencyOf(looks[i]) != translucencyOf(others[order[i]])) return false;
+            if (classifyTranslucency(looks[i]) != classifyTranslucency(others[order[i]])) return false;
         return true;
     };
     return same(now.sphereLooks, r.sphereLooks, scene.order.spheres) &&
@@ -76,14 +76,14 @@ void completeScene(const gpu::Device& device, Scene& scene) {
     fitBuffer(scene.representation, passes::mostShapeBytes(device.caps()));
     scene.translucent = translucentParts(scene.representation);
     scene.solid = isSolid(scene.representation) && scene.translucent.empty();
-    scene.chunks = chunksOf(scene.representation);
+    scene.chunks = makeChunks(scene.representation);
     scene.buffers = passes::makeSceneBuffers(device, scene.representation);
-    scene.sizes = sizesOf(scene.representation);
+    scene.sizes = measureSizes(scene.representation);
 }
 
 }  // namespace
 
-SceneSizes sizesOf(const Representation& r) {
+SceneSizes measureSizes(const Representation& r) {
     SceneSizes sizes;
     double sum = 0;
     const auto smallest = [&](float radius) {
@@ -100,7 +100,7 @@ SceneSizes sizesOf(const Representation& r) {
     return sizes;
 }
 
-SceneFacts factsOf(const Representation& r, const Chunks& chunks, const TranslucentParts& translucent) {
+SceneFacts collectFacts(const Representation& r, const Chunks& chunks, const TranslucentParts& translucent) {
     SceneFacts facts;
     facts.hasCylinders = !r.cylinders.empty();
     facts.hasWires = !r.wires.empty();
@@ -130,7 +130,7 @@ double smallestPixels(const SceneSizes& sizes, bool wires, const RenderSettings&
     return outlines.width > 0 ? std::min(smallest, 0.75 * outlines.width) : smallest;
 }
 
-double meshErrorOf(const RenderSettings& settings, const View& view) {
+double computeMeshError(const RenderSettings& settings, const View& view) {
     static_assert(RenderSettings::kEdgeSamples == 16);
     return errorInSpace(view, settings.meshError * (wantsEdges(settings) ? 0.25 : 1.0));
 }
@@ -180,9 +180,9 @@ Scene makeOrderedScene(const gpu::Device& device, Representation representation)
 
 bool recolor(Scene& scene, Representation& r) {
     Representation& now = scene.representation;
-    if (scene.buffers.empty() || !hasShapesOf(scene, r)) return false;
+    if (scene.buffers.empty() || !hasSameShapes(scene, r)) return false;
     // Translucent primitives do not occlude: if others become translucent, the bake is outdated.
-    if (!hasOpacitiesOf(scene, r)) return false;
+    if (!hasSameOpacities(scene, r)) return false;
     putInOrder(r, scene.order);
     // The shapes stay where they are: a running bake may read them. The meshes keep the levels that fit a buffer.
     r.spheres = std::move(now.spheres), r.cylinders = std::move(now.cylinders), r.wires = std::move(now.wires);
@@ -240,7 +240,7 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     seen->lighting = settings.lighting;
     seen->occlusion = settings.occlusion.directions > 0;
     seen->effects = settings.effects;
-    seen->rims = rimsOf(settings);
+    seen->rims = makeRims(settings);
     seen->copyColors = static_cast<int>(scene.representation.copies.colors.size());
     seen->blendsColors = scene.representation.blendsColors;
     seen->ownMaterials = scene.representation.ownMaterials;
@@ -252,7 +252,7 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
             glm::vec4(view.rotation[0][i], view.rotation[1][i], view.rotation[2][i], shift[i]);
     const bool wires = !scene.representation.wires.empty();
     passes::placeCopies(seen->copies, scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
-                        cullingMargin(settings, view, wires), meshErrorOf(settings, view), true);
+                        cullingMargin(settings, view, wires), computeMeshError(settings, view), true);
     seen->perspective = view.projection == Projection::perspective;
     // The inside of a closed surface is visible only through a cut, an outline or from inside.
     seen->frontsOnly = scene.solid && !settings.effects.clip.on() && settings.effects.contours.width <= 0 &&

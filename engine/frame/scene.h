@@ -18,7 +18,7 @@ struct SceneSizes {
     double smallestRadius = 1e9;  ///< of spheres and cylinders, Å
     double thinnestWire = 1e9;    ///< half its width, pixels
 };
-SceneSizes sizesOf(const Representation& representation);
+SceneSizes measureSizes(const Representation& representation);
 
 struct Scene {
     Representation representation;  ///< its streams in spatial order
@@ -48,7 +48,8 @@ Scene makeMovedScene(const gpu::Device& device, Representation representation, c
 graph::Extent imageExtent(const View& view);
 
 /// Facts of a scene for choose(), without those of a view.
-SceneFacts factsOf(const Representation& representation, const Chunks& chunks, const TranslucentParts& translucent);
+SceneFacts collectFacts(const Representation& representation, const Chunks& chunks,
+                        const TranslucentParts& translucent);
 
 /// Margin around the picture, in pixels, from which primitives may reach into it.
 double cullingMargin(const RenderSettings& settings, const View& view, bool wires);
@@ -60,7 +61,7 @@ double smallestPixels(const SceneSizes& sizes, bool wires, const RenderSettings&
 layout::EffectConstants effectConstants(const RenderSettings& settings, const Scene& scene);
 
 /// Allowed error of a view's meshes, Å.
-double meshErrorOf(const RenderSettings& settings, const View& view);
+double computeMeshError(const RenderSettings& settings, const View& view);
 
 using SceneViews = gpu::Pool<passes::SceneView>;
 

@@ -24,7 +24,7 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       covers_(device, vk::BufferUsageFlagBits::eVertexBuffer, "covers") {}
 
 SceneFacts SceneFrames::sceneFacts(const Scene& scene) {
-    return factsOf(scene.representation, scene.chunks, scene.translucent);
+    return collectFacts(scene.representation, scene.chunks, scene.translucent);
 }
 
 SceneFacts SceneFrames::facts(const RenderSettings& settings) const {
@@ -33,15 +33,15 @@ SceneFacts SceneFrames::facts(const RenderSettings& settings) const {
     return facts;
 }
 
-passes::PrimitiveCounts SceneFrames::countsOf(const passes::SceneView& view) {
+passes::PrimitiveCounts SceneFrames::countPrimitives(const passes::SceneView& view) {
     return {view.copies.sphereCount(), view.copies.cylinderCount(), view.copies.triangleCount(), view.radiusPixels,
             view.flat()};
 }
 
 void SceneFrames::addViewFacts(SceneFacts& facts, const passes::SceneView& view) {
-    static_cast<passes::PrimitiveCounts&>(facts) = countsOf(view);
-    if (view.light) facts.light = countsOf(*view.light);
-    if (view.translucent) facts.layers = countsOf(*view.translucent);
+    static_cast<passes::PrimitiveCounts&>(facts) = countPrimitives(view);
+    if (view.light) facts.light = countPrimitives(*view.light);
+    if (view.translucent) facts.layers = countPrimitives(*view.translucent);
     facts.smallestPixels = view.smallestPixels;
 }
 
@@ -102,7 +102,7 @@ void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request,
 
 /// Covers masked pixels, for passes that test depth.
 void SceneFrames::addCovers(PreparedFrame& prepared, const TileMask& mask) {
-    const std::vector<glm::vec4> covers = passes::coversOf(mask, prepared.shape.extent);
+    const std::vector<glm::vec4> covers = passes::makeCovers(mask, prepared.shape.extent);
     if (covers.empty()) return;
     passes::SceneView& view = *prepared.view;
     view.covers = covers_.upload(std::as_bytes(std::span(covers)));
@@ -116,9 +116,9 @@ void SceneFrames::addCovers(PreparedFrame& prepared, const TileMask& mask) {
 void SceneFrames::count(PreparedFrame& prepared) {
     const passes::SceneView& view = *prepared.view;
     SceneCounts& counts = prepared.counts;
-    static_cast<passes::PrimitiveCounts&>(counts) = countsOf(view);
-    if (view.light) counts.light = countsOf(*view.light);
-    if (view.translucent) counts.layers = countsOf(*view.translucent);
+    static_cast<passes::PrimitiveCounts&>(counts) = countPrimitives(view);
+    if (view.light) counts.light = countPrimitives(*view.light);
+    if (view.translucent) counts.layers = countPrimitives(*view.translucent);
     if (view.tiles) counts.spheres = view.tiles->shownSpheres().value_or(counts.spheres);
     if (view.tiles) counts.lists = view.tiles->counts();
 }
@@ -162,7 +162,7 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
     view.fragments = inputs.fragments;
     if (inputs.radiusBefore)
         view.radiusPixels = passes::steadyRadius(*inputs.radiusBefore, view.radiusPixels, caps.plan.geometry);
-    view.volume = volumes_.texturesOf(scene_->representation.volume);
+    view.volume = volumes_.findTextures(scene_->representation.volume);
     view.effectConstants = uploadEffects(settings, settings.effects.rims() && request.part == Part::block);
     const bool layered = drawsLayers(request, facts);
     const auto uploadRows = [&] {
@@ -197,7 +197,7 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
     if (!shape.choice.givesWay()) addLists(prepared, request, inputs);
     const FrameChoice& choice = shape.choice;
     if (choice.givesWay()) return prepared;
-    shape.targets = inputs.window.empty() ? targetsOf(choice) : inputs.window;
+    shape.targets = inputs.window.empty() ? screenTargets(choice) : inputs.window;
     view.coded = choice.color == ColorFormat::coded;
     view.samples = choice.attachmentSamples();
     if (choice.vertices.plates != PlateShape::automatic) view.plates = choice.vertices.plates;

@@ -62,7 +62,7 @@ public:
 
 private:
     static SceneFacts sceneFacts(const Scene& scene);
-    static passes::PrimitiveCounts countsOf(const passes::SceneView& view);
+    static passes::PrimitiveCounts countPrimitives(const passes::SceneView& view);
     static void addViewFacts(SceneFacts& facts, const passes::SceneView& view);
     std::shared_ptr<const gpu::Buffer> uploadEffects(const RenderSettings& settings, bool subsamples);
     std::shared_ptr<const passes::TileFrame> listTiles(const passes::SceneView& view, const FrameChoice& choice,

@@ -22,7 +22,7 @@ glm::dvec2 lensPoint(std::uint32_t samples, std::uint32_t i) {
 
 /// The view through sample i of a number of samples, in rows as in a picture. If there are many, each is far from the
 /// previous ones. With a lens, each sample sees through another lens point, which blurs at no extra cost.
-View throughSampleOf(const RenderSettings& settings, View view, std::uint32_t samples, std::uint32_t i) {
+View shiftToSample(const RenderSettings& settings, View view, std::uint32_t samples, std::uint32_t i) {
     if (hasLens(settings) && samples > 1) view = throughLens(settings, view, lensPoint(samples, i));
     if (samples >= RenderSettings::kEdgeSamples) i = i * 5 % samples;
     const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(samples)));
@@ -116,7 +116,7 @@ void WindowFrames::prepareOthers() {
     prepare(kSumFormat, [&](graph::Graph& g, graph::Image sum) { end().addShownSum(g, sum, window); });
 }
 
-Ending WindowFrames::endingOf(const WindowFrame& frame) const {
+Ending WindowFrames::chooseEnding(const WindowFrame& frame) const {
     if (frame.quality == Quality::kept) return Ending::sumToWindow;
     if (frame.quality == Quality::refined) return frame.sample == 0 ? Ending::firstSample : Ending::nextSample;
     if (frame.scale != 1.0) return Ending::scaledToWindow;
@@ -143,7 +143,7 @@ PreparedFrame WindowFrames::prepare(const RenderSettings& settings, const passes
     PreparedFrame prepared;
     View view = eye ? (*frame.eyes)[*eye].view : settings.view;
     view.quarterTurns = swapchain_.quarterTurns();
-    Ending ending = endingOf(frame);
+    Ending ending = chooseEnding(frame);
     if (eye && (*eye > 0 || frame.quality == Quality::live))
         ending = *eye > 0 ? Ending::nextSample : Ending::firstSample;
     const graph::Clear clear = opaqueClear(settings.background);
@@ -160,7 +160,7 @@ PreparedFrame WindowFrames::prepare(const RenderSettings& settings, const passes
         prepared.shape.name = "kept screen";
         prepared.shape.choice.ending = ending;
     } else if (frame.quality == Quality::refined) {
-        view = throughSampleOf(drawn, view, frame.samples, frame.sample);
+        view = shiftToSample(drawn, view, frame.samples, frame.sample);
         prepareAs(Part::sample, "refinement");
     } else {
         drawn.supersample = 1;

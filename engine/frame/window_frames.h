@@ -42,7 +42,7 @@ private:
     void draw(gpu::FrameSlot& slot, const PreparedFrame& prepared, const WindowFrame& frame);
     void drawEyes(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                   const WindowFrame& frame);
-    Ending endingOf(const WindowFrame& frame) const;
+    Ending chooseEnding(const WindowFrame& frame) const;
     PreparedFrame prepare(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
                           std::optional<double> radiusBefore, std::optional<std::size_t> eye = {});
     DeclaredFrame& declared(const PreparedFrame& prepared);

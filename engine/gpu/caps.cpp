@@ -51,7 +51,7 @@ bool hasLazyMemory(const vk::raii::PhysicalDevice& device) {
 
 /// The finest rung that the device blends. R32F keeps depth exactly, but neither Mali nor Adreno 5xx blends it;
 /// RGBA16F blends everywhere (the Vulkan specification's table of mandatory format support).
-graph::EncodedFormat blendedFormatOf(const vk::raii::PhysicalDevice& device, EncodedDepth wanted) {
+graph::EncodedFormat findBlendedFormat(const vk::raii::PhysicalDevice& device, EncodedDepth wanted) {
     for (const graph::EncodedFormat& format : graph::encodedFormats()) {
         if (wanted != EncodedDepth::automatic && wanted != format.rung) continue;
         if (blends(device, static_cast<vk::Format>(format.format))) return format;
@@ -62,10 +62,11 @@ graph::EncodedFormat blendedFormatOf(const vk::raii::PhysicalDevice& device, Enc
 }
 
 /// Where R32F does not blend, it is written in raster order if possible.
-graph::EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device, EncodedDepth wanted, bool rasterOrder) {
+graph::EncodedFormat chooseEncodedFormat(const vk::raii::PhysicalDevice& device, EncodedDepth wanted,
+                                         bool rasterOrder) {
     const bool finest = wanted == EncodedDepth::automatic || wanted == EncodedDepth::r32f;
     if (finest && rasterOrder && !blends(device, vk::Format::eR32Sfloat)) return graph::encodedInOrder();
-    return blendedFormatOf(device, wanted);
+    return findBlendedFormat(device, wanted);
 }
 
 bool set(const char* variable) {
@@ -89,7 +90,7 @@ void applyEnvironment(graph::PlanCaps& plan) {
     }
 }
 
-TileCaps tileCapsOf(const vk::raii::PhysicalDevice& device) {
+TileCaps queryTileCaps(const vk::raii::PhysicalDevice& device) {
     using Subgroups = vk::PhysicalDeviceSubgroupProperties;
     using Can = vk::SubgroupFeatureFlagBits;
     const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, Subgroups>();
@@ -128,7 +129,7 @@ std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& physical) {
 }
 
 bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name) {
-    for (const auto& e : extensionsOf(device))
+    for (const auto& e : listExtensions(device))
         if (std::string_view(e.extensionName.data()) == name) return true;
     return false;
 }
@@ -172,7 +173,7 @@ bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
         .rasterizationOrderColorAttachmentAccess;
 }
 
-DensityMaps densityMapsOf(const vk::raii::PhysicalDevice& device) {
+DensityMaps queryDensityMaps(const vk::raii::PhysicalDevice& device) {
     constexpr std::uint32_t kTexel = 32;  // 2 degrees of a headset's picture
     if (set("NACRE_NO_FOVEATION")) return {0, "switched off by NACRE_NO_FOVEATION"};
     if (!hasExtension(device, VK_EXT_FRAGMENT_DENSITY_MAP_EXTENSION_NAME))
@@ -198,7 +199,7 @@ std::uint32_t viewsAtOnce(const vk::raii::PhysicalDevice& device) {
     return device.getProperties2<vk::PhysicalDeviceProperties2, Properties>().get<Properties>().maxMultiviewViewCount;
 }
 
-graph::DriverIdentity identityOf(const vk::raii::PhysicalDevice& device) {
+graph::DriverIdentity driverIdentity(const vk::raii::PhysicalDevice& device) {
     const vk::PhysicalDeviceProperties properties = device.getProperties();
     graph::DriverIdentity identity;
     identity.vendor = properties.vendorID;
@@ -216,7 +217,7 @@ graph::DriverIdentity identityOf(const vk::raii::PhysicalDevice& device) {
     return identity;
 }
 
-Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options) {
+Caps queryCaps(const vk::raii::PhysicalDevice& device, const DeviceOptions& options) {
     const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceIDProperties>();
     const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
     Caps caps;
@@ -224,7 +225,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.type = typeName(properties.deviceType);
     caps.apiVersion = properties.apiVersion;
     caps.driverVersion = properties.driverVersion;
-    const graph::DriverIdentity identity = identityOf(device);
+    const graph::DriverIdentity identity = driverIdentity(device);
     if (hasExtension(device, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) {
         const auto driver = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
                                 .get<vk::PhysicalDeviceDriverProperties>();
@@ -246,7 +247,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
                 .get<vk::PhysicalDeviceMaintenance4Properties>()
                 .maxBufferSize;
 
-    const graph::DeviceClass known = graph::classOf(identity);
+    const graph::DeviceClass known = graph::classifyDriver(identity);
     caps.plan = known.set->plan;
     caps.capabilitySet = known.set->plan.name;
     if (known.row) caps.knownAs = known.row->fact;
@@ -255,21 +256,21 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.plan.transient = identity.lazyMemory;
     // MoltenVK offers it but stores anyway.
     caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME) && !identity.portable;
-    caps.quirks = graph::quirksOf(identity);
+    caps.quirks = graph::findQuirks(identity);
     caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);
     caps.plan.maxInputAttachments = std::min(properties.limits.maxPerStageDescriptorInputAttachments, 8u);
     // lavapipe 22.3 draws clipped primitives in the first view alone (tests/renderer/eyes_test.cpp).
     const bool losesViews = identity.driver == VK_DRIVER_ID_MESA_LLVMPIPE && !set("NACRE_MULTIVIEW");
     caps.plan.maxViews = losesViews ? 1 : viewsAtOnce(device);
-    const DensityMaps maps = densityMapsOf(device);
+    const DensityMaps maps = queryDensityMaps(device);
     caps.plan.densityTexel = maps.texel;
     if (maps.lacks) caps.lacksDensityMaps = maps.lacks;
     caps.plan.placesSamples = properties.limits.standardSampleLocations;
     applyEnvironment(caps.plan);
-    caps.encoded = encodedFormatOf(device, options.encoded, caps.plan.rasterOrder);
-    caps.encodedMaps = caps.encoded.ordered ? blendedFormatOf(device, EncodedDepth::automatic) : caps.encoded;
+    caps.encoded = chooseEncodedFormat(device, options.encoded, caps.plan.rasterOrder);
+    caps.encodedMaps = caps.encoded.ordered ? findBlendedFormat(device, EncodedDepth::automatic) : caps.encoded;
     caps.kind = known.kind;
-    caps.tiles = tileCapsOf(device);
+    caps.tiles = queryTileCaps(device);
     caps.plan.tiles = caps.tiles.lacks.empty();
     if (identity.software) {
         constexpr double kNever = std::numeric_limits<double>::infinity();

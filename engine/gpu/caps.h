@@ -38,11 +38,11 @@ struct Caps : graph::FrameCaps {
 };
 
 /// The identity that a device reports, for the tables of known drivers.
-graph::DriverIdentity identityOf(const vk::raii::PhysicalDevice& device);
+graph::DriverIdentity driverIdentity(const vk::raii::PhysicalDevice& device);
 
 /// @param options user's choices; `automatic` leaves the choice to the device
 /// @throws Error if the device cannot do what the options ask for
-Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options = {});
+Caps queryCaps(const vk::raii::PhysicalDevice& device, const DeviceOptions& options = {});
 
 /// The queue family that draws and computes. @throws Error if there is none
 std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& device);
@@ -71,7 +71,7 @@ struct DensityMaps {
     std::uint32_t texel = 0;  ///< pixels per side of a map's texel; 0: there are none
     const char* lacks = nullptr;
 };
-DensityMaps densityMapsOf(const vk::raii::PhysicalDevice& device);
+DensityMaps queryDensityMaps(const vk::raii::PhysicalDevice& device);
 
 /// Whether fragments can read their own attachment in raster order.
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device);

@@ -22,7 +22,7 @@ constexpr const char* kLayer = "VK_LAYER_RENDERDOC_Capture";
 constexpr const char* kEnable = "ENABLE_VULKAN_RENDERDOC_CAPTURE";  // required by the layer's manifest
 
 using Api = RENDERDOC_API_1_4_0;
-Api& apiOf(void* api) { return *static_cast<Api*>(api); }
+Api& toApi(void* api) { return *static_cast<Api*>(api); }
 
 bool loadedHere = false;  // by us, not by a launcher
 
@@ -49,9 +49,9 @@ void CaptureHook::load(bool wanted) {
     api_ = api;
     if (!std::getenv(kEnable)) setenv(kEnable, "1", 1);
     // F12 belongs to the viewer, and the overlay would draw into the picture.
-    apiOf(api_).SetCaptureKeys(nullptr, 0);
-    apiOf(api_).SetFocusToggleKeys(nullptr, 0);
-    apiOf(api_).MaskOverlayBits(eRENDERDOC_Overlay_None, eRENDERDOC_Overlay_None);
+    toApi(api_).SetCaptureKeys(nullptr, 0);
+    toApi(api_).SetFocusToggleKeys(nullptr, 0);
+    toApi(api_).MaskOverlayBits(eRENDERDOC_Overlay_None, eRENDERDOC_Overlay_None);
 }
 
 void CaptureHook::checkLayer(const vk::raii::Context& context) {
@@ -64,26 +64,26 @@ void CaptureHook::checkLayer(const vk::raii::Context& context) {
 
 void CaptureHook::begin(vk::Instance instance, const std::string& stem) {
     if (!loaded()) throw Error("cannot capture", "", "RenderDoc was not loaded before the device was made");
-    if (!stem.empty()) apiOf(api_).SetCaptureFilePathTemplate(stem.c_str());
+    if (!stem.empty()) toApi(api_).SetCaptureFilePathTemplate(stem.c_str());
     instance_ = RENDERDOC_DEVICEPOINTER_FROM_VKINSTANCE(static_cast<VkInstance>(instance));
-    apiOf(api_).StartFrameCapture(instance_, nullptr);
+    toApi(api_).StartFrameCapture(instance_, nullptr);
 }
 
 std::string CaptureHook::end() {
-    const bool whole = instance_ && apiOf(api_).EndFrameCapture(instance_, nullptr) == 1;
+    const bool whole = instance_ && toApi(api_).EndFrameCapture(instance_, nullptr) == 1;
     instance_ = nullptr;
-    const std::uint32_t count = apiOf(api_).GetNumCaptures();
+    const std::uint32_t count = toApi(api_).GetNumCaptures();
     std::uint32_t length = 0;
-    if (!whole || count == 0 || !apiOf(api_).GetCapture(count - 1, nullptr, &length, nullptr) || length == 0)
+    if (!whole || count == 0 || !toApi(api_).GetCapture(count - 1, nullptr, &length, nullptr) || length == 0)
         throw Error("cannot capture", "", "RenderDoc recorded nothing (is the disk full, or its layer disabled?)");
     std::string file(length, '\0');
-    apiOf(api_).GetCapture(count - 1, file.data(), &length, nullptr);
+    toApi(api_).GetCapture(count - 1, file.data(), &length, nullptr);
     file.resize(std::string_view(file.c_str()).size());  // the reported length includes the terminating zero
     return file;
 }
 
 CaptureHook::~CaptureHook() {
-    if (instance_) apiOf(api_).DiscardFrameCapture(instance_, nullptr);
+    if (instance_) toApi(api_).DiscardFrameCapture(instance_, nullptr);
 }
 
 #else

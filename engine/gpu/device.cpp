@@ -22,7 +22,7 @@ namespace nacre::gpu {
 namespace {
 
 std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physical, bool window) {
-    const auto& available = extensionsOf(physical);
+    const auto& available = listExtensions(physical);
     auto has = [&](std::string_view name) {
         return std::any_of(available.begin(), available.end(),
                            [&](const auto& e) { return name == e.extensionName.data(); });
@@ -58,12 +58,12 @@ Device::Device(const DeviceOptions& options, Caching caching) {
     physical_ = options.headset.physical ? vk::raii::PhysicalDevice(instance_, options.headset.physical(*instance_))
                                          : pickDevice(instance_, options.device);
     createDevice(options);
-    if (caching == Caching::usual && !graph::has(graph::Quirk::noPipelineCache, identityOf(physical_)))
+    if (caching == Caching::usual && !graph::has(graph::Quirk::noPipelineCache, driverIdentity(physical_)))
         pipelineCache_ = makePipelineCache(device_, physical_, options.pipelineCache);
     nameOwn();
     DeviceOptions wanted = options;
     wanted.capture = capture_.loaded();
-    caps_ = capsOf(physical_, wanted);
+    caps_ = queryCaps(physical_, wanted);
     if (heapIsOurs && caps_.has(graph::Quirk::heapPerTile)) tuneHeap();
 }
 
@@ -109,7 +109,7 @@ void Device::createDevice(const DeviceOptions& options) {
         info.pNext = &views;
     }
     vk::PhysicalDeviceFragmentDensityMapFeaturesEXT density(true, false, true);
-    if (options.headset.device && densityMapsOf(physical_).texel > 0)
+    if (options.headset.device && queryDensityMaps(physical_).texel > 0)
         add(density, VK_EXT_FRAGMENT_DENSITY_MAP_EXTENSION_NAME);
     vk::PhysicalDeviceFaultFeaturesEXT fault(true);
     tellsOfFaults_ = tellsOfFaults(physical_);
@@ -140,7 +140,7 @@ void Device::createDevice(const DeviceOptions& options) {
     device_ = options.headset.device
                   ? vk::raii::Device(physical_, options.headset.device(*physical_, info, entryPoint(context_)))
                   : vk::raii::Device(physical_, info);
-    if (readsHere) localReadCalls_ = localReadCallsOf(device_);
+    if (readsHere) localReadCalls_ = loadLocalReadCalls(device_);
     queue_ = device_.getQueue(queueFamily_, 0);
 }
 
@@ -244,7 +244,7 @@ void Device::settle() const noexcept {
     }
 }
 
-Error Device::errorOf(const vk::SystemError& failure) const {
+Error Device::makeError(const vk::SystemError& failure) const {
     const std::string call = "in " + inOneLine(failure.what());
     const auto is = [&](vk::Result result) { return failure.code() == vk::make_error_code(result); };
     if (is(vk::Result::eErrorOutOfHostMemory)) return {"out of memory", caps_.deviceName, call};

@@ -74,7 +74,7 @@ public:
     /// Log of submissions, to explain a device loss. Filled while commands are recorded.
     SubmissionLog& log() const { return *log_; }
     /// A Vulkan failure as an error message: what ran out, or what is known of a loss. Ends with the call's name.
-    Error errorOf(const vk::SystemError& failure) const;
+    Error makeError(const vk::SystemError& failure) const;
     /// Waits until nothing is in flight, or the device is lost.
     void settle() const noexcept;
     /// Waits until all submitted work is done, or the time is over. @returns whether it is done

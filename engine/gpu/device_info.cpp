@@ -18,7 +18,7 @@ std::string megabytes(std::uint64_t bytes) {
 
 }  // namespace
 
-DeviceInfo gpu::infoOf(const Caps& caps) {
+DeviceInfo gpu::describeDevice(const Caps& caps) {
     DeviceInfo info;
     info.name = caps.deviceName;
     info.driver = caps.driverName;
@@ -41,7 +41,7 @@ DeviceInfo gpu::infoOf(const Caps& caps) {
 
 namespace {
 
-std::vector<std::pair<std::string, std::uint64_t>> limitsOf(const vk::PhysicalDeviceLimits& l) {
+std::vector<std::pair<std::string, std::uint64_t>> listLimits(const vk::PhysicalDeviceLimits& l) {
     return {{"max_image_dimension_2d", l.maxImageDimension2D},
             {"max_color_attachments", l.maxColorAttachments},
             {"max_fragment_output_attachments", l.maxFragmentOutputAttachments},
@@ -62,7 +62,7 @@ std::vector<std::pair<std::string, std::uint64_t>> limitsOf(const vk::PhysicalDe
 
 /// ", compressed to 2, 3, 4 bits per channel on demand": rates that the driver offers for such a texture and render
 /// target (VK_EXT_image_compression_control). Nacre asks for none: without that, images lose nothing.
-std::string fixedRatesOf(const vk::raii::PhysicalDevice& device, vk::Format format) {
+std::string describeFixedRates(const vk::raii::PhysicalDevice& device, vk::Format format) {
     vk::ImageCompressionControlEXT control(vk::ImageCompressionFlagBitsEXT::eFixedRateDefault);
     const vk::PhysicalDeviceImageFormatInfo2 image(
         format, vk::ImageType::e2D, vk::ImageTiling::eOptimal,
@@ -82,7 +82,7 @@ std::string fixedRatesOf(const vk::raii::PhysicalDevice& device, vk::Format form
 }
 
 /// Formats that the renderer may use as render targets.
-std::vector<std::string> formatsOf(const vk::raii::PhysicalDevice& device) {
+std::vector<std::string> listFormats(const vk::raii::PhysicalDevice& device) {
     using F = vk::FormatFeatureFlagBits;
     std::vector<std::string> all;
     const bool controls = gpu::hasExtension(device, VK_EXT_IMAGE_COMPRESSION_CONTROL_EXTENSION_NAME);
@@ -100,7 +100,7 @@ std::vector<std::string> formatsOf(const vk::raii::PhysicalDevice& device) {
         add(F::eColorAttachment, "colour");
         add(F::eColorAttachmentBlend, "blended");
         add(F::eDepthStencilAttachment, "depth");
-        if (controls && (features & F::eColorAttachment)) text += fixedRatesOf(device, format);
+        if (controls && (features & F::eColorAttachment)) text += describeFixedRates(device, format);
         all.push_back(vk::to_string(format) + ": " + (text.empty() ? "none" : text));
     }
     return all;
@@ -123,16 +123,16 @@ void addMemory(const vk::raii::PhysicalDevice& device, DeviceInfo& info) {
 
 }  // namespace
 
-DeviceInfo gpu::infoOf(const Caps& caps, const vk::raii::PhysicalDevice& device) {
-    DeviceInfo info = infoOf(caps);
+DeviceInfo gpu::describeDevice(const Caps& caps, const vk::raii::PhysicalDevice& device) {
+    DeviceInfo info = describeDevice(caps);
     info.bundled = BundledDriver::taken();
     const vk::PhysicalDeviceProperties properties = device.getProperties();
     info.vendorId = properties.vendorID;
     info.deviceId = properties.deviceID;
     info.driverVersion = properties.driverVersion;
-    info.limits = limitsOf(properties.limits);
-    info.formats = formatsOf(device);
-    for (const vk::ExtensionProperties& extension : extensionsOf(device))
+    info.limits = listLimits(properties.limits);
+    info.formats = listFormats(device);
+    for (const vk::ExtensionProperties& extension : listExtensions(device))
         info.extensions.emplace_back(extension.extensionName.data());
     std::sort(info.extensions.begin(), info.extensions.end());
     addMemory(device, info);

@@ -6,8 +6,8 @@
 namespace nacre::gpu {
 
 /// Device information for people.
-DeviceInfo infoOf(const Caps& caps);
+DeviceInfo describeDevice(const Caps& caps);
 /// Adds what the device reports about itself.
-DeviceInfo infoOf(const Caps& caps, const vk::raii::PhysicalDevice& device);
+DeviceInfo describeDevice(const Caps& caps, const vk::raii::PhysicalDevice& device);
 
 }  // namespace nacre::gpu

@@ -23,7 +23,7 @@ std::string addressText(const VkDeviceFaultAddressInfoEXT& a) {
 }
 
 template <std::size_t size>
-std::string wordsOf(const char (&text)[size]) {
+std::string toString(const char (&text)[size]) {
     return {text, std::find(text, text + size, '\0')};
 }
 
@@ -44,7 +44,7 @@ std::string SubmissionLog::text() const {
 }
 
 bool tellsOfFaults(const vk::raii::PhysicalDevice& device) {
-    for (const auto& e : extensionsOf(device))
+    for (const auto& e : listExtensions(device))
         if (std::string_view(e.extensionName.data()) == VK_EXT_DEVICE_FAULT_EXTENSION_NAME)
             return device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceFaultFeaturesEXT>()
                 .get<vk::PhysicalDeviceFaultFeaturesEXT>()
@@ -66,10 +66,10 @@ std::string faultText(const vk::raii::Device& device) {
     if (ask(*device, &counts, &info) < 0) return "";
     addresses.resize(std::min<std::size_t>(addresses.size(), counts.addressInfoCount));
     vendor.resize(std::min<std::size_t>(vendor.size(), counts.vendorInfoCount));
-    std::string text = wordsOf(info.description);
+    std::string text = toString(info.description);
     for (const auto& a : addresses) text += (text.empty() ? "" : ", ") + addressText(a);
     for (const auto& v : vendor)
-        text += (text.empty() ? "" : ", ") + wordsOf(v.description) + " (code " + hex(v.vendorFaultCode) + ", data " +
+        text += (text.empty() ? "" : ", ") + toString(v.description) + " (code " + hex(v.vendorFaultCode) + ", data " +
                 hex(v.vendorFaultData) + ")";
     return inOneLine(text);
 }

@@ -16,10 +16,10 @@ constexpr auto kInputLayout = static_cast<vk::ImageLayout>(VK_IMAGE_LAYOUT_RENDE
 
 /// All uses of an attachment between begin and end, including load and store.
 graph::State workOn(VkFormat format) {
-    graph::State state = graph::stateOf(graph::isDepthFormat(format) ? graph::Verb::depth : graph::Verb::color,
-                                        graph::PassKind::graphics);
+    graph::State state = graph::verbState(graph::isDepthFormat(format) ? graph::Verb::depth : graph::Verb::color,
+                                          graph::PassKind::graphics);
     if (!graph::isDepthFormat(format)) {
-        const graph::State read = graph::stateOf(graph::Verb::input, graph::PassKind::graphics);
+        const graph::State read = graph::verbState(graph::Verb::input, graph::PassKind::graphics);
         state.stages |= read.stages;
         state.access |= read.access;
     }
@@ -38,7 +38,7 @@ graph::State before(const graph::RenderPassPlan& plan) {
 }
 
 bool trusted(const vk::raii::PhysicalDevice& device) {
-    const graph::DriverIdentity identity = identityOf(device);
+    const graph::DriverIdentity identity = driverIdentity(device);
     return identity.driver != VkDriverId{} && !graph::has(graph::Quirk::noLocalRead, identity);
 }
 
@@ -61,7 +61,7 @@ bool readsLocally(const vk::raii::PhysicalDevice& device, bool validate) {
     return read.dynamicRenderingLocalRead;
 }
 
-LocalReadCalls localReadCallsOf(const vk::raii::Device& device) {
+LocalReadCalls loadLocalReadCalls(const vk::raii::Device& device) {
     const auto call = [&](const char* name) { return device.getProcAddr(name); };
     return {
         reinterpret_cast<PFN_vkCmdSetRenderingAttachmentLocationsKHR>(call("vkCmdSetRenderingAttachmentLocationsKHR")),
@@ -93,7 +93,7 @@ bool DynamicRendering::takes(const Device& device, const graph::RenderPassPlan& 
 }
 
 /// One layout from beginning to end, unlike in the plan.
-vk::ImageLayout DynamicRendering::layoutOf(std::uint32_t a) const {
+vk::ImageLayout DynamicRendering::findLayout(std::uint32_t a) const {
     bool read = false;
     for (const graph::Subpass& subpass : plan_.subpasses) {
         graph::Verb verb{};
@@ -108,7 +108,7 @@ vk::ImageLayout DynamicRendering::layoutOf(std::uint32_t a) const {
 
 vk::ImageLayout DynamicRendering::inputLayout(std::uint32_t s) const {
     const std::vector<std::uint32_t>& inputs = plan_.subpasses[s].inputs;
-    return inputs.empty() ? kInputLayout : layoutOf(inputs.front());
+    return inputs.empty() ? kInputLayout : findLayout(inputs.front());
 }
 
 /// Does what a VkRenderPass does implicitly: transitions into its layouts, after earlier work, and out of them. The
@@ -120,7 +120,7 @@ void DynamicRendering::transition(bool entering) const {
     for (std::uint32_t a = 0; a < plan_.attachments.size(); ++a) {
         const graph::Attachment& attachment = plan_.attachments[a];
         const auto planned = static_cast<vk::ImageLayout>(entering ? attachment.initialLayout : attachment.finalLayout);
-        const vk::ImageLayout inside = layoutOf(a);
+        const vk::ImageLayout inside = findLayout(a);
         if (planned == inside) continue;
         const graph::State work = workOn(attachment.format);
         own |= vk::PipelineStageFlags(work.stages);
@@ -140,12 +140,12 @@ void DynamicRendering::transition(bool entering) const {
 
 void DynamicRendering::begin() const {
     transition(true);
-    const auto infoOf = [&](std::uint32_t a) {
+    const auto attachmentInfo = [&](std::uint32_t a) {
         const graph::Attachment& attachment = plan_.attachments[a];
         VkRenderingAttachmentInfo info{};
         info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
         info.imageView = images_[attachment.image].view;
-        info.imageLayout = static_cast<VkImageLayout>(layoutOf(a));
+        info.imageLayout = static_cast<VkImageLayout>(findLayout(a));
         info.loadOp = static_cast<VkAttachmentLoadOp>(loadOp(attachment.load));
         info.storeOp = static_cast<VkAttachmentStoreOp>(storeOp(attachment.store));
         if (graph::isDepthFormat(attachment.format))
@@ -155,7 +155,7 @@ void DynamicRendering::begin() const {
         return info;
     };
     std::vector<VkRenderingAttachmentInfo> colors;
-    for (const std::uint32_t a : colors_) colors.push_back(infoOf(a));
+    for (const std::uint32_t a : colors_) colors.push_back(attachmentInfo(a));
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
     info.renderArea.extent = {plan_.extent.width, plan_.extent.height};
@@ -164,13 +164,13 @@ void DynamicRendering::begin() const {
     info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
     info.pColorAttachments = colors.data();
     VkRenderingAttachmentInfo depth{};
-    if (depth_ >= 0) depth = infoOf(static_cast<std::uint32_t>(depth_)), info.pDepthAttachment = &depth;
+    if (depth_ >= 0) depth = attachmentInfo(static_cast<std::uint32_t>(depth_)), info.pDepthAttachment = &depth;
     commands_.getDispatcher()->vkCmdBeginRenderingKHR(*commands_, &info);
 }
 
-RenderingFormats DynamicRendering::formatsOf(std::uint32_t s) const {
+RenderingFormats DynamicRendering::findFormats(std::uint32_t s) const {
     const graph::Subpass& subpass = plan_.subpasses[s];
-    const auto placeOf = [](const std::vector<std::uint32_t>& list, std::uint32_t a) {
+    const auto findIndex = [](const std::vector<std::uint32_t>& list, std::uint32_t a) {
         const auto it = std::find(list.begin(), list.end(), a);
         return it == list.end() ? kNone : static_cast<std::uint32_t>(it - list.begin());
     };
@@ -179,8 +179,8 @@ RenderingFormats DynamicRendering::formatsOf(std::uint32_t s) const {
     formats.viewMask = plan_.viewMask;
     for (std::size_t i = 0; i < colors_.size(); ++i) {
         formats.colors[i] = plan_.attachments[colors_[i]].format;
-        formats.locations[i] = placeOf(subpass.colors, colors_[i]);
-        formats.inputs[i] = placeOf(subpass.inputs, colors_[i]);
+        formats.locations[i] = findIndex(subpass.colors, colors_[i]);
+        formats.inputs[i] = findIndex(subpass.inputs, colors_[i]);
     }
     if (depth_ >= 0) formats.depth = plan_.attachments[static_cast<std::size_t>(depth_)].format;
     return formats;
@@ -195,7 +195,7 @@ RenderingFormats DynamicRendering::beginSubpass(std::uint32_t s) const {
                                   vk::MemoryBarrier(vk::AccessFlags(d.fromAccess), vk::AccessFlags(d.toAccess)), {},
                                   {});
     }
-    const RenderingFormats formats = formatsOf(s);
+    const RenderingFormats formats = findFormats(s);
     const RenderingChain chain(formats);
     device_.localReadCalls().setLocations(*commands_, &chain.locations());
     device_.localReadCalls().setInputs(*commands_, &chain.inputs());

@@ -32,7 +32,7 @@ struct RenderingFormats {
 /// layer older than the extension reports every use as an error
 bool readsLocally(const vk::raii::PhysicalDevice& device, bool validate);
 /// @param device  created with the features that readsLocally() checks
-LocalReadCalls localReadCallsOf(const vk::raii::Device& device);
+LocalReadCalls loadLocalReadCalls(const vk::raii::Device& device);
 
 /// One render pass of a plan while it is recorded.
 class DynamicRendering {
@@ -43,7 +43,7 @@ public:
     /// Whether the device executes a render pass this way: one with several subpasses, or inputs.
     static bool takes(const Device& device, const graph::RenderPassPlan& plan);
 
-    RenderingFormats formatsOf(std::uint32_t subpass) const;
+    RenderingFormats findFormats(std::uint32_t subpass) const;
     void begin() const;
     /// Selects the attachments that the subpass draws to and reads, with a barrier after earlier subpasses.
     RenderingFormats beginSubpass(std::uint32_t subpass) const;
@@ -52,7 +52,7 @@ public:
     vk::ImageLayout inputLayout(std::uint32_t subpass) const;
 
 private:
-    vk::ImageLayout layoutOf(std::uint32_t attachment) const;
+    vk::ImageLayout findLayout(std::uint32_t attachment) const;
     void transition(bool entering) const;
 
     const Device& device_;

@@ -244,7 +244,7 @@ void Executor::prepare(const graph::Graph& graph, const graph::Plan& plan) {
         context.views = pass.layers;
         for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
             context.renderPass = dynamic ? nullptr : renderPass(pass, recording.renderPasses_[i].name).ofPipelines;
-            if (dynamic) context.rendering = DynamicRendering(device_, pass, images, none).formatsOf(s);
+            if (dynamic) context.rendering = DynamicRendering(device_, pass, images, none).findFormats(s);
             context.subpass = dynamic ? 0 : s;
             context.colorCount = static_cast<std::uint32_t>(pass.subpasses[s].colors.size());
             for (const std::uint32_t p : pass.subpasses[s].passes) ask(p);

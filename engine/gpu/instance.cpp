@@ -90,8 +90,8 @@ std::optional<vk::raii::Instance> usualInstance(const vk::raii::Context& context
     }
 }
 
-vk::raii::Instance instanceOf(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
-                              const std::vector<std::string>& wanted, const HeadsetSource* headset = nullptr) {
+vk::raii::Instance createInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
+                                  const std::vector<std::string>& wanted, const HeadsetSource* headset = nullptr) {
     if (!validate && wanted.empty() && !headset)
         if (std::optional<vk::raii::Instance> instance = usualInstance(context, found)) return std::move(*instance);
     const auto available = context.enumerateInstanceExtensionProperties();
@@ -128,7 +128,7 @@ vk::raii::Instance instanceOf(const vk::raii::Context& context, bool validate, I
 bool findsDevice(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
                  const std::vector<std::string>& wanted, vk::raii::Instance& instance) {
     try {
-        instance = instanceOf(context, validate, found, wanted);
+        instance = createInstance(context, validate, found, wanted);
         return !vk::raii::PhysicalDevices(instance).empty();
     } catch (const Error&) {
         return false;
@@ -145,7 +145,7 @@ HeadsetSource::EntryPoint entryPoint(const vk::raii::Context& context) {
 
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
                                 const std::vector<std::string>& wanted, const HeadsetSource* headset) {
-    if (headset) return instanceOf(context, validate, found, wanted, headset);
+    if (headset) return createInstance(context, validate, found, wanted, headset);
     if (hasBundledDriver()) {
         static std::mutex deciding;  // the loader reads the environment, which BundledDriver changes
         const std::lock_guard lock(deciding);
@@ -153,12 +153,12 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
         if (!BundledDriver::taken() && findsDevice(context, validate, found, wanted, instance)) return instance;
         found = {};
         const BundledDriver driver;
-        return instanceOf(context, validate, found, wanted);
+        return createInstance(context, validate, found, wanted);
     }
-    return instanceOf(context, validate, found, wanted);
+    return createInstance(context, validate, found, wanted);
 }
 
-const std::vector<vk::ExtensionProperties>& extensionsOf(const vk::raii::PhysicalDevice& device) {
+const std::vector<vk::ExtensionProperties>& listExtensions(const vk::raii::PhysicalDevice& device) {
     // The loader clears a megabyte per query, and a device is queried twenty times.
     struct Known {
         VkPhysicalDevice device = VK_NULL_HANDLE;

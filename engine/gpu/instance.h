@@ -26,7 +26,7 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
                                 const std::vector<std::string>& wanted = {}, const HeadsetSource* headset = nullptr);
 
 /// A device's extensions, valid until the thread's next call.
-const std::vector<vk::ExtensionProperties>& extensionsOf(const vk::raii::PhysicalDevice& device);
+const std::vector<vk::ExtensionProperties>& listExtensions(const vk::raii::PhysicalDevice& device);
 
 /// Collects validation messages of warning severity and above while the messenger lives.
 vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, ValidationLog& messages);

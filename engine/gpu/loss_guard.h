@@ -26,7 +26,7 @@ public:
 
 private:
     Error told(const vk::SystemError& failure) {
-        Error error = device_.errorOf(failure);
+        Error error = device_.makeError(failure);
         if (failure.code() == vk::make_error_code(vk::Result::eErrorDeviceLost)) loss_ = error.what();
         return error;
     }

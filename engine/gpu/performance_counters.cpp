@@ -34,7 +34,7 @@ ByteCounters::ByteCounters(const Device& device) : device_(device) {
 
 ByteCounters::~ByteCounters() { device_->getDispatcher()->vkReleaseProfilingLockKHR(**device_); }
 
-vk::raii::QueryPool ByteCounters::poolOf(const ByteCounter& counter) const {
+vk::raii::QueryPool ByteCounters::makePool(const ByteCounter& counter) const {
     const VkQueryPoolPerformanceCreateInfoKHR chosen{VK_STRUCTURE_TYPE_QUERY_POOL_PERFORMANCE_CREATE_INFO_KHR, nullptr,
                                                      device_.queueFamily(), 1, &counter.index};
     const vk::raii::PhysicalDevice& physical = device_.physical();
@@ -46,7 +46,8 @@ vk::raii::QueryPool ByteCounters::poolOf(const ByteCounter& counter) const {
     return {*device_, info};
 }
 
-std::optional<std::uint64_t> ByteCounters::resultOf(const vk::raii::QueryPool& pool, const ByteCounter& counter) const {
+std::optional<std::uint64_t> ByteCounters::readResult(const vk::raii::QueryPool& pool,
+                                                      const ByteCounter& counter) const {
     VkPerformanceCounterResultKHR result{};
     if (device_->getDispatcher()->vkGetQueryPoolResults(**device_, *pool, 0, 1, sizeof(result), &result, sizeof(result),
                                                         0) != VK_SUCCESS)

@@ -32,7 +32,7 @@ public:
     /// Bytes of the recorded commands; none for a counter that takes several runs.
     template <typename Record>
     std::optional<std::uint64_t> count(const ByteCounter& counter, const Record& record) const {
-        const vk::raii::QueryPool pool = poolOf(counter);
+        const vk::raii::QueryPool pool = makePool(counter);
         if (!*pool) return {};
         // A query needs its reset in other commands than those it counts. Its begin is the first of those, and its end
         // the last.
@@ -42,13 +42,13 @@ public:
             record(c);
             c->endQuery(*pool, 0);
         });
-        return resultOf(pool, counter);
+        return readResult(pool, counter);
     }
 
 private:
     /// Null for a counter that takes several runs.
-    vk::raii::QueryPool poolOf(const ByteCounter& counter) const;
-    std::optional<std::uint64_t> resultOf(const vk::raii::QueryPool& pool, const ByteCounter& counter) const;
+    vk::raii::QueryPool makePool(const ByteCounter& counter) const;
+    std::optional<std::uint64_t> readResult(const vk::raii::QueryPool& pool, const ByteCounter& counter) const;
 
     const Device& device_;
     std::vector<ByteCounter> counters_;

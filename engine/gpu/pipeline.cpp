@@ -27,7 +27,7 @@ vk::SpecializationInfo Specialization::info() const {
 
 namespace {
 
-vk::ColorComponentFlags channelsOf(Blend blend) {
+vk::ColorComponentFlags colorMask(Blend blend) {
     using Channel = vk::ColorComponentFlagBits;
     if (blend == Blend::overRed) return Channel::eR;
     if (blend == Blend::overCyan) return Channel::eG | Channel::eB;
@@ -36,7 +36,7 @@ vk::ColorComponentFlags channelsOf(Blend blend) {
 
 vk::PipelineColorBlendAttachmentState blendState(Blend blend, bool written) {
     vk::PipelineColorBlendAttachmentState state;
-    if (written) state.colorWriteMask = channelsOf(blend);
+    if (written) state.colorWriteMask = colorMask(blend);
     if (blend == Blend::minimum || blend == Blend::maximum || blend == Blend::add) {
         state.blendEnable = true;
         state.srcColorBlendFactor = state.dstColorBlendFactor = vk::BlendFactor::eOne;

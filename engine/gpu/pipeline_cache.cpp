@@ -4,7 +4,7 @@
 
 namespace nacre::gpu {
 
-bool isPipelineCacheOf(const vk::PhysicalDeviceProperties& properties, std::span<const std::byte> data) {
+bool isOwnPipelineCache(const vk::PhysicalDeviceProperties& properties, std::span<const std::byte> data) {
     VkPipelineCacheHeaderVersionOne header{};
     if (data.size() < sizeof(header)) return false;
     std::memcpy(&header, data.data(), sizeof(header));
@@ -15,7 +15,7 @@ bool isPipelineCacheOf(const vk::PhysicalDeviceProperties& properties, std::span
 
 vk::raii::PipelineCache makePipelineCache(const vk::raii::Device& device, const vk::raii::PhysicalDevice& physical,
                                           std::span<const std::byte> data) {
-    if (!isPipelineCacheOf(physical.getProperties(), data)) data = {};
+    if (!isOwnPipelineCache(physical.getProperties(), data)) data = {};
     try {
         return {device, vk::PipelineCacheCreateInfo({}, data.size(), data.data())};
     } catch (const vk::SystemError&) {

@@ -3,7 +3,7 @@
 namespace nacre::gpu {
 namespace {
 
-std::string workOf(const graph::Graph& graph, const graph::Plan& plan) {
+std::string describeWork(const graph::Graph& graph, const graph::Plan& plan) {
     std::string text;
     const auto add = [&](std::uint32_t pass) { text += (text.empty() ? ": " : ", ") + graph.passes()[pass].name; };
     for (const graph::Step& step : plan.steps) {
@@ -14,7 +14,7 @@ std::string workOf(const graph::Graph& graph, const graph::Plan& plan) {
     return graph.name() + text;
 }
 
-std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass) {
+std::string joinNames(const graph::Graph& graph, const graph::RenderPassPlan& pass) {
     std::string name;
     for (const graph::Subpass& subpass : pass.subpasses)
         for (const std::uint32_t p : subpass.passes) name += (name.empty() ? "" : " + ") + graph.passes()[p].name;
@@ -22,7 +22,7 @@ std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass)
 }
 
 /// Clear values of the attachments, up to the last cleared one.
-std::vector<vk::ClearValue> clearsOf(const graph::RenderPassPlan& pass) {
+std::vector<vk::ClearValue> makeClears(const graph::RenderPassPlan& pass) {
     std::vector<vk::ClearValue> clears;
     std::size_t count = 0;
     for (const graph::Attachment& a : pass.attachments) {
@@ -38,10 +38,10 @@ std::vector<vk::ClearValue> clearsOf(const graph::RenderPassPlan& pass) {
 }  // namespace
 
 Recording::Recording(const graph::Graph& graph, const graph::Plan& plan)
-    : graph_(graph), plan_(plan), work_(workOf(graph, plan)) {
+    : graph_(graph), plan_(plan), work_(describeWork(graph, plan)) {
     for (const graph::ImageDecl& image : graph.images()) owned_.push_back(graph.name() + ": " + image.name);
     for (const graph::Step& step : plan.steps)
-        renderPasses_.push_back({nameOf(graph, step.renderPass), clearsOf(step.renderPass), nullptr});
+        renderPasses_.push_back({joinNames(graph, step.renderPass), makeClears(step.renderPass), nullptr});
 }
 
 }  // namespace nacre::gpu

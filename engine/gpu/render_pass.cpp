@@ -8,7 +8,7 @@ namespace {
 vk::AttachmentReference2 reference(std::uint32_t attachment, graph::Verb verb, VkFormat format) {
     const auto aspect =
         graph::isDepthFormat(format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
-    return {attachment, static_cast<vk::ImageLayout>(graph::stateOf(verb, graph::PassKind::graphics).layout), aspect};
+    return {attachment, static_cast<vk::ImageLayout>(graph::verbState(verb, graph::PassKind::graphics).layout), aspect};
 }
 
 /// A view reads only what it wrote itself.
@@ -76,15 +76,15 @@ vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPas
     for (std::size_t s = 0; s < plan.subpasses.size(); ++s) {
         const graph::Subpass& subpass = plan.subpasses[s];
         References& r = references[s];
-        const auto verbOf = [&](std::uint32_t attachment) {
+        const auto findVerb = [&](std::uint32_t attachment) {
             graph::Verb verb{};
             graph::attachmentVerb(subpass, attachment, verb);
             return verb;
         };
         for (const std::uint32_t a : subpass.colors)
-            r.colors.push_back(reference(a, verbOf(a), plan.attachments[a].format));
+            r.colors.push_back(reference(a, findVerb(a), plan.attachments[a].format));
         for (const std::uint32_t a : subpass.inputs)
-            r.inputs.push_back(reference(a, verbOf(a), plan.attachments[a].format));
+            r.inputs.push_back(reference(a, findVerb(a), plan.attachments[a].format));
         if (subpass.depth >= 0)
             r.depth = reference(static_cast<std::uint32_t>(subpass.depth),
                                 subpass.depthWrite ? graph::Verb::depth : graph::Verb::depthTest, VK_FORMAT_D32_SFLOAT);

@@ -82,7 +82,7 @@ void checkRequirements(const vk::raii::PhysicalDevice& device, bool window) {
         if ((has.optimalTilingFeatures & f.features) != f.features)
             refuse(properties, "its support of " + graph::formatName(f.format) + " does not do for " + f.why);
     }
-    const auto& available = extensionsOf(device);
+    const auto& available = listExtensions(device);
     std::vector<const char*> names(kExtensions.begin(), kExtensions.end());
     if (window) names.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     for (const char* name : names)

@@ -15,7 +15,7 @@ constexpr vk::Format kPictureFormats[] = {vk::Format::eB8G8R8A8Srgb, vk::Format:
 
 }  // namespace
 
-int quarterTurnsOf(vk::SurfaceTransformFlagBitsKHR transform) {
+int countQuarterTurns(vk::SurfaceTransformFlagBitsKHR transform) {
     switch (transform) {
         case vk::SurfaceTransformFlagBitsKHR::eRotate90:
             return 1;
@@ -128,7 +128,7 @@ void Swapchain::recreate(graph::Extent wanted) {
 }
 
 void Swapchain::build(const vk::SurfaceCapabilitiesKHR& caps, vk::SwapchainKHR before) {
-    quarterTurns_ = quarterTurnsOf(caps.currentTransform);
+    quarterTurns_ = countQuarterTurns(caps.currentTransform);
     extent_ = upright_;
     if (quarterTurns_ % 2) std::swap(extent_.width, extent_.height);
     std::uint32_t count = std::max(kImages, caps.minImageCount);

@@ -10,7 +10,7 @@
 namespace nacre::gpu {
 
 /// Clockwise quarter turns that a surface's transform asks for; mirrored transforms count as upright.
-int quarterTurnsOf(vk::SurfaceTransformFlagBitsKHR transform);
+int countQuarterTurns(vk::SurfaceTransformFlagBitsKHR transform);
 
 class Swapchain {
 public:

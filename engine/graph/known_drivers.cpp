@@ -177,7 +177,7 @@ bool fits(const DriverPattern& of, const DriverIdentity& identity) {
 std::span<const KnownDriver> knownDrivers() { return kRows; }
 std::span<const KnownQuirk> knownQuirks() { return kQuirks; }
 
-std::uint32_t quirksOf(const DriverIdentity& identity) {
+std::uint32_t findQuirks(const DriverIdentity& identity) {
     std::uint32_t quirks = 0;
     for (const KnownQuirk& row : kQuirks)
         if (fits(row.of, identity)) quirks |= 1u << static_cast<unsigned>(row.quirk);
@@ -185,10 +185,10 @@ std::uint32_t quirksOf(const DriverIdentity& identity) {
 }
 
 bool has(Quirk quirk, const DriverIdentity& identity) {
-    return (quirksOf(identity) >> static_cast<unsigned>(quirk) & 1) != 0;
+    return (findQuirks(identity) >> static_cast<unsigned>(quirk) & 1) != 0;
 }
 
-DeviceClass classOf(const DriverIdentity& identity) {
+DeviceClass classifyDriver(const DriverIdentity& identity) {
     // Layered and software drivers are recognised whatever their vendor name.
     if (identity.portable) return {&capabilitySet("apple-moltenvk"), DeviceKind::layered, nullptr};
     const auto row = std::ranges::find_if(kRows, [&](const KnownDriver& r) { return fits(r.of, identity); });

@@ -47,7 +47,7 @@ struct DeviceClass {
     const KnownDriver* row = nullptr;  ///< null: no row matches; the device's memory types decide
 };
 
-DeviceClass classOf(const DriverIdentity& identity);
+DeviceClass classifyDriver(const DriverIdentity& identity);
 
 /// Driver bugs and weaknesses besides the capability set.
 enum class Quirk : std::uint8_t {
@@ -69,6 +69,6 @@ std::span<const KnownQuirk> knownQuirks();
 /// Whether any matching row lists the quirk.
 bool has(Quirk quirk, const DriverIdentity& identity);
 /// All quirks of matching rows, a bit each.
-std::uint32_t quirksOf(const DriverIdentity& identity);
+std::uint32_t findQuirks(const DriverIdentity& identity);
 
 }  // namespace nacre::graph

@@ -147,6 +147,6 @@ bool isDepthFormat(VkFormat format);
 std::string formatName(VkFormat format);
 
 /// Stage, access and layout of a verb in a kind of pass: the one table behind all barriers.
-State stateOf(Verb verb, PassKind kind);
+State verbState(Verb verb, PassKind kind);
 
 }  // namespace nacre::graph

@@ -6,7 +6,7 @@ namespace nacre::graph {
 namespace {
 
 /// The density map of a pass; null: none.
-const Use* mapOf(const PassDecl& pass) {
+const Use* findDensityUse(const PassDecl& pass) {
     const auto found = std::ranges::find(pass.uses, Verb::density, &Use::verb);
     return found == pass.uses.end() ? nullptr : &*found;
 }
@@ -59,7 +59,7 @@ private:
     bool joins(const PassDecl& pass) {
         if (!caps_.merge || pass.share.apart || plan_.steps.empty() || plan_.steps.back().kind != PassKind::graphics)
             return false;
-        if (!hasMapOf(pass)) return false;
+        if (!sharesDensityMap(pass)) return false;
         bool shares = false, inputOnTile = false, inputInMemory = false;
         std::uint32_t bytes = current().tileBytesPerPixel;
         for (const Use& use : pass.uses) {
@@ -88,8 +88,8 @@ private:
     }
 
     /// A render pass has one map.
-    bool hasMapOf(const PassDecl& pass) {
-        const Use* map = mapOf(pass);
+    bool sharesDensityMap(const PassDecl& pass) {
+        const Use* map = findDensityUse(pass);
         if (!map) return current().density < 0;
         return current().density >= 0 && current().density == find(map->resource);
     }
@@ -187,7 +187,7 @@ private:
                 plan_.inputIsSampled[p] = true;
             }
         if (!sharesSubpass(pass)) current().subpasses.emplace_back();
-        if (const Use* map = mapOf(pass)) current().density = static_cast<std::int32_t>(attach(*map));
+        if (const Use* map = findDensityUse(pass)) current().density = static_cast<std::int32_t>(attach(*map));
         // attach() may grow the attachments, never the subpasses.
         Subpass& subpass = current().subpasses.back();
         subpass.passes.push_back(p);

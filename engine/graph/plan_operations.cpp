@@ -8,7 +8,7 @@ struct ImageUse {
     bool used = false, written = false, onlyAttachment = true, overwritten = false;
 };
 
-ImageUse useOf(const Graph& graph, const Plan& plan, const Step& step, std::uint32_t image) {
+ImageUse findUse(const Graph& graph, const Plan& plan, const Step& step, std::uint32_t image) {
     ImageUse result;
     auto visit = [&](std::uint32_t p) {
         for (const Use& use : graph.passes()[p].uses) {
@@ -27,11 +27,11 @@ ImageUse useOf(const Graph& graph, const Plan& plan, const Step& step, std::uint
 }
 
 /// The density map among the attachments; null: none.
-const Attachment* densityMapOf(const RenderPassPlan& pass) {
+const Attachment* findDensityMap(const RenderPassPlan& pass) {
     return pass.density < 0 ? nullptr : &pass.attachments[static_cast<std::size_t>(pass.density)];
 }
 
-std::uint64_t bytesOf(const ImageDecl& image) {
+std::uint64_t countBytes(const ImageDecl& image) {
     return std::uint64_t{bytesPerTexel(image.desc.format)} * image.desc.extent.width * image.desc.extent.height *
            image.desc.layers * image.desc.samples;
 }
@@ -46,7 +46,7 @@ public:
         std::uint32_t steps = 0;
         bool onlyAttachment = true, defined = decl.imported && !decl.undefined;
         for (const Step& step : plan_.steps) {
-            uses.push_back(useOf(graph_, plan_, step, image));
+            uses.push_back(findUse(graph_, plan_, step, image));
             if (uses.back().used) ++steps;
             onlyAttachment = onlyAttachment && uses.back().onlyAttachment;
         }
@@ -57,8 +57,9 @@ public:
             for (Attachment& a : plan_.steps[s].renderPass.attachments) {
                 if (a.image != image) continue;
                 if (a.load != Load::clear) a.load = defined && !uses[s].overwritten ? Load::load : Load::dontCare;
-                a.store = storeOf(decl, uses, s);
-                if (densityMapOf(plan_.steps[s].renderPass) == &a) a.store = Store::dontCare;  // Vulkan wants that of maps
+                a.store = chooseStore(decl, uses, s);
+                if (findDensityMap(plan_.steps[s].renderPass) == &a)
+                    a.store = Store::dontCare;  // Vulkan wants that of maps
                 loaded = loaded || a.load == Load::load;
             }
             defined = defined || uses[s].written;
@@ -83,7 +84,7 @@ public:
     void deriveTraffic() {
         for (const Step& step : plan_.steps)
             for (const Attachment& a : step.renderPass.attachments) {
-                const std::uint64_t bytes = bytesOf(graph_.images()[a.image]);
+                const std::uint64_t bytes = countBytes(graph_.images()[a.image]);
                 if (a.load == Load::load) plan_.traffic[a.image].loaded += bytes;
                 if (a.store == Store::store) plan_.traffic[a.image].stored += bytes;
             }
@@ -95,7 +96,7 @@ public:
                 const Verb verb = effectiveVerb(plan_, p, use);
                 if (isWrite(verb)) written[use.resource] = true;
                 if (verb == Verb::samples && written[use.resource])
-                    plan_.traffic[use.resource].loaded += bytesOf(graph_.images()[use.resource]);
+                    plan_.traffic[use.resource].loaded += countBytes(graph_.images()[use.resource]);
             }
         deriveBufferTraffic();
         for (const std::vector<Traffic>* list : {&plan_.traffic, &plan_.bufferTraffic})
@@ -123,7 +124,7 @@ public:
     }
 
 private:
-    Store storeOf(const ImageDecl& decl, const std::vector<ImageUse>& uses, std::size_t s) const {
+    Store chooseStore(const ImageDecl& decl, const std::vector<ImageUse>& uses, std::size_t s) const {
         std::size_t next = s + 1;
         while (next < uses.size() && !uses[next].used) ++next;
         const bool wanted = next < uses.size() ? !uses[next].overwritten : decl.output || decl.imported.has_value();

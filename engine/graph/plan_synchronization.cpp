@@ -19,7 +19,7 @@ struct Track {
     }
 };
 
-Track trackOf(const State& state) {
+Track makeTrack(const State& state) {
     Track track;
     track.layout = state.layout;
     if (state.access & kWriteAccess) {
@@ -71,19 +71,20 @@ private:
         buffers_.assign(graph_.buffers().size(), {});
         for (std::size_t i = 0; i < images_.size(); ++i)
             if (const ImageDecl& decl = graph_.images()[i]; decl.imported) {
-                images_[i] = trackOf(*decl.imported);
+                images_[i] = makeTrack(*decl.imported);
                 if (decl.undefined) images_[i].layout = VK_IMAGE_LAYOUT_UNDEFINED;
             }
-        for (std::size_t i = 0; i < buffers_.size(); ++i) buffers_[i] = trackOf(graph_.buffers()[i].imported);
+        for (std::size_t i = 0; i < buffers_.size(); ++i) buffers_[i] = makeTrack(graph_.buffers()[i].imported);
     }
 
-    std::vector<StepUse> usesOf(Step& step) const {
+    std::vector<StepUse> listUses(Step& step) const {
         std::vector<StepUse> uses;
         auto add = [&](std::uint32_t p) {
             for (const Use& use : graph_.passes()[p].uses) {
                 const Verb verb = effectiveVerb(plan_, p, use);
                 if (use.isImage && isAttachment(verb)) continue;
-                merge(uses, {use.isImage, use.resource, stateOf(verb, step.kind), stateOf(verb, step.kind), nullptr});
+                merge(uses,
+                      {use.isImage, use.resource, verbState(verb, step.kind), verbState(verb, step.kind), nullptr});
             }
         };
         if (step.kind != PassKind::graphics) add(step.pass);
@@ -98,7 +99,7 @@ private:
     }
 
     static void keepLayout(Attachment& map) {
-        map.initialLayout = map.finalLayout = stateOf(Verb::density, PassKind::graphics).layout;
+        map.initialLayout = map.finalLayout = verbState(Verb::density, PassKind::graphics).layout;
     }
 
     static void merge(std::vector<StepUse>& uses, const StepUse& use) {
@@ -120,14 +121,14 @@ private:
         for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
             Verb verb{};
             if (!attachmentVerb(pass.subpasses[s], a, verb)) continue;
-            const State state = stateOf(verb, PassKind::graphics);
+            const State state = verbState(verb, PassKind::graphics);
             if (use.whole.stages == 0) use.entry = state, use.firstSubpass = s;
             use.whole.stages |= state.stages;
             use.whole.access |= state.access;
             use.whole.layout = state.layout;
         }
         // Load and store operations write too: clears on entry, don't-care and store on exit.
-        const State writing = operationsOf(*use.attachment);
+        const State writing = attachmentState(*use.attachment);
         const bool storeWrites = use.attachment->store != Store::none;
         for (State* state : {&use.entry, &use.whole})
             if (storeWrites || (state == &use.entry && use.attachment->load != Load::load)) {
@@ -139,7 +140,7 @@ private:
     }
 
     void walk(Step& step, bool emit) {
-        for (StepUse& use : usesOf(step)) {
+        for (StepUse& use : listUses(step)) {
             Track& track = use.isImage ? images_[use.resource] : buffers_[use.resource];
             const bool discards = use.attachment && use.attachment->load != Load::load;
             // A cleared attachment that has contents takes a barrier, as if it were loaded: both render passes are
@@ -190,18 +191,18 @@ private:
     }
 
     /// Stage and access of an attachment's load and store operations.
-    static State operationsOf(const Attachment& attachment) {
-        return stateOf(isDepthFormat(attachment.format) ? Verb::depth : Verb::color, PassKind::graphics);
+    static State attachmentState(const Attachment& attachment) {
+        return verbState(isDepthFormat(attachment.format) ? Verb::depth : Verb::color, PassKind::graphics);
     }
 
     /// How a subpass uses an attachment. The last one that uses it also stores it, which is a write.
     static State stateIn(const RenderPassPlan& pass, std::uint32_t subpass, std::uint32_t a, Verb verb) {
-        State state = stateOf(verb, PassKind::graphics);
+        State state = verbState(verb, PassKind::graphics);
         Verb later{};
         for (std::uint32_t s = subpass + 1; s < pass.subpasses.size(); ++s)
             if (attachmentVerb(pass.subpasses[s], a, later)) return state;
         if (pass.attachments[a].store == Store::none) return state;
-        const State storing = operationsOf(pass.attachments[a]);
+        const State storing = attachmentState(pass.attachments[a]);
         return {state.stages | storing.stages, state.access | storing.access, state.layout};
     }
 
@@ -215,7 +216,7 @@ private:
                     Verb earlier{};
                     if (!attachmentVerb(pass.subpasses[from], a, earlier)) continue;
                     if (isWrite(earlier) || (target.access & kWriteAccess) || earlier != later)
-                        depend(pass, from, to, stateOf(earlier, PassKind::graphics), target, true);
+                        depend(pass, from, to, verbState(earlier, PassKind::graphics), target, true);
                 }
             }
         for (std::uint32_t a = 0; a < pass.attachments.size(); ++a) preserve(pass, a);

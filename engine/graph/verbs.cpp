@@ -66,18 +66,18 @@ constexpr VerbRow kVerbs[] = {
      {VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL},
      VK_IMAGE_USAGE_TRANSFER_DST_BIT}};
 
-const VerbRow& rowOf(Verb verb) {
+const VerbRow& findRow(Verb verb) {
     return *std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const VerbRow& row) { return row.verb == verb; });
 }
 
 }  // namespace
 
-const char* verbName(Verb verb) { return rowOf(verb).name; }
+const char* verbName(Verb verb) { return findRow(verb).name; }
 
-VkImageUsageFlags usageFlag(Verb verb) { return rowOf(verb).usage; }
+VkImageUsageFlags usageFlag(Verb verb) { return findRow(verb).usage; }
 
-State stateOf(Verb verb, PassKind kind) {
-    State state = rowOf(verb).state;
+State verbState(Verb verb, PassKind kind) {
+    State state = findRow(verb).state;
     if (kind == PassKind::compute && state.stages == kFragments && verb != Verb::input)
         state.stages = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT;
     return state;

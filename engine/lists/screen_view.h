@@ -34,7 +34,7 @@ inline glm::vec3 placed(const glm::vec4* rows, const glm::vec3& p) {
 }
 
 /// From the plane z = 0 to the image, whose rows run downwards.
-inline glm::vec2 pixelOf(const ScreenView& view, glm::vec2 q) {
+inline glm::vec2 toPixel(const ScreenView& view, glm::vec2 q) {
     const glm::vec2 p = glm::vec2(q.x, -q.y) * view.pixels;
     switch (view.quarterTurns & 3) {
         case 1:
@@ -57,7 +57,7 @@ inline std::uint32_t pixelAt(float place, std::uint32_t first, std::uint32_t end
 }
 
 /// Radius of a ball that holds a sphere with its outline (shaders/common/view.glsl).
-inline float reachOf(const ScreenView& view, float z, float radius) {
+inline float outlinedRadius(const ScreenView& view, float z, float radius) {
     if (!view.perspective) return radius + view.contour;
     return radius + view.contour * (view.origin - z + radius) / (view.origin - view.contour);
 }
@@ -68,7 +68,7 @@ struct Disc {
     glm::vec2 center;
     float radius;
 };
-inline Disc discOf(const ScreenView& view, const glm::vec3& center, float radius) {
+inline Disc boundingDisc(const ScreenView& view, const glm::vec3& center, float radius) {
     if (!view.perspective) return {glm::vec2(center), radius};
     const float E = view.origin, D = E - center.z;
     const float rho = glm::length(glm::vec2(center));

@@ -27,8 +27,8 @@ glm::vec3 seen(const SeenCopies::Scenery& s, const glm::dmat4x3& transform, cons
     return s.rotation * (transform * glm::dvec4(glm::dvec3(p), 1.0)) + s.shift;
 }
 
-/// Inverse of pixelOf().
-glm::vec2 planePointOf(const ScreenView& view, const glm::vec2& place) {
+/// Inverse of toPixel().
+glm::vec2 toPlanePoint(const ScreenView& view, const glm::vec2& place) {
     const glm::vec2 p = (place - view.axis) / view.pixels;
     switch (view.quarterTurns & 3) {
         case 1:
@@ -44,16 +44,16 @@ glm::vec2 planePointOf(const ScreenView& view, const glm::vec2& place) {
 
 /// Where the ray through a place meets a sphere in perspective. @returns Z; kNoDepth: nowhere
 float hitFromEye(const ScreenView& view, const glm::vec3& center, float radius, const glm::vec2& place) {
-    const glm::vec3 way(planePointOf(view, place), -view.origin), from(center.x, center.y, center.z - view.origin);
+    const glm::vec3 way(toPlanePoint(view, place), -view.origin), from(center.x, center.y, center.z - view.origin);
     const float squared = glm::dot(way, way), along = glm::dot(way, from) / squared;
     const glm::vec3 aside = from - way * along;
     const float h = radius * radius - glm::dot(aside, aside);
     return h < 0 ? kNoDepth : (along - std::sqrt(h / squared)) * view.origin;
 }
 
-std::size_t levelOf(const LeveledPart& part, float error) {
+std::size_t chooseLevel(const LeveledPart& part, float error) {
     std::size_t level = 0;
-    while (level + 1 < part.levels.size() && SphereLevels::errorOf(part.levels[level + 1].step) <= error) ++level;
+    while (level + 1 < part.levels.size() && SphereLevels::levelError(part.levels[level + 1].step) <= error) ++level;
     return level;
 }
 
@@ -95,8 +95,8 @@ void SeenCopies::placeAll(const ScreenView& view, const Scenery& s) {
                     to.push_back({nearest, wide / 2, high / 2, kNoDepth, slice.part, copy});
                     continue;
                 }
-                const Disc disc = discOf(view, center, part.radius);
-                const glm::vec2 at = pixelOf(view, disc.center);
+                const Disc disc = boundingDisc(view, center, part.radius);
+                const glm::vec2 at = toPixel(view, disc.center);
                 const float reach = disc.radius * view.pixels;
                 if (!(at.x + reach > 0 && at.y + reach > 0 && at.x - reach < wide && at.y - reach < high)) continue;
                 to.push_back({nearest, at.x, at.y, reach, slice.part, copy});
@@ -121,8 +121,8 @@ bool SeenCopies::isHidden(const Band& band, float near, float left, float top, f
 void SeenCopies::drawSphere(const ScreenView& view, const glm::vec3& center, float radius, const Found& what,
                             Band& band) {
     const float Z = view.origin - center.z, nearest = Z - radius;
-    const Disc disc = discOf(view, center, radius);
-    const glm::vec2 at = pixelOf(view, disc.center);
+    const Disc disc = boundingDisc(view, center, radius);
+    const glm::vec2 at = toPixel(view, disc.center);
     const float reach = disc.radius * view.pixels, squared = reach * reach;
     const std::uint32_t x0 = pixelAt(at.x - reach, 0, width_), x1 = pixelAt(at.x + reach, 0, width_);
     const std::uint32_t y1 = pixelAt(at.y + reach, band.first, band.end);
@@ -170,7 +170,7 @@ void SeenCopies::drawPlaced(const ScreenView& view, const Scenery& s, const Plac
                          : view.perspective ? view.pixels * view.origin / placed.near
                                             : view.pixels;
     const LeveledPart& part = s.levels.parts[placed.part];
-    const SphereLevel& level = part.levels[levelOf(part, error / pixels)];
+    const SphereLevel& level = part.levels[chooseLevel(part, error / pixels)];
     const glm::dmat4x3& transform = s.copies.transforms[placed.copy];
     const glm::mat3 turn = s.rotation * glm::dmat3(transform[0], transform[1], transform[2]);
     const glm::vec3 shift = s.rotation * transform[3] + s.shift;
@@ -183,8 +183,8 @@ void SeenCopies::drawPlaced(const ScreenView& view, const Scenery& s, const Plac
             const glm::vec3 center = turn * ball.center + shift;
             const float nearest = view.origin - center.z - ball.radius;
             if (nearest > before) {
-                const Disc disc = discOf(view, center, ball.radius);
-                const glm::vec2 at = pixelOf(view, disc.center);
+                const Disc disc = boundingDisc(view, center, ball.radius);
+                const glm::vec2 at = toPixel(view, disc.center);
                 const float reach = disc.radius * view.pixels;
                 if (isHidden(band, nearest, at.x - reach, at.y - reach, at.x + reach, at.y + reach)) continue;
             }
@@ -248,7 +248,7 @@ void SeenCopies::draw(const ScreenView& asked, const Scenery& s, float error, st
     std::uint32_t last = 0;
     for (const LeveledPart& part : s.levels.parts) last = std::max(last, part.levels.back().step);
     levelCounts_.clear();
-    for (std::uint32_t step = 0; step <= last; ++step) levelCounts_.push_back({SphereLevels::errorOf(step), 0, 0});
+    for (std::uint32_t step = 0; step <= last; ++step) levelCounts_.push_back({SphereLevels::levelError(step), 0, 0});
     for (std::size_t b = 0; b < rows_.size(); ++b) write(s, bands_[b]);
     std::erase_if(levelCounts_, [](const LevelCount& c) { return c.copies == 0; });
 }

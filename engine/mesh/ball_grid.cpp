@@ -26,11 +26,11 @@ BallGrid::BallGrid(const std::vector<SurfaceBall>& balls, double margin) {
         high = glm::max(high, ball.center);
     }
     cell_ = std::max(2 * largest, 1.0);
-    const auto numberOf = [&] {
+    const auto countCells = [&] {
         const glm::dvec3 n = glm::floor((high - low_) / cell_) + 1.0;
         return n.x * n.y * n.z;
     };
-    while (numberOf() > kMostCells) cell_ *= 1.26;
+    while (countCells() > kMostCells) cell_ *= 1.26;
     cells_ = glm::ivec3(glm::floor((high - low_) / cell_)) + 1;
     sortIntoCells(balls);
 
@@ -76,8 +76,8 @@ void BallGrid::sortIntoCells(const std::vector<SurfaceBall>& balls) {
     for (std::uint32_t i = 0; i < balls.size(); ++i) sorted_[places[number(balls[i])]++] = i;
 }
 
-BallExit exitOf(const std::vector<SurfaceBall>& balls, const BallGrid& grid, double widest, const glm::dvec3& from,
-                const glm::dvec3& way) {
+BallExit findExit(const std::vector<SurfaceBall>& balls, const BallGrid& grid, double widest, const glm::dvec3& from,
+                  const glm::dvec3& way) {
     struct Span {
         double begin = 0, end = 0;
         std::uint32_t ball = 0;

@@ -54,7 +54,7 @@ struct BallExit {
 };
 /// @param widest  largest radius of a ball, Å
 /// @param way  length of the search, plus the reach of a ball
-BallExit exitOf(const std::vector<SurfaceBall>& balls, const BallGrid& grid, double widest, const glm::dvec3& from,
-                const glm::dvec3& way);
+BallExit findExit(const std::vector<SurfaceBall>& balls, const BallGrid& grid, double widest, const glm::dvec3& from,
+                  const glm::dvec3& way);
 
 }  // namespace nacre

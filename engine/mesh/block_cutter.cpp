@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-glm::ivec3 cornerOf(int c) { return {c & 1, c >> 1 & 1, c >> 2 & 1}; }
+glm::ivec3 cornerOffset(int c) { return {c & 1, c >> 1 & 1, c >> 2 & 1}; }
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void BlockCutter::cutCell(const glm::ivec3& cell) {
 
 std::uint32_t BlockCutter::vertexOn(const glm::ivec3& cell, std::uint8_t number) {
     const CellEdge edge = cellEdges()[number];
-    const glm::ivec3 a = cell + cornerOf(edge.from), b = cell + cornerOf(edge.to), way = b - a;
+    const glm::ivec3 a = cell + cornerOffset(edge.from), b = cell + cornerOffset(edge.to), way = b - a;
     const int direction = way.x ? 0 : way.y ? 1 : 2;
     const glm::ivec3 n = block_.nodes(), place = a - block_.first;
     const std::size_t inTwoLayers = (static_cast<std::size_t>(place.z % 2) * n.y + place.y) * n.x + place.x;

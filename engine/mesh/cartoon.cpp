@@ -63,7 +63,7 @@ public:
         runs_ = foldRuns(trace);
         if (options.helices != HelixForm::ribbon) runs_ = splitAtKinks(trace, std::move(runs_));
         frames_ = cartoonFrames(trace, runs_, options.helices, options.putty, options.segments);
-        for (std::size_t k = 0; k + 1 < frames_.size(); ++k) owners_.push_back(trace.atoms[ownerOf(k)]);
+        for (std::size_t k = 0; k + 1 < frames_.size(); ++k) owners_.push_back(trace.atoms[findOwner(k)]);
         if (options.putty) runs_.clear();
     }
 
@@ -74,7 +74,7 @@ public:
         for (const FoldRun& run : runs_) {
             const bool helix = run.kind == SecondaryStructure::helix;
             if (helix && options_.helices == HelixForm::ribbon) continue;  // the ribbon grows out of the coil
-            const auto [begin, last] = framesOf(run);
+            const auto [begin, last] = frameRange(run);
             const std::size_t first = std::max(begin, done);
             drawCoil(done, first);
             if (helix)
@@ -100,7 +100,7 @@ private:
     int sides() const { return options_.sides; }
 
     /// The frames between which a run is drawn.
-    std::pair<std::size_t, std::size_t> framesOf(const FoldRun& run) const {
+    std::pair<std::size_t, std::size_t> frameRange(const FoldRun& run) const {
         const bool solid = run.kind == SecondaryStructure::helix && options_.helices != HelixForm::ribbon;
         // solids start beside the coil's path
         const double share = solid ? 0 : std::clamp(options_.overhang, 0.0, 0.5);
@@ -110,7 +110,7 @@ private:
     }
 
     /// The atom that owns the stretch from frame k to the next.
-    std::size_t ownerOf(std::size_t k) const {
+    std::size_t findOwner(std::size_t k) const {
         const double u = (static_cast<double>(k) + 0.5) / options_.segments + trace_.shift;
         return std::min(static_cast<std::size_t>(u), trace_.atoms.size() - 1);
     }
@@ -132,7 +132,7 @@ private:
         for (std::size_t k = first; k <= last; ++k) sections.push_back(coil(k));
         for (const FoldRun& run : runs_) {
             if (run.kind != SecondaryStructure::helix || options_.helices != HelixForm::ribbon) continue;
-            const auto [from, to] = framesOf(run);
+            const auto [from, to] = frameRange(run);
             for (std::size_t k = std::max(from, first); k <= std::min(to, last); ++k) {
                 const double grown = smoothStep(static_cast<double>(std::min(k - from, to - k)) / options_.segments);
                 Section& section = sections[k - first];
@@ -172,9 +172,9 @@ private:
     void drawShown(const SweepPiece& piece) {
         std::size_t k = piece.first;
         while (k < piece.last) {
-            while (k < piece.last && !trace_.shown[ownerOf(k)]) ++k;
+            while (k < piece.last && !trace_.shown[findOwner(k)]) ++k;
             const std::size_t begin = k;
-            while (k < piece.last && trace_.shown[ownerOf(k)]) ++k;
+            while (k < piece.last && trace_.shown[findOwner(k)]) ++k;
             if (begin == k) continue;
             SweepPiece part{
                 begin, k, piece.shape, piece.roundBegin && begin == piece.first, piece.roundEnd && k == piece.last, {}};

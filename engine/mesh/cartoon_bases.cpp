@@ -81,18 +81,18 @@ private:
 
 bool finitePlace(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-std::vector<Base> basesOf(const ResidueFacts& facts, std::span<const RibbonPlace> places) {
+std::vector<Base> findBases(const ResidueFacts& facts, std::span<const RibbonPlace> places) {
     const Molecule& molecule = facts.molecule();
     std::vector<Base> bases(places.size());
     for (Base& base : bases) base.atoms.fill(kNoAtom);
-    const PlaceOfAtom placeOf(facts, places);
+    const PlaceOfAtom findPlace(facts, places);
     for (const std::uint32_t index : facts.conformer()) {
         const Atom& atom = molecule.atoms[index];
         Name name = atom.name;
         std::replace(name.bytes.begin(), name.bytes.end(), '*', '\'');
         const auto found = std::find(kBaseNames.begin(), kBaseNames.end(), name.view());
         if (found == kBaseNames.end() || !finitePlace(atom.position)) continue;
-        const std::size_t place = placeOf(index);
+        const std::size_t place = findPlace(index);
         if (place == places.size()) continue;
         std::uint32_t& slot = bases[place].atoms[static_cast<std::size_t>(found - kBaseNames.begin())];
         if (slot == kNoAtom) slot = index;
@@ -180,7 +180,7 @@ private:
 void addBases(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, const CartoonOptions& options,
               const glm::dvec3& origin) {
     if (options.bases == BaseForm::none || places.empty()) return;
-    const std::vector<Base> bases = basesOf(facts, places);
+    const std::vector<Base> bases = findBases(facts, places);
     BaseDrawer drawer(mesh, facts.molecule(), options, origin);
     for (std::size_t i = 0; i < places.size(); ++i) drawer.draw(bases[i], places[i]);
 }
@@ -189,19 +189,19 @@ void addDisulfides(Mesh& mesh, const ResidueFacts& facts, std::span<const Ribbon
                    const CartoonOptions& options, const glm::dvec3& origin) {
     const Molecule& molecule = facts.molecule();
     if (places.empty()) return;
-    const PlaceOfAtom placeOf(facts, places);
+    const PlaceOfAtom findPlace(facts, places);
     std::vector<std::uint32_t> betas;  // CB of each place, looked up at the first bridge
     for (const Bond& bond : molecule.bonds) {
         const Atom &a = molecule.atoms[bond.a], &b = molecule.atoms[bond.b];
         if (a.element != kSulfur || b.element != kSulfur || !finitePlace(a.position) || !finitePlace(b.position))
             continue;
-        const std::size_t placeA = placeOf(bond.a), placeB = placeOf(bond.b);
+        const std::size_t placeA = findPlace(bond.a), placeB = findPlace(bond.b);
         if (placeA == places.size() || placeB == places.size() || placeA == placeB) continue;
         if (betas.empty()) {
             betas.assign(places.size(), kNoAtom);
             for (const std::uint32_t index : facts.conformer())
                 if (molecule.atoms[index].name == Name("CB") && finitePlace(molecule.atoms[index].position))
-                    if (const std::size_t place = placeOf(index); place != places.size()) betas[place] = index;
+                    if (const std::size_t place = findPlace(index); place != places.size()) betas[place] = index;
         }
         const auto at = [&](std::uint32_t atom) { return glm::dvec3(molecule.atoms[atom].position) - origin; };
         const double radius = kDisulfideRadius * options.scale;

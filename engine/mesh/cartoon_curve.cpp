@@ -106,7 +106,7 @@ void straighten(std::vector<dvec3>& axis, std::size_t first, std::size_t last) {
 
 /// For two adjacent helices: the largest sharp turn of the axis, from the four residues before a position to the four
 /// after it.
-std::uint32_t kinkOf(const std::vector<dvec3>& points, const FoldRun& run) {
+std::uint32_t findKink(const std::vector<dvec3>& points, const FoldRun& run) {
     double sharpest = kSharpTurn;
     std::uint32_t kink = run.last;
     for (std::uint32_t i = run.first + 3; i + 4 <= run.last; ++i) {
@@ -251,7 +251,7 @@ void settleSides(std::vector<Frame>& frames, const std::vector<bool>& settled) {
 std::vector<FoldRun> splitAtKinks(const Trace& trace, std::vector<FoldRun> runs) {
     for (std::size_t r = 0; r < runs.size(); ++r) {
         if (runs[r].kind != SecondaryStructure::helix) continue;
-        const std::uint32_t kink = kinkOf(trace.points, runs[r]);
+        const std::uint32_t kink = findKink(trace.points, runs[r]);
         if (kink == runs[r].last) continue;
         FoldRun rest = runs[r];
         runs[r].last = kink;
@@ -285,9 +285,9 @@ std::vector<Frame> cartoonFrames(const Trace& trace, const std::vector<FoldRun>&
         guides.tangents[run.last] = guides.points[run.last] - guides.points[run.last - 1];
     }
 
-    std::vector<std::uint32_t> runOf(trace.points.size());  // numbered from 1; 0: no run
+    std::vector<std::uint32_t> runIndex(trace.points.size());  // numbered from 1; 0: no run
     for (std::uint32_t r = 0; r < runs.size(); ++r)
-        std::fill(runOf.begin() + runs[r].first, runOf.begin() + runs[r].last + 1, r + 1);
+        std::fill(runIndex.begin() + runs[r].first, runIndex.begin() + runs[r].last + 1, r + 1);
     const std::size_t count = (trace.points.size() - 1) * static_cast<std::size_t>(segments) + 1;
     std::vector<Frame> frames(count);
     std::vector<bool> settled(count);
@@ -296,7 +296,7 @@ std::vector<Frame> cartoonFrames(const Trace& trace, const std::vector<FoldRun>&
         const double f = static_cast<double>(k - i * segments) / segments;
         hermite(guides, i, f, frames[k]);
         const dvec3 &a = guides.sides[i], &b = guides.sides[i + 1];
-        const bool sameRun = runOf[i] != 0 && runOf[i] == runOf[i + 1];
+        const bool sameRun = runIndex[i] != 0 && runIndex[i] == runIndex[i + 1];
         const dvec3 side = f == 0 ? a : f == 1 ? b : sameRun ? (1 - f) * a + f * b : dvec3();
         frames[k].side = unitOr(across(side, frames[k].tangent), {});
         settled[k] = frames[k].side != dvec3();

@@ -22,7 +22,7 @@ struct OutlinePoint {
 };
 
 /// Counter-clockwise seen from the curve's end. A rectangle's corners are duplicated for its faces.
-std::vector<OutlinePoint> outlineOf(SectionShape shape, int sides) {
+std::vector<OutlinePoint> makeOutline(SectionShape shape, int sides) {
     if (shape == SectionShape::rectangle)
         return {{1, -1, 0, 1},  {1, 1, 0, 1},    {1, 1, -1, 0},  {-1, 1, -1, 0},
                 {-1, 1, 0, -1}, {-1, -1, 0, -1}, {-1, -1, 1, 0}, {1, -1, 1, 0}};
@@ -43,7 +43,7 @@ public:
           piece_(piece),
           owners_(owners),
           origin_(origin),
-          outline_(outlineOf(piece.shape, sides)) {
+          outline_(makeOutline(piece.shape, sides)) {
         for (const OutlinePoint& point : outline_) round_.emplace_back(point.x, point.y);
         for (std::size_t k = piece.first; k <= piece.last; ++k) {
             sides_.push_back(frames[k].side * section(k).width);
@@ -80,7 +80,7 @@ private:
     std::uint32_t nextVertex() const { return static_cast<std::uint32_t>(mesh_.positions.size()); }
 
     /// Largest distance of the outline points of the rings from a polygon of some of them.
-    double sideErrorOf(const Picks& picks) const {
+    double measureSideError(const Picks& picks) const {
         double most = 0;
         const Section* last = nullptr;
         for (const Section& s : piece_.sections) {
@@ -131,7 +131,7 @@ private:
     }
 
     /// Edge vectors of a polygon, in half axes.
-    std::vector<glm::dvec2> edgesOf(const Picks& picks) const {
+    std::vector<glm::dvec2> listEdges(const Picks& picks) const {
         std::vector<glm::dvec2> edges;
         const bool flat = piece_.shape == SectionShape::rectangle;
         for (std::size_t i = 0; i < picks.size(); i += flat ? 2 : 1)
@@ -148,8 +148,8 @@ private:
     };
 
     /// The form with the fewest rings for an error.
-    Form formOf(Picks picks, double error, double rest) const {
-        const std::vector<glm::dvec2> nearest = nearestOn(picks), edges = edgesOf(picks);
+    Form findForm(Picks picks, double error, double rest) const {
+        const std::vector<glm::dvec2> nearest = nearestOn(picks), edges = listEdges(picks);
         Form form{std::move(picks), {0}, rest};
         for (std::size_t from = 0, to = 1; from + 1 < rings_.size(); from = to++) {
             while (!rings_[to].divides && !bends(from, to + 1, nearest, edges, error)) ++to;
@@ -160,13 +160,13 @@ private:
 
     /// Fewer sides need more rings: picks the polygon that gives the fewest triangles.
     Form fewest(double error) const {
-        if (piece_.shape == SectionShape::rectangle) return formOf(allPicks(outline_.size()), error, error);
+        if (piece_.shape == SectionShape::rectangle) return findForm(allPicks(outline_.size()), error, error);
         std::optional<Form> best;
-        for (Picks& picks : polygonsOf(outline_.size())) {
+        for (Picks& picks : makePolygons(outline_.size())) {
             if (best && picks.size() * leastRings_ >= best->quads()) break;
-            const double ofSides = picks.size() < outline_.size() ? sideErrorOf(picks) : 0;
+            const double ofSides = picks.size() < outline_.size() ? measureSideError(picks) : 0;
             if (ofSides > 0.9 * error) continue;
-            Form form = formOf(std::move(picks), error, error - ofSides);
+            Form form = findForm(std::move(picks), error, error - ofSides);
             if (!best || form.quads() < best->quads()) best = std::move(form);
         }
         return *best;

@@ -58,7 +58,7 @@ struct Guided {
 
 bool isFinite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-int guideNameOf(const Name& name) {
+int findGuideName(const Name& name) {
     Name plain = name;
     std::replace(plain.bytes.begin(), plain.bytes.end(), '*', '\'');  // files before 2007 write O5*
     const auto found = std::find(kGuideAtoms.begin(), kGuideAtoms.end(), plain.view());
@@ -179,7 +179,7 @@ std::vector<Guided> guidedResidues(const ResidueFacts& facts) {
         // In coarse grains the backbone bead, or a residue's only bead, stands for the alpha carbon.
         const bool grain = kind == ResidueKind::protein && atom.radius > 0 &&
                            (atom.name.view() == "BB" || molecule.residues[atom.residue].atomCount == 1);
-        const int name = grain ? static_cast<int>(kGuideCa) : guideNameOf(atom.name);
+        const int name = grain ? static_cast<int>(kGuideCa) : findGuideName(atom.name);
         if (name == kGuideNames) continue;
         Guided& residue = guided[first[atom.residue]];
         residue.nucleic = kind == ResidueKind::nucleic;
@@ -251,7 +251,7 @@ public:
         followBonds(links);
         for (std::uint32_t i = 1; i < count; ++i)
             if (next_[i - 1] == kNone && before_[i] == kNone && !links.bonded(guided_[i - 1], guided_[i]) &&
-                links.near(guided_[i - 1], guided_[i]) && sets_.rootOf(i - 1) != sets_.rootOf(i))
+                links.near(guided_[i - 1], guided_[i]) && sets_.findRoot(i - 1) != sets_.findRoot(i))
                 link(i - 1, i);
         for (std::uint32_t i = 0; i < count; ++i)
             if (before_[i] == kNone) take(i);
@@ -304,12 +304,12 @@ private:
     std::vector<Stretch> stretches_;
 };
 
-std::vector<Stretch> stretchesOf(const ResidueFacts& facts) {
+std::vector<Stretch> findStretches(const ResidueFacts& facts) {
     return Stretches(facts.molecule(), guidedResidues(facts)).find();
 }
 
 /// Vector from C to O; 0 if one is missing.
-glm::dvec3 carbonylOf(const Molecule& molecule, const Guided& residue) {
+glm::dvec3 findCarbonyl(const Molecule& molecule, const Guided& residue) {
     const std::uint32_t c = residue.atoms[kGuideC], o = residue.atoms[kGuideO];
     if (c == kNoAtom || o == kNoAtom) return {};
     return glm::dvec3(molecule.atoms[o].position) - glm::dvec3(molecule.atoms[c].position);
@@ -345,7 +345,7 @@ std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std:
     std::vector<bool> chosen(molecule.atoms.size());
     for (const std::uint32_t atom : atoms) chosen[atom] = true;
     std::vector<Trace> traces;
-    for (const Stretch& stretch : stretchesOf(facts)) {
+    for (const Stretch& stretch : findStretches(facts)) {
         Trace& trace = traces.emplace_back();
         trace.nucleic = stretch.front().nucleic;
         for (const Guided& residue : stretch) {
@@ -358,7 +358,7 @@ std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std:
             trace.shown.push_back(chosen[residue.guide]);
             trace.fused.push_back(residue.fused);
             trace.temperatures.push_back(std::isfinite(guide.temperatureFactor) ? guide.temperatureFactor : 0.0);
-            trace.carbonyls.push_back(residue.nucleic ? glm::dvec3() : carbonylOf(molecule, residue));
+            trace.carbonyls.push_back(residue.nucleic ? glm::dvec3() : findCarbonyl(molecule, residue));
         }
         addEnds(molecule, stretch.back(), trace);
     }
@@ -370,7 +370,7 @@ std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std:
 
 std::vector<GuideTrace> guideTraces(const ResidueFacts& facts) {
     std::vector<GuideTrace> traces;
-    for (const Stretch& stretch : stretchesOf(facts)) {
+    for (const Stretch& stretch : findStretches(facts)) {
         GuideTrace& trace = traces.emplace_back();
         for (const Guided& residue : stretch) trace.atoms.push_back(residue.guide);
         const Guided& last = stretch.back();

@@ -17,16 +17,16 @@ namespace {
 class Reach {
 public:
     Reach(std::span<const glm::dvec3> places, double reach) : reach_(reach), side_(std::max(reach, 0.5)) {
-        for (const glm::dvec3& place : places) cells_[keyOf(cellOf(place))].push_back(place);
+        for (const glm::dvec3& place : places) cells_[makeKey(findCell(place))].push_back(place);
     }
     /// Distance minus reach: negative inside, at most half the reach outside.
     double beyond(const glm::dvec3& p) const {
-        const glm::ivec3 middle = cellOf(p);
+        const glm::ivec3 middle = findCell(p);
         double least = 1.5 * reach_;
         for (int x = -1; x <= 1; ++x)
             for (int y = -1; y <= 1; ++y)
                 for (int z = -1; z <= 1; ++z) {
-                    const auto cell = cells_.find(keyOf(middle + glm::ivec3(x, y, z)));
+                    const auto cell = cells_.find(makeKey(middle + glm::ivec3(x, y, z)));
                     if (cell == cells_.end()) continue;
                     for (const glm::dvec3& place : cell->second) least = std::min(least, glm::distance(p, place));
                 }
@@ -34,8 +34,8 @@ public:
     }
 
 private:
-    glm::ivec3 cellOf(const glm::dvec3& p) const { return glm::floor(p / side_); }
-    static std::uint64_t keyOf(const glm::ivec3& cell) {
+    glm::ivec3 findCell(const glm::dvec3& p) const { return glm::floor(p / side_); }
+    static std::uint64_t makeKey(const glm::ivec3& cell) {
         constexpr std::uint64_t kMask = (1u << 21) - 1;
         return (static_cast<std::uint64_t>(cell.x) & kMask) << 42 | (static_cast<std::uint64_t>(cell.y) & kMask) << 21 |
                (static_cast<std::uint64_t>(cell.z) & kMask);

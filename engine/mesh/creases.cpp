@@ -37,8 +37,8 @@ public:
     }
 
 private:
-    std::uint32_t ballOf(std::uint32_t vertex) const { return ballOfAtom_.at(mesh_.atoms[vertex]); }
-    dvec3 placeOf(std::uint32_t vertex) const { return dvec3(mesh_.positions[vertex]) - shift_; }
+    std::uint32_t vertexBall(std::uint32_t vertex) const { return ballOfAtom_.at(mesh_.atoms[vertex]); }
+    dvec3 vertexPosition(std::uint32_t vertex) const { return dvec3(mesh_.positions[vertex]) - shift_; }
 
     bool isCovered(const dvec3& place) const {
         bool covered = false;
@@ -53,7 +53,7 @@ private:
         dvec3 center{}, axis{};
         double radius = 0;
     };
-    std::optional<Circle> circleOf(std::uint32_t a, std::uint32_t b) const {
+    std::optional<Circle> findCircle(std::uint32_t a, std::uint32_t b) const {
         const SurfaceBall &one = balls_[a], &other = balls_[b];
         const dvec3 way = other.center - one.center;
         const double apart = glm::length(way);
@@ -75,13 +75,13 @@ private:
         if (!(glm::distance(place, from) <= step_)) return std::nullopt;
         if (!isCovered(place)) return Place{place, kNone};
         const dvec3 way = unitOr(from - place, normal) * step_;
-        const BallExit exit = exitOf(balls_, grid_, widest_, place, way);
+        const BallExit exit = findExit(balls_, grid_, widest_, place, way);
         if (exit.ball == kNoSource || exit.share > 1) return std::nullopt;
         return Place{place + way * exit.share, exit.ball};
     }
 
     /// A vertex at a place, for one ball: each side of a crease has its own normal and atom.
-    std::uint32_t vertexOf(const Place& place, std::uint32_t ball) {
+    std::uint32_t findVertex(const Place& place, std::uint32_t ball) {
         const SurfaceBall& of = balls_[place.ball == kNone ? ball : place.ball];
         mesh_.positions.emplace_back(place.at + shift_);
         mesh_.normals.emplace_back(unitOr(place.at - of.center, dvec3(0, 0, 1)));
@@ -99,10 +99,10 @@ private:
         if (u > v) std::swap(u, v);
         const auto [entry, added] = edges_.try_emplace(std::uint64_t{u} << 32 | v);
         if (!added) return entry->second;
-        const std::uint32_t ballU = ballOf(u), ballV = ballOf(v);
-        const std::optional<Circle> circle = circleOf(ballU, ballV);
+        const std::uint32_t ballU = vertexBall(u), ballV = vertexBall(v);
+        const std::optional<Circle> circle = findCircle(ballU, ballV);
         if (!circle) return {};
-        const dvec3 a = placeOf(u), b = placeOf(v);
+        const dvec3 a = vertexPosition(u), b = vertexPosition(v);
         const double heightA = glm::dot(a - circle->center, circle->axis),
                      heightB = glm::dot(b - circle->center, circle->axis);
         const double share = heightA * heightB < 0 ? heightA / (heightA - heightB) : 0.5;
@@ -112,17 +112,17 @@ private:
         const dvec3 normal = unitOr(dvec3(mesh_.normals[u]) + dvec3(mesh_.normals[v]), out);
         const std::optional<Place> place = openPlace(circle->center + out * circle->radius, from, normal);
         if (!place) return {};
-        Cut cut{vertexOf(*place, ballU), kNone};
-        cut.high = place->ball == kNone ? vertexOf(*place, ballV) : cut.low;
+        Cut cut{findVertex(*place, ballU), kNone};
+        cut.high = place->ball == kNone ? findVertex(*place, ballV) : cut.low;
         return entry->second = cut;
     }
 
     /// Where the spheres of a triangle's corners meet.
     std::optional<Place> onCorner(const glm::uvec3& t) const {
-        const std::optional<Circle> circle = circleOf(ballOf(t.x), ballOf(t.y));
+        const std::optional<Circle> circle = findCircle(vertexBall(t.x), vertexBall(t.y));
         if (!circle) return std::nullopt;
         // Finds the points of the circle on the third sphere by their distance towards its centre.
-        const SurfaceBall& third = balls_[ballOf(t.z)];
+        const SurfaceBall& third = balls_[vertexBall(t.z)];
         const dvec3 way = third.center - circle->center, aside = across(way, circle->axis);
         const double length = glm::length(aside);
         if (length < kTouch) return std::nullopt;
@@ -130,7 +130,7 @@ private:
             (glm::dot(way, way) + circle->radius * circle->radius - third.radius * third.radius) / (2 * length);
         const double squared = circle->radius * circle->radius - along * along;
         if (squared < 0) return std::nullopt;
-        const dvec3 from = (placeOf(t.x) + placeOf(t.y) + placeOf(t.z)) / 3.0;
+        const dvec3 from = (vertexPosition(t.x) + vertexPosition(t.y) + vertexPosition(t.z)) / 3.0;
         const dvec3 base = circle->center + aside / length * along,
                     half = glm::cross(circle->axis, aside / length) * std::sqrt(squared);
         const dvec3 place = glm::dot(from - base, half) > 0 ? base + half : base - half;
@@ -172,7 +172,7 @@ private:
         const std::optional<Place> middle = onCorner(t);
         std::uint32_t center[3] = {kNone, kNone, kNone};
         for (int i = 0; middle && i < 3; ++i)
-            center[i] = i > 0 && middle->ball != kNone ? center[0] : vertexOf(*middle, ballOf(t[i]));
+            center[i] = i > 0 && middle->ball != kNone ? center[0] : findVertex(*middle, vertexBall(t[i]));
         for (int i = 0; i < 3; ++i) {
             const int j = (i + 1) % 3, k = (i + 2) % 3;
             if (middle) {

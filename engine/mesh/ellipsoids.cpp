@@ -45,7 +45,7 @@ public:
     }
 
     void add() {
-        for (int octant = 0; octant < 8; ++octant) addOctant(signsOf(octant));
+        for (int octant = 0; octant < 8; ++octant) addOctant(octantSigns(octant));
         for (int axis = 0; axis < 3; ++axis) {
             for (int quarter = 0; quarter < 4; ++quarter) addStrip(axis, quarter & 1 ? -1 : 1, quarter & 2 ? -1 : 1);
             for (const double end : {1.0, -1.0}) addCrossing(axis, end);
@@ -53,7 +53,9 @@ public:
     }
 
 private:
-    static glm::dvec3 signsOf(int octant) { return {octant & 1 ? -1 : 1, octant & 2 ? -1 : 1, octant & 4 ? -1 : 1}; }
+    static glm::dvec3 octantSigns(int octant) {
+        return {octant & 1 ? -1 : 1, octant & 2 ? -1 : 1, octant & 4 ? -1 : 1};
+    }
 
     /// A point of the first octant beyond the bands, on the unit sphere.
     glm::dvec3 point(const glm::dvec3& parts) const {

@@ -107,7 +107,7 @@ private:
 
     bool inside(float value) const { return above_ ? value > level_ : value < level_; }
     std::size_t index(int x, int y, int z) const { return (static_cast<std::size_t>(z) * n_.y + y) * n_.x + x; }
-    static int blockOf(int node, int blocks) { return std::min(node / kBlock, blocks - 1); }
+    static int blockIndex(int node, int blocks) { return std::min(node / kBlock, blocks - 1); }
 
     bool isActive(int x, int y, int z) const {
         const glm::ivec3& b = region_.blocks_;
@@ -119,7 +119,7 @@ private:
     template <typename Visit>
     void eachRow(int z, bool ofCells, const Visit& visit) const {
         const glm::ivec3& b = region_.blocks_;
-        const int layer = blockOf(z, b.z);
+        const int layer = blockIndex(z, b.z);
         for (int by = 0; by < b.y; ++by)
             for (int bx = 0; bx < b.x; ++bx) {
                 if (!isActive(bx, by, layer)) continue;
@@ -182,20 +182,20 @@ private:
     /// Gradient of the values at a node. One-sided at the ends of a box and next to unknown values.
     glm::dvec3 gradientAt(const glm::ivec3& node) const {
         const glm::ivec3 in = region_.first_ + node;
-        const double here = static_cast<double>(valueOf(in));
+        const double here = static_cast<double>(mapValue(in));
         glm::dvec3 gradient(0);
         for (int axis = 0; axis < 3; ++axis) {
             glm::ivec3 before = in, after = in;
             --before[axis];
             ++after[axis];
-            const auto low = static_cast<double>(valueOf(before)), high = static_cast<double>(valueOf(after));
+            const auto low = static_cast<double>(mapValue(before)), high = static_cast<double>(mapValue(after));
             if (std::isnan(low) && std::isnan(high)) continue;
             gradient[axis] = std::isnan(low) ? high - here : std::isnan(high) ? here - low : (high - low) / 2;
         }
         return gradient;
     }
     /// Value of the map itself, inside or outside the region.
-    float valueOf(glm::ivec3 node) const {
+    float mapValue(glm::ivec3 node) const {
         for (int axis = 0; axis < 3; ++axis) {
             if (node[axis] >= 0 && node[axis] < map_.size[axis]) continue;
             if (!map_.periodic) return kUnknownDensity;

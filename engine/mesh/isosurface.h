@@ -45,7 +45,7 @@ public:
         float low, high;
     };
     static constexpr int kBlock = 8;  ///< cells along a block's edge
-    Range rangeOf(const glm::ivec3& block) const {
+    Range blockRange(const glm::ivec3& block) const {
         return ranges_[(static_cast<std::size_t>(block.z) * blocks_.y + block.y) * blocks_.x + block.x];
     }
     const glm::ivec3& blocks() const { return blocks_; }

@@ -17,7 +17,7 @@ std::uint8_t edgeBetween(int a, int b) {
 constexpr std::array<std::array<int, 4>, 6> kFaces{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
-std::vector<CellTriangle> trianglesOf(int inside) {
+std::vector<CellTriangle> makeTriangles(int inside) {
     const auto isInside = [&](int corner) { return (inside >> corner & 1) != 0; };
     // Around a face: connects the edge where a run of inside corners begins with the edge where it ends.
     std::array<std::uint8_t, kCellEdges> next;
@@ -55,7 +55,7 @@ const std::array<CellEdge, kCellEdges>& cellEdges() {
 const std::array<std::vector<CellTriangle>, 256>& cellTriangles() {
     static const std::array<std::vector<CellTriangle>, 256> kTriangles = [] {
         std::array<std::vector<CellTriangle>, 256> all;
-        for (int inside = 0; inside < 256; ++inside) all[static_cast<std::size_t>(inside)] = trianglesOf(inside);
+        for (int inside = 0; inside < 256; ++inside) all[static_cast<std::size_t>(inside)] = makeTriangles(inside);
         return all;
     }();
     return kTriangles;

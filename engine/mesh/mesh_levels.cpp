@@ -32,7 +32,7 @@ Picks allPicks(std::size_t count) {
     return all;
 }
 
-std::vector<Picks> polygonsOf(std::size_t count) {
+std::vector<Picks> makePolygons(std::size_t count) {
     std::vector<Picks> polygons;
     for (std::size_t corners = 3; corners <= 8 && corners < count; ++corners) {
         Picks picks;
@@ -59,7 +59,7 @@ double sideError(std::span<const glm::dvec2> outline, const Picks& picks, const 
 }
 
 Picks circlePicks(std::size_t count, double radius, double most) {
-    for (Picks& picks : polygonsOf(count)) {
+    for (Picks& picks : makePolygons(count)) {
         std::size_t gap = picks[0] + count - picks.back();
         for (std::size_t i = 1; i < picks.size(); ++i) gap = std::max<std::size_t>(gap, picks[i] - picks[i - 1]);
         const double half = std::numbers::pi * static_cast<double>(gap) / static_cast<double>(count);

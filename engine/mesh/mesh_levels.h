@@ -23,13 +23,13 @@ using Picks = std::vector<std::uint32_t>;
 Picks allPicks(std::size_t count);
 
 /// Polygons of 3 to 8 corners and one of all points, with corners spread as evenly as the outline's points allow.
-std::vector<Picks> polygonsOf(std::size_t count);
+std::vector<Picks> makePolygons(std::size_t count);
 
 /// Largest distance of omitted points from the polygon of the remaining ones.
 /// @param outline  round, in units of its half axes; multiply by `axes` for Å
 double sideError(std::span<const glm::dvec2> outline, const Picks& picks, const glm::dvec2& axes);
 
-/// The first of polygonsOf() within an error on a circle.
+/// The first of makePolygons() within an error on a circle.
 Picks circlePicks(std::size_t count, double radius, double most);
 
 /// Distance of a hemisphere from a cone between its equator and pole, in radii: 1 - sqrt(1/2).

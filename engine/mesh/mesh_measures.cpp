@@ -34,7 +34,7 @@ std::vector<std::uint32_t> meshParts(const Mesh& mesh) {
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < parts.size(); ++i) {
         const std::uint32_t first =
-            sets.rootOf(i);  // a root is the smallest index of its part, so it already has a number
+            sets.findRoot(i);  // a root is the smallest index of its part, so it already has a number
         parts[i] = first == i ? count++ : parts[first];
     }
     return parts;

@@ -70,8 +70,8 @@ public:
         for (int round = 0; round < 3; ++round) {
             const double share = std::clamp(a + (b - a) * (atA > atB ? atA / (atA - atB) : 0.5), 0.02, 0.98);
             place = inside.place + (outside.place - inside.place) * share;
-            nearest = nearestOf(inside.origin, place);
-            if (outside.origin != inside.origin) nearest = nearer(nearest, nearestOf(outside.origin, place));
+            nearest = findNearest(inside.origin, place);
+            if (outside.origin != inside.origin) nearest = nearer(nearest, findNearest(outside.origin, place));
             const double value = nearest.distance - probe_;
             if (value > 0)
                 a = share, atA = value;
@@ -101,7 +101,7 @@ private:
     }
 
     /// The nearest probe position on one source, open or not.
-    Nearest nearestOf(std::uint32_t source, const dvec3& place) const {
+    Nearest findNearest(std::uint32_t source, const dvec3& place) const {
         if (source == kNoSource) return {};
         dvec3 found;
         if (source < balls_.size()) {
@@ -139,7 +139,7 @@ private:
     /// Without a probe: the point where a line leaves the balls, which is exact.
     SurfacePoint leave(const dvec3& from, const dvec3& to) const {
         const dvec3 way = to - from;
-        const BallExit exit = exitOf(balls_, places_.grid(), widest_, from, way);
+        const BallExit exit = findExit(balls_, places_.grid(), widest_, from, way);
         const SurfaceBall& ball = balls_[exit.ball == kNoSource ? 0 : exit.ball];
         SurfacePoint point;
         point.place = from + way * std::clamp(exit.share, 0.0, 1.0);
@@ -155,13 +155,13 @@ private:
         for (std::uint32_t i = 0; i < balls_.size(); ++i) {
             if (!places_.isOpen(i)) continue;
             const dvec3& center = balls_[i].center;
-            const double least = std::max(1 - reach_ / places_.reachOf(i), 0.0);
+            const double least = std::max(1 - reach_ / places_.reachRadius(i), 0.0);
             const auto [low, high] = ofBalls_[i];
             ofBalls_[i] = {glm::min(low, center + (low - center) * least) - kBorder,
                            glm::max(high, center + (high - center) * least) + kBorder};
         }
         for (const ProbeCircle& circle : places_.circles()) {
-            const auto [low, high] = ProbePlaces::boxOf(circle);
+            const auto [low, high] = ProbePlaces::boundingBox(circle);
             const dvec3 &a = balls_[circle.a].center, &b = balls_[circle.b].center;
             ofCircles_.push_back({glm::max(glm::min(glm::min(a, b), low), low - reach_) - kBorder,
                                   glm::min(glm::max(glm::max(a, b), high), high + reach_) + kBorder});
@@ -178,32 +178,32 @@ private:
         return squaredOff < squaredReach ? Span{-half, half} : Span{1, -1};
     }
 
-    static int floorOf(double value) {
+    static int floorToInt(double value) {
         const int cut = static_cast<int>(value);
         return cut - (value < cut ? 1 : 0);
     }
 
-    /// Visits nodes row by row. @param spanOf  part of a row to visit, by its y and z from the centre
+    /// Visits nodes row by row. @param findSpan  part of a row to visit, by its y and z from the centre
     /// @param visitRow  first node's index and x, number of nodes, and y and z from the centre
-    template <typename SpanOf, typename VisitRow>
-    static void eachRow(const GridBlock& block, const NodeRange& range, const dvec3& center, const SpanOf& spanOf,
+    template <typename FindSpan, typename VisitRow>
+    static void eachRow(const GridBlock& block, const NodeRange& range, const dvec3& center, const FindSpan& findSpan,
                         const VisitRow& visitRow) {
         const double perStep = 1 / block.step;
         for (int z = range.first.z; z <= range.last.z; ++z)
             for (int y = range.first.y; y <= range.last.y; ++y) {
                 const double wayY = y * block.step - center.y, wayZ = z * block.step - center.z;
-                const Span span = spanOf(wayY, wayZ);
+                const Span span = findSpan(wayY, wayZ);
                 if (span.low > span.high) continue;
                 const double low = (center.x + span.low) * perStep, high = (center.x + span.high) * perStep;
-                const int first = low > range.first.x ? -floorOf(-low) : range.first.x;
-                const int last = high < range.last.x ? floorOf(high) : range.last.x;
+                const int first = low > range.first.x ? -floorToInt(-low) : range.first.x;
+                const int last = high < range.last.x ? floorToInt(high) : range.last.x;
                 if (first <= last) visitRow(block.index({first, y, z}), first, last - first + 1, wayY, wayZ);
             }
     }
-    template <typename SpanOf, typename Visit>
-    static void eachNode(const GridBlock& block, const NodeRange& range, const dvec3& center, const SpanOf& spanOf,
+    template <typename FindSpan, typename Visit>
+    static void eachNode(const GridBlock& block, const NodeRange& range, const dvec3& center, const FindSpan& findSpan,
                          const Visit& visit) {
-        eachRow(block, range, center, spanOf, [&](std::size_t i, int x, int count, double wayY, double wayZ) {
+        eachRow(block, range, center, findSpan, [&](std::size_t i, int x, int count, double wayY, double wayZ) {
             for (const int end = x + count; x < end; ++x, ++i) visit(i, dvec3(x * block.step - center.x, wayY, wayZ));
         });
     }
@@ -211,7 +211,7 @@ private:
     void fillBall(const GridBlock& block, std::uint32_t number, std::vector<float>& values,
                   std::vector<std::uint32_t>& origins) const {
         const dvec3& center = balls_[number].center;
-        const double reach = places_.reachOf(number), to = reach + outside_;
+        const double reach = places_.reachRadius(number), to = reach + outside_;
         const NodeRange range(block, center - to, center + to);
         const auto inside = [&](double y, double z) { return ofBall(reach * reach, y * y + z * z); };
         if (outside_ == 0)
@@ -245,7 +245,7 @@ private:
     void nearBall(const GridBlock& block, std::uint32_t number, std::vector<float>& values,
                   std::vector<std::uint32_t>& origins) const {
         const dvec3& center = balls_[number].center;
-        const double reach = places_.reachOf(number), least = std::max(reach - reach_, 0.0);
+        const double reach = places_.reachRadius(number), least = std::max(reach - reach_, 0.0);
         const double farthest = reach * reach + kTouch;
         const std::span<const std::uint32_t> neighbours = places_.neighbours(number);
         std::size_t last = 0;  // the source that covered the previous node probably covers this one

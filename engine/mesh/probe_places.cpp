@@ -54,7 +54,7 @@ ProbePlaces::ProbePlaces(const std::vector<SurfaceBall>& balls, double probe)
             for (const std::uint32_t b : neighbours) {
                 if (b < a) continue;
                 ProbeCircle circle;
-                if (!circleOf(static_cast<std::uint32_t>(a), b, circle)) continue;
+                if (!findCircle(static_cast<std::uint32_t>(a), b, circle)) continue;
                 if (!openArcs(circle, covered, found[part].points)) continue;
                 open[a] = open[b] = 1;
                 found[part].circles.push_back(std::move(circle));
@@ -100,11 +100,11 @@ void ProbePlaces::dropRepeated() {
 
 /// Whether a ball without open circles is fully open rather than fully covered.
 bool ProbePlaces::isAlone(std::uint32_t ball) const {
-    return !isCovered(ball, balls_[ball].center + dvec3(0, 0, reachOf(ball)));
+    return !isCovered(ball, balls_[ball].center + dvec3(0, 0, reachRadius(ball)));
 }
 
 /// The extreme points along an axis are the ends of an arc, or the circle's own extreme point.
-ProbeBox ProbePlaces::boxOf(const ProbeCircle& circle) {
+ProbeBox ProbePlaces::boundingBox(const ProbeCircle& circle) {
     ProbeBox box = kEmpty;
     for (const OpenArc& arc : circle.arcs) {
         include(box, circle.at(arc.begin));
@@ -124,7 +124,7 @@ ProbeBox ProbePlaces::boxOf(const ProbeCircle& circle) {
 std::vector<ProbeBox> ProbePlaces::openBoxes() const {
     std::vector<ProbeBox> boxes(balls_.size(), kEmpty);
     for (const ProbeCircle& circle : circles_)
-        for (const dvec3& corner : boxOf(circle)) {
+        for (const dvec3& corner : boundingBox(circle)) {
             include(boxes[circle.a], corner);
             include(boxes[circle.b], corner);
         }
@@ -133,7 +133,7 @@ std::vector<ProbeBox> ProbePlaces::openBoxes() const {
         for (auto ball = static_cast<std::uint32_t>(part * kTogether); ball < end; ++ball)
             for (int pole = 0; isOpen(ball) && pole < 6; ++pole) {
                 dvec3 place = balls_[ball].center;
-                place[pole / 2] += pole % 2 ? reachOf(ball) : -reachOf(ball);
+                place[pole / 2] += pole % 2 ? reachRadius(ball) : -reachRadius(ball);
                 if (!isCovered(ball, place)) include(boxes[ball], place);
             }
     });
@@ -141,9 +141,9 @@ std::vector<ProbeBox> ProbePlaces::openBoxes() const {
 }
 
 /// The circle where two spheres meet. @returns false if they do not
-bool ProbePlaces::circleOf(std::uint32_t a, std::uint32_t b, ProbeCircle& circle) const {
+bool ProbePlaces::findCircle(std::uint32_t a, std::uint32_t b, ProbeCircle& circle) const {
     const dvec3 way = balls_[b].center - balls_[a].center;
-    const double distance = glm::length(way), ra = reachOf(a), rb = reachOf(b);
+    const double distance = glm::length(way), ra = reachRadius(a), rb = reachRadius(b);
     if (distance < kTouch) return false;
     const double height = (distance * distance + ra * ra - rb * rb) / (2 * distance);
     const double squared = ra * ra - height * height;
@@ -165,7 +165,7 @@ bool ProbePlaces::coveredArcs(const ProbeCircle& circle, std::vector<CoveredArc>
     for (const std::uint32_t other : grid_.neighbours(circle.a)) {
         if (other == circle.b) continue;
         const dvec3 way = balls_[other].center - circle.center;
-        const double reach = reachOf(other);
+        const double reach = reachRadius(other);
         const double least = (glm::dot(way, way) + circle.radius * circle.radius - reach * reach) / (2 * circle.radius);
         const glm::dvec2 towards(glm::dot(way, circle.x), glm::dot(way, circle.y));
         const double squared = glm::dot(towards, towards);

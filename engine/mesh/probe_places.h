@@ -73,7 +73,7 @@ public:
     /// Whether the probe can touch a ball anywhere.
     bool isOpen(std::uint32_t ball) const { return open_[ball] != 0; }
     /// Bounding box of the open arcs of a circle.
-    static ProbeBox boxOf(const ProbeCircle& circle);
+    static ProbeBox boundingBox(const ProbeCircle& circle);
     /// Bounding box of the open part of each ball's sphere; empty (low above high) if there is none.
     std::vector<ProbeBox> openBoxes() const;
     std::span<const std::uint32_t> neighbours(std::uint32_t ball) const { return grid_.neighbours(ball); }
@@ -81,11 +81,11 @@ public:
     const BallGrid& grid() const { return grid_; }
 
     /// Radius of the sphere around a ball, Å.
-    double reachOf(std::uint32_t ball) const { return balls_[ball].radius + probe_; }
+    double reachRadius(std::uint32_t ball) const { return balls_[ball].radius + probe_; }
     /// Whether a position is inside that sphere.
     bool covers(std::uint32_t ball, const glm::dvec3& place) const {
         const glm::dvec3 way = place - balls_[ball].center;
-        const double reach = reachOf(ball) - kTouch;
+        const double reach = reachRadius(ball) - kTouch;
         return glm::dot(way, way) < reach * reach;
     }
 
@@ -97,7 +97,7 @@ private:
     void dropRepeated();
     bool isAlone(std::uint32_t ball) const;
     bool isCovered(std::uint32_t ball, const glm::dvec3& place) const;
-    bool circleOf(std::uint32_t a, std::uint32_t b, ProbeCircle& circle) const;
+    bool findCircle(std::uint32_t a, std::uint32_t b, ProbeCircle& circle) const;
     bool coveredArcs(const ProbeCircle& circle, std::vector<CoveredArc>& covered) const;
     bool openArcs(ProbeCircle& circle, std::vector<CoveredArc>& covered, std::vector<ProbePoint>& points) const;
 

@@ -37,7 +37,7 @@ struct BlockOrder {
 };
 
 /// Non-empty blocks, with the sources that reach each.
-std::map<glm::ivec3, std::vector<std::uint32_t>, BlockOrder> blocksOf(const SurfaceField& field, double step) {
+std::map<glm::ivec3, std::vector<std::uint32_t>, BlockOrder> listBlocks(const SurfaceField& field, double step) {
     std::map<glm::ivec3, std::vector<std::uint32_t>, BlockOrder> blocks;
     const auto boxes = field.reaches();
     const double size = step * kBlockCells;
@@ -76,8 +76,8 @@ Mesh joined(std::vector<BlockMesh>& blocks) {
 }
 
 /// @param margin  Å, added to the radii
-std::vector<SurfaceBall> ballsOf(const Molecule& molecule, std::span<const std::uint32_t> atoms,
-                                 const SurfaceOptions& options, const glm::dvec3& middle, double margin) {
+std::vector<SurfaceBall> makeBalls(const Molecule& molecule, std::span<const std::uint32_t> atoms,
+                                   const SurfaceOptions& options, const glm::dvec3& middle, double margin) {
     std::vector<SurfaceBall> balls;
     for (const std::uint32_t index : atoms) {
         const Atom& atom = molecule.atoms[index];
@@ -92,7 +92,7 @@ std::vector<SurfaceBall> ballsOf(const Molecule& molecule, std::span<const std::
     return balls;
 }
 
-glm::dvec3 middleOf(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+glm::dvec3 findMiddle(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
     glm::dvec3 low(1e30), high(-1e30);
     for (const std::uint32_t index : atoms) {
         const glm::dvec3 p(molecule.atoms[index].position);
@@ -133,10 +133,10 @@ void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
 
 void setMargins(Mesh& mesh, const std::vector<SurfaceBall>& balls, const glm::dvec3& shift) {
     const auto last = std::max_element(balls.begin(), balls.end(), [](auto& a, auto& b) { return a.atom < b.atom; });
-    std::vector<std::uint32_t> ballOf(last->atom + 1);
-    for (std::uint32_t i = 0; i < balls.size(); ++i) ballOf[balls[i].atom] = i;
+    std::vector<std::uint32_t> ballIndex(last->atom + 1);
+    for (std::uint32_t i = 0; i < balls.size(); ++i) ballIndex[balls[i].atom] = i;
     const auto height = [&](std::uint32_t atom, std::uint32_t vertex) {
-        const SurfaceBall& ball = balls[ballOf[atom]];
+        const SurfaceBall& ball = balls[ballIndex[atom]];
         return glm::distance(ball.center, glm::dvec3(mesh.positions[vertex]) - shift) - ball.radius;
     };
     constexpr float kFar = 1e9f;
@@ -171,17 +171,17 @@ double surfaceResolution(std::size_t atoms) {
 
 Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, const SurfaceOptions& options,
              const glm::dvec3& origin) {
-    const glm::dvec3 middle = middleOf(molecule, atoms);
+    const glm::dvec3 middle = findMiddle(molecule, atoms);
     const bool accessible = options.kind == SurfaceKind::solventAccessible;
     const double probe = std::clamp(options.probe, 0.0, kLargestProbe);
-    const std::vector<SurfaceBall> balls = ballsOf(molecule, atoms, options, middle, accessible ? probe : 0);
+    const std::vector<SurfaceBall> balls = makeBalls(molecule, atoms, options, middle, accessible ? probe : 0);
     if (balls.empty()) return {};
     const double wanted = options.resolution > 0 ? options.resolution : surfaceResolution(balls.size());
     const double step = std::clamp(wanted, kFinestSurface, kCoarsestSurface);
     checkSurfaceSize(balls, step);
     const std::unique_ptr<SurfaceField> field =
         options.kind == SurfaceKind::gaussian ? gaussianField(balls) : probeField(balls, accessible ? 0 : probe, step);
-    const auto blocks = blocksOf(*field, step);
+    const auto blocks = listBlocks(*field, step);
     std::vector<std::pair<glm::ivec3, const std::vector<std::uint32_t>*>> list;
     for (const auto& [place, sources] : blocks) list.emplace_back(place, &sources);
     std::vector<BlockMesh> meshes(list.size());

@@ -58,7 +58,7 @@ private:
     }
 
     /// Sum over pairs of 1 / (1 + (d / half)^2).
-    double scoreOf(const Pairs& pairs, const Superposition& motion, double half) const {
+    double computeScore(const Pairs& pairs, const Superposition& motion, double half) const {
         double sum = 0;
         for (const auto& pair : pairs) sum += 1 / (1 + squareAfter(motion, pair) / (half * half));
         return sum;
@@ -82,7 +82,7 @@ private:
         constexpr std::size_t kShortest = 4, kHalvings = 6;
         std::pair<double, Superposition> best{-1, {}};
         const auto take = [&](const Superposition& motion) {
-            if (const double score = scoreOf(pairs, motion, half); score > best.first) best = {score, motion};
+            if (const double score = computeScore(pairs, motion, half); score > best.first) best = {score, motion};
         };
         std::size_t length = pairs.size();
         for (std::size_t halving = 0; halving < kHalvings; ++halving) {
@@ -160,7 +160,7 @@ private:
 
     // --- beginnings
 
-    Pairs shiftOf(std::ptrdiff_t shift, std::size_t from = 0, std::size_t length = ~std::size_t{0}) const {
+    Pairs pairShifted(std::ptrdiff_t shift, std::size_t from = 0, std::size_t length = ~std::size_t{0}) const {
         Pairs pairs;
         for (std::size_t i = from; i < moving_.size() && i - from < length; ++i) {
             const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(i) + shift;
@@ -173,10 +173,10 @@ private:
     /// A quick lower bound of bestMotion(): from all pairs, then twice from those that come near.
     double quickScore(const Pairs& pairs) {
         Superposition motion = superposed(pairs);
-        double best = scoreOf(pairs, motion, half_);
+        double best = computeScore(pairs, motion, half_);
         for (int turn = 0; turn < 2; ++turn) {
             motion = superposed(within(pairs, motion, near_));
-            best = std::max(best, scoreOf(pairs, motion, half_));
+            best = std::max(best, computeScore(pairs, motion, half_));
         }
         return best;
     }
@@ -188,7 +188,7 @@ private:
         Pairs best;
         double most = -1;
         for (std::ptrdiff_t shift = low; shift <= high; ++shift) {
-            Pairs pairs = shiftOf(shift);
+            Pairs pairs = pairShifted(shift);
             if (const double score = quickScore(pairs); score > most) most = score, best = std::move(pairs);
         }
         return best;
@@ -197,17 +197,17 @@ private:
     /// The best alignment by distance after superposing one fragment on another.
     Pairs byFragments(std::size_t length) {
         length = std::max(length, kFewestAligned);
-        const auto stepOf = [&](std::size_t count) {
+        const auto chooseStep = [&](std::size_t count) {
             const std::size_t usual = count > 250 ? 45 : count > 200 ? 35 : count > 150 ? 25 : 15;
             return std::min(usual, std::max<std::size_t>(shorter_ / 3, 1));
         };
-        const std::size_t movingStep = stepOf(moving_.size()), fixedStep = stepOf(fixed_.size());
+        const std::size_t movingStep = chooseStep(moving_.size()), fixedStep = chooseStep(fixed_.size());
         Pairs best;
         double most = -1;
         for (std::size_t i = 0; i + length <= moving_.size(); i += movingStep)
             for (std::size_t j = 0; j + length <= fixed_.size(); j += fixedStep) {
                 const auto shift = static_cast<std::ptrdiff_t>(j) - static_cast<std::ptrdiff_t>(i);
-                scoreByDistance(superposed(shiftOf(shift, i, length)));
+                scoreByDistance(superposed(pairShifted(shift, i, length)));
                 Pairs pairs = aligned(0);
                 if (pairs.size() < 3) continue;
                 if (const double score = quickScore(pairs); score > most) most = score, best = std::move(pairs);
@@ -241,7 +241,7 @@ private:
     }
 
     void take(const Pairs& pairs, const Superposition& motion) {
-        if (const double score = scoreOf(pairs, motion, half_); score > topScore_)
+        if (const double score = computeScore(pairs, motion, half_); score > topScore_)
             topScore_ = score, top_ = pairs, topMotion_ = motion;
     }
 

@@ -133,7 +133,7 @@ std::string leftOutWarning(std::string_view id, const std::string& why) {
     return "assembly " + printable(id) + " is left out: " + why;
 }
 
-std::string leftOutWarningOf(const Molecule& molecule, std::string_view id) {
+std::string findLeftOutWarning(const Molecule& molecule, std::string_view id) {
     const std::string begin = "assembly " + (id.empty() ? std::string() : printable(id) + " is left out: ");
     for (const std::string& warning : molecule.warnings)
         if (warning.starts_with(begin)) return warning;

@@ -62,7 +62,7 @@ void addPart(Assembly& assembly, const std::vector<glm::mat4x3>& transforms, std
 /// The warning about an assembly that cannot be placed.
 std::string leftOutWarning(std::string_view id, const std::string& why);
 /// The molecule's warning about an assembly, or about any. Empty: none.
-std::string leftOutWarningOf(const Molecule& molecule, std::string_view id = {});
+std::string findLeftOutWarning(const Molecule& molecule, std::string_view id = {});
 
 /// Assemblies of one molecule for another, whose subchains are numbered differently.
 std::vector<Assembly> assembliesFor(const Molecule& to, const Molecule& from);

@@ -25,21 +25,21 @@ struct Crystal {
     gemmi::Fractional at;  ///< the same in fractional coordinates
 };
 
-glm::dvec3 middleOf(const Molecule& molecule) {
+glm::dvec3 findMiddle(const Molecule& molecule) {
     glm::dvec3 middle(0);
     for (const Atom& atom : molecule.atoms)
         middle += glm::dvec3(atom.position) / static_cast<double>(molecule.atoms.size());
     return middle;
 }
 
-Crystal crystalOf(const Molecule& molecule) {
+Crystal makeCrystal(const Molecule& molecule) {
     const auto fail = [](const std::string& why) -> void { throw Error("cannot build symmetry", "", why); };
     const FileSummary& file = molecule.file;
     if (!file.cell && !file.box) fail("the file states no unit cell");
     const bool boxed = file.box && !file.cell;  // a periodic box has only translations
     const auto& repeats = file.boxRepeats;
     if (boxed && std::find(repeats.begin(), repeats.end(), true) == repeats.end()) fail("its box does not repeat");
-    const gemmi::SpaceGroup* group = spaceGroupOf(boxed ? "P 1" : file.spaceGroup);
+    const gemmi::SpaceGroup* group = findSpaceGroup(boxed ? "P 1" : file.spaceGroup);
     if (!group)
         fail(file.spaceGroup.empty() ? "the file states no space group"
                                      : "there is no space group '" + printable(file.spaceGroup) + "'");
@@ -58,13 +58,13 @@ Crystal crystalOf(const Molecule& molecule) {
     }
     if (!(crystal.cell.volume > 1e-6 && std::isfinite(crystal.cell.volume))) fail("the unit cell has no volume");
     for (const gemmi::Op operation : group->operations()) crystal.operations.push_back(operation);
-    crystal.middle = middleOf(molecule);
+    crystal.middle = findMiddle(molecule);
     crystal.at = crystal.cell.fractionalize({crystal.middle.x, crystal.middle.y, crystal.middle.z});
     return crystal;
 }
 
 /// An operation as a motion in space, into the cell of the middle, shifted by some cells.
-glm::dmat4x3 motionOf(const Crystal& crystal, const gemmi::Op& operation, const std::array<int, 3>& cells) {
+glm::dmat4x3 makeMotion(const Crystal& crystal, const gemmi::Op& operation, const std::array<int, 3>& cells) {
     gemmi::Transform fractional;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) fractional.mat[i][j] = double(operation.rot[i][j]) / gemmi::Op::DEN;
@@ -95,10 +95,10 @@ class AtomGrid {
 public:
     AtomGrid(const Molecule& molecule, double distance) : molecule_(molecule), distance_(distance), edge_(distance) {
         for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
-            cells_[cellOf(glm::dvec3(molecule.atoms[i].position))].push_back(i);
+            cells_[findCell(glm::dvec3(molecule.atoms[i].position))].push_back(i);
     }
     bool isNear(const glm::dvec3& p) const {
-        const auto [x, y, z] = cellOf(p);
+        const auto [x, y, z] = findCell(p);
         for (long i = x - 1; i <= x + 1; ++i)
             for (long j = y - 1; j <= y + 1; ++j)
                 for (long k = z - 1; k <= z + 1; ++k) {
@@ -115,7 +115,7 @@ public:
 
 private:
     using Cell = std::tuple<long, long, long>;
-    Cell cellOf(const glm::dvec3& p) const {
+    Cell findCell(const glm::dvec3& p) const {
         const auto at = [&](double v) { return static_cast<long>(std::floor(v / edge_)); };
         return {at(p.x), at(p.y), at(p.z)};
     }
@@ -131,7 +131,7 @@ std::optional<std::array<glm::dvec3, 3>> cellEdges(const FileSummary& file) {
     if (file.box) return std::array{glm::dvec3((*file.box)[0]), glm::dvec3((*file.box)[1]), glm::dvec3((*file.box)[2])};
     if (!file.cell) return std::nullopt;
     const std::array<double, 6>& c = *file.cell;
-    const auto box = boxOf({c[0], c[1], c[2]}, {c[3], c[4], c[5]});
+    const auto box = makeBox({c[0], c[1], c[2]}, {c[3], c[4], c[5]});
     if (!box) return std::nullopt;
     return std::array{glm::dvec3((*box)[0]), glm::dvec3((*box)[1]), glm::dvec3((*box)[2])};
 }
@@ -140,12 +140,12 @@ glm::dvec3 cellCorner(const Molecule& molecule) {
     const auto edges = cellEdges(molecule.file);
     if (!edges || molecule.file.box) return molecule.file.boxOrigin;
     const glm::dmat3 cell((*edges)[0], (*edges)[1], (*edges)[2]);
-    return cell * glm::floor(glm::inverse(cell) * middleOf(molecule));
+    return cell * glm::floor(glm::inverse(cell) * findMiddle(molecule));
 }
 
 std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::array<int, 3>& low,
                                         const std::array<int, 3>& high) {
-    const Crystal crystal = crystalOf(molecule);
+    const Crystal crystal = makeCrystal(molecule);
     double count = static_cast<double>(crystal.operations.size());
     const bool boxed = molecule.file.box && !molecule.file.cell;
     const auto repeats = [&](std::size_t axis, int cell) {
@@ -161,14 +161,14 @@ std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::arr
             for (int j = low[1]; j <= high[1]; ++j)
                 for (int k = low[2]; k <= high[2]; ++k) {
                     if (!repeats(0, i) || !repeats(1, j) || !repeats(2, k)) continue;
-                    const glm::dmat4x3 motion = motionOf(crystal, operation, {i, j, k});
+                    const glm::dmat4x3 motion = makeMotion(crystal, operation, {i, j, k});
                     if (!isIdentity(motion)) copies.push_back(motion);
                 }
     return copies;
 }
 
 std::vector<glm::dmat4x3> crystalMates(const Molecule& molecule, double distance) {
-    const Crystal crystal = crystalOf(molecule);
+    const Crystal crystal = makeCrystal(molecule);
     double reach = 0;
     for (const Atom& atom : molecule.atoms)
         reach = std::max(reach, glm::distance(glm::dvec3(atom.position), crystal.middle));

@@ -15,12 +15,12 @@ public:
 
     std::size_t count() const { return parent_.size(); }
     /// The smallest number of a set.
-    std::uint32_t rootOf(std::uint32_t number) {
+    std::uint32_t findRoot(std::uint32_t number) {
         while (parent_[number] != number) number = parent_[number] = parent_[parent_[number]];
         return number;
     }
     void join(std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t one = rootOf(a), other = rootOf(b);
+        const std::uint32_t one = findRoot(a), other = findRoot(b);
         parent_[std::max(one, other)] = std::min(one, other);
     }
 

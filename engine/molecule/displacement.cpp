@@ -9,9 +9,11 @@
 
 namespace nacre {
 
-glm::dmat3 matrixOf(const Displacement& u) { return {u.u11, u.u12, u.u13, u.u12, u.u22, u.u23, u.u13, u.u23, u.u33}; }
+glm::dmat3 tensorMatrix(const Displacement& u) {
+    return {u.u11, u.u12, u.u13, u.u12, u.u22, u.u23, u.u13, u.u23, u.u33};
+}
 
-Displacement displacementOf(const glm::dmat3& u) {
+Displacement toDisplacement(const glm::dmat3& u) {
     constexpr double kMost = 1e6 * kLargestDisplacement;
     const auto part = [&](int i, int j) {
         return static_cast<float>(std::clamp((u[i][j] + u[j][i]) / 2, -kMost, kMost));
@@ -50,7 +52,7 @@ PrincipalAxes principalAxes(glm::dmat3 m) {
 
 std::optional<std::array<glm::dvec3, 3>> displacementAxes(const Displacement& u) {
     constexpr double kLeast = 1e-6;  // Å^2; files state four or five digits
-    const PrincipalAxes axes = principalAxes(matrixOf(u));
+    const PrincipalAxes axes = principalAxes(tensorMatrix(u));
     if (!(axes.values[2] >= kLeast && axes.values[0] <= kLargestDisplacement)) return std::nullopt;
     std::array<glm::dvec3, 3> half{};
     for (std::size_t i = 0; i < 3; ++i) half[i] = axes.ways[i] * std::sqrt(axes.values[i]);
@@ -73,7 +75,7 @@ double probabilityScale(double percent) {
 void turnDisplacement(Molecule& molecule, std::size_t atom, const glm::dmat3& rotation) {
     if (molecule.displacements.empty() || !molecule.displacements[atom].stated()) return;
     Displacement& u = molecule.displacements[atom];
-    u = displacementOf(rotation * matrixOf(u) * glm::transpose(rotation));
+    u = toDisplacement(rotation * tensorMatrix(u) * glm::transpose(rotation));
 }
 
 }  // namespace nacre

@@ -13,8 +13,8 @@ namespace nacre {
 constexpr double kEightPiSquared = 78.95683520871486;  ///< B = 8 pi^2 U
 constexpr double kLargestDisplacement = 1000;          ///< Å^2; ANISOU holds no more
 
-glm::dmat3 matrixOf(const Displacement& u);
-Displacement displacementOf(const glm::dmat3& u);
+glm::dmat3 tensorMatrix(const Displacement& u);
+Displacement toDisplacement(const glm::dmat3& u);
 
 /// Eigenvalues of a symmetric matrix, largest first, with orthonormal eigenvectors.
 struct PrincipalAxes {

@@ -15,7 +15,7 @@ namespace {
 /// A residue position. Alternative residues (microheterogeneity) share one.
 using Position = std::tuple<std::uint32_t, std::int32_t, char>;
 
-Position positionOf(const Residue& residue) { return {residue.chain, residue.number, residue.insertionCode}; }
+Position makePosition(const Residue& residue) { return {residue.chain, residue.number, residue.insertionCode}; }
 
 /// Occupancy of one alternate location at one position.
 struct Alternate {
@@ -32,7 +32,7 @@ public:
         std::map<Position, std::vector<Alternate>> found;
         for (const Atom& atom : molecule.atoms) {
             if (atom.alternate == '\0') continue;
-            std::vector<Alternate>& here = found[positionOf(molecule.residues[atom.residue])];
+            std::vector<Alternate>& here = found[makePosition(molecule.residues[atom.residue])];
             auto it = std::find_if(here.begin(), here.end(),
                                    [&](const Alternate& known) { return known.letter == atom.alternate; });
             if (it == here.end()) it = here.insert(here.end(), {atom.alternate, 0, 0});
@@ -55,7 +55,7 @@ public:
 
     bool drawn(const Molecule& molecule, const Atom& atom) const {
         return atom.alternate == '\0' || all_ ||
-               chosen_.at(positionOf(molecule.residues[atom.residue])) == atom.alternate;
+               chosen_.at(makePosition(molecule.residues[atom.residue])) == atom.alternate;
     }
 
 private:

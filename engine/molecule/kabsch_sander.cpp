@@ -99,14 +99,14 @@ void considerBond(Peptide& donor, std::uint32_t acceptor, const Peptide& of) {
 class Cells {
 public:
     explicit Cells(const std::vector<Peptide>& peptides) {
-        for (std::uint32_t i = 0; i < peptides.size(); ++i) entries_.push_back({cellOf(peptides[i]), i});
+        for (std::uint32_t i = 0; i < peptides.size(); ++i) entries_.push_back({findCell(peptides[i]), i});
         std::sort(entries_.begin(), entries_.end());
     }
 
     /// Peptides in its cell and the neighbouring ones; false if there are more than kMostNeighbours.
     bool near(const Peptide& peptide, std::vector<std::uint32_t>& neighbours) const {
         neighbours.clear();
-        const auto [model, x, y, z] = cellOf(peptide);
+        const auto [model, x, y, z] = findCell(peptide);
         for (std::int64_t dx = -1; dx <= 1; ++dx)
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
                 auto at =
@@ -123,7 +123,7 @@ private:
     using Cell = std::tuple<int, std::int64_t, std::int64_t, std::int64_t>;
     using Entry = std::pair<Cell, std::uint32_t>;
 
-    static Cell cellOf(const Peptide& peptide) {
+    static Cell findCell(const Peptide& peptide) {
         const glm::dvec3 cell = glm::floor(peptide.ca / static_cast<double>(kFarthestCa));
         return {peptide.model, static_cast<std::int64_t>(cell.x), static_cast<std::int64_t>(cell.y),
                 static_cast<std::int64_t>(cell.z)};

@@ -24,7 +24,7 @@ constexpr std::string_view kLipids[] = {"CHL1", "CHOL", "CLR", "ERG", "PSM", "SS
 
 }  // namespace
 
-std::optional<std::uint32_t> mainLigandOf(const ResidueFacts& facts) {
+std::optional<std::uint32_t> findMainLigand(const ResidueFacts& facts) {
     const Molecule& m = facts.molecule();
     std::optional<std::uint32_t> main;
     std::pair<bool, std::uint32_t> rank{false, 0};

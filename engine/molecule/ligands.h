@@ -11,7 +11,7 @@ namespace nacre {
 
 /// The residue that "the ligand" means: the largest ligand, the first among equals. Sugars of glycans, buffers and
 /// cryoprotectants only if there is no other. Empty: there is no ligand.
-std::optional<std::uint32_t> mainLigandOf(const ResidueFacts& facts);
+std::optional<std::uint32_t> findMainLigand(const ResidueFacts& facts);
 
 /// Whether a residue of this name is a lipid of membranes, as force fields and the PDB name them.
 bool isLipid(std::string_view name);

@@ -53,7 +53,7 @@ struct Unit {
     }
 };
 
-int scoreOf(const Unit& a, const Unit& b) {
+int computeScore(const Unit& a, const Unit& b) {
     if (a.letter == std::string_view::npos || b.letter == std::string_view::npos)
         return a.name == b.name ? kSameName : kOtherName;
     const auto [low, high] = std::minmax(a.letter, b.letter);
@@ -101,7 +101,7 @@ private:
             const int moreA = gapInA + kGapMore, moreB = gapInB_[j + 1] + kGapMore;
             gapInA = std::max(openA, moreA);
             gapInB_[j + 1] = std::max(openB, moreB);
-            const int pair = diagonal + scoreOf(a_[i], b_[j]);
+            const int pair = diagonal + computeScore(a_[i], b_[j]);
             diagonal = best_[j + 1];
             int& best = best_[j + 1] = std::max({pair, gapInA, gapInB_[j + 1]});
             from = best == pair ? kPair : best == gapInA ? kGapInA : kGapInB;
@@ -125,18 +125,18 @@ private:
 std::vector<bool> inDrawnConformer(const ResidueFacts& facts, const std::vector<bool>& selected) {
     const Molecule& molecule = facts.molecule();
     std::vector<bool> drawn(selected.size()), settled(molecule.residues.size());
-    const auto positionOf = [&](std::size_t atom) { return facts.positions()[molecule.atoms[atom].residue]; };
+    const auto findPosition = [&](std::size_t atom) { return facts.positions()[molecule.atoms[atom].residue]; };
     for (const std::uint32_t atom : facts.conformer()) {
         drawn[atom] = selected[atom];
-        if (selected[atom]) settled[positionOf(atom)] = true;
+        if (selected[atom]) settled[findPosition(atom)] = true;
     }
     for (std::size_t i = 0; i < drawn.size(); ++i)
-        if (selected[i] && !settled[positionOf(i)]) drawn[i] = true;
+        if (selected[i] && !settled[findPosition(i)]) drawn[i] = true;
     return drawn;
 }
 
 /// Residues with a selected atom, in order. Excludes waters: their order differs arbitrarily between files.
-std::vector<std::uint32_t> residuesOf(const Molecule& molecule, const std::vector<bool>& selected) {
+std::vector<std::uint32_t> listResidues(const Molecule& molecule, const std::vector<bool>& selected) {
     std::vector<std::uint32_t> residues;
     for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) {
         const Residue& residue = molecule.residues[i];
@@ -152,7 +152,7 @@ std::vector<std::uint32_t> residuesOf(const Molecule& molecule, const std::vecto
     return residues;
 }
 
-std::vector<Unit> sequenceOf(const Molecule& molecule, const std::vector<std::uint32_t>& residues) {
+std::vector<Unit> makeSequence(const Molecule& molecule, const std::vector<std::uint32_t>& residues) {
     std::vector<Unit> units;
     for (const std::uint32_t residue : residues) {
         const Name& name = molecule.residues[residue].name;
@@ -212,8 +212,8 @@ public:
           inFirst_(inFirst),
           inSecond_(inSecond),
           byChain_(byChain),
-          first_(strandsOf(inFirst)),
-          second_(strandsOf(inSecond)) {}
+          first_(findStrands(inFirst)),
+          second_(findStrands(inSecond)) {}
 
     AtomPairs pairs(Placing placing) {
         if (first_.empty() || second_.empty()) return {};
@@ -226,23 +226,24 @@ public:
             chosen = bestStart();
         std::sort(chosen.begin(), chosen.end(),
                   [](const StrandPair& l, const StrandPair& r) { return l.first < r.first; });
-        return atomsOf(chosen);
+        return collectAtoms(chosen);
     }
 
 private:
     static constexpr double kNear = 8, kAnyDistance = 1e9;  // Å
 
-    std::vector<Strand> strandsOf(const std::vector<bool>& selected) {
+    std::vector<Strand> findStrands(const std::vector<bool>& selected) {
         std::vector<Strand> strands;
         std::map<std::uint32_t, std::size_t> ofChain;
-        for (const std::uint32_t residue : residuesOf(molecule_, selected)) {
+        for (const std::uint32_t residue : listResidues(molecule_, selected)) {
             const std::uint32_t chain = byChain_ ? molecule_.residues[residue].chain : 0;
             const auto [at, added] = ofChain.emplace(chain, strands.size());
             if (added) strands.emplace_back();
             strands[at->second].residues.push_back(residue);
         }
         for (Strand& strand : strands) {
-            const auto known = sequences_.try_emplace(sequenceOf(molecule_, strand.residues), sequences_.size()).first;
+            const auto known =
+                sequences_.try_emplace(makeSequence(molecule_, strand.residues), sequences_.size()).first;
             strand.sequence = known->second;
         }
         return strands;
@@ -253,7 +254,7 @@ private:
         const Strand &one = first_[first], &other = second_[second];
         const auto [at, added] = known_.try_emplace({one.sequence, other.sequence});
         if (!added) return at->second;
-        const std::vector<Unit> a = sequenceOf(molecule_, one.residues), b = sequenceOf(molecule_, other.residues);
+        const std::vector<Unit> a = makeSequence(molecule_, one.residues), b = makeSequence(molecule_, other.residues);
         const Alignment alignment(a, b);
         Likeness like{alignment.pairs(), alignment.score()};
         for (const auto& [i, j] : like.pairs) like.same += a[i].name == b[j].name;
@@ -280,7 +281,7 @@ private:
         }
     }
 
-    AtomPairs atomsOf(const std::vector<StrandPair>& chosen) {
+    AtomPairs collectAtoms(const std::vector<StrandPair>& chosen) {
         AtomPairs atoms;
         for (const StrandPair& pair : chosen) {
             addAtoms(pair, atoms);
@@ -302,12 +303,12 @@ private:
     }
 
     /// RMSD over the first paired atom of each residue.
-    double rmsdOf(const StrandPair& pair, const Superposition& motion) {
+    double computeRmsd(const StrandPair& pair, const Superposition& motion) {
         double squares = 0;
         std::size_t count = 0;
         for (const auto& [i, j] : likeness(pair.first, pair.second).pairs) {
-            const std::optional<glm::dvec3> a = placeOf(first_[pair.first].residues[i], inFirst_);
-            const std::optional<glm::dvec3> b = placeOf(second_[pair.second].residues[j], inSecond_);
+            const std::optional<glm::dvec3> a = findPlace(first_[pair.first].residues[i], inFirst_);
+            const std::optional<glm::dvec3> b = findPlace(second_[pair.second].residues[j], inSecond_);
             if (!a || !b) continue;
             const glm::dvec3 d = motion(*a) - *b;
             squares += glm::dot(d, d);
@@ -317,7 +318,7 @@ private:
     }
 
     /// The alpha carbon or the phosphorus, else the first selected atom.
-    std::optional<glm::dvec3> placeOf(std::uint32_t index, const std::vector<bool>& selected) const {
+    std::optional<glm::dvec3> findPlace(std::uint32_t index, const std::vector<bool>& selected) const {
         const Residue& residue = molecule_.residues[index];
         std::optional<glm::dvec3> place;
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
@@ -336,7 +337,7 @@ private:
             for (std::size_t j = 0; j < second_.size(); ++j) {
                 if (!alike(i, j)) continue;
                 StrandPair pair{i, j};
-                pair.rmsd = rmsdOf(pair, motion);
+                pair.rmsd = computeRmsd(pair, motion);
                 if (pair.rmsd <= most) near.push_back(pair);
             }
         std::stable_sort(near.begin(), near.end(),
@@ -364,7 +365,7 @@ private:
             AtomPairs start;
             addAtoms({top.first, j}, start);
             const std::vector<StrandPair> found = nearest({{top.first, j}}, superposed(start), kNear);
-            const AtomPairs atoms = atomsOf(found);
+            const AtomPairs atoms = collectAtoms(found);
             const double rmsdOfAll = superposed(atoms).rmsd;
             if (atoms.first.size() < most || (atoms.first.size() == most && rmsdOfAll >= rmsd)) continue;
             best = found;
@@ -377,7 +378,7 @@ private:
     const Molecule& molecule_;
     const std::vector<bool>&inFirst_, &inSecond_;
     bool byChain_;
-    std::map<std::vector<Unit>, std::size_t> sequences_;  ///< their numbers; strandsOf() fills it, so it comes first
+    std::map<std::vector<Unit>, std::size_t> sequences_;  ///< their numbers; findStrands() fills it, so it comes first
     std::vector<Strand> first_, second_;
     std::map<std::pair<std::size_t, std::size_t>, Likeness> known_;
 };

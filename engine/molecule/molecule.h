@@ -82,7 +82,7 @@ struct Residue {
     std::uint32_t entity = 0;  ///< 1-based index into Molecule::entities; 0: not stated
 
     /// Residues of different names can share one position (sequence microheterogeneity).
-    bool atPositionOf(const Residue& other) const {
+    bool sharesPosition(const Residue& other) const {
         return chain == other.chain && number == other.number && insertionCode == other.insertionCode;
     }
 };
@@ -172,7 +172,7 @@ struct Molecule {
     std::vector<Name> types;                  ///< by atom, of its force field; empty if the format has none
     std::vector<std::int32_t> serials;        ///< by atom, its number in mmCIF (_atom_site.id); empty: 1, 2, 3, ...
     std::vector<std::string> warnings;        ///< leniently read data, one sentence each, bounded in number
-    ReadNotes notes;                          ///< guessed and omitted items; readingOf() has the whole list
+    ReadNotes notes;                          ///< guessed and omitted items; listReadNotes() has the whole list
     bool lacksPositions = false;              ///< a topology without positions: a trajectory has to supply them
     bool modelsAreInputs = false;             ///< `Chain::model` indexes inputs
     std::vector<std::string> inputs;          ///< their names, in the order of their models; empty: there is one

@@ -33,7 +33,7 @@ auto cleanly(const std::string& name, Read&& read) {
 Molecule readOne(const Content& content, const ReadOptions& options) {
     Molecule molecule = readStated(content, options);
     perceiveBonds(molecule);
-    if (!options.others || modelsOf(molecule.file) < 2) return molecule;
+    if (!options.others || countModels(molecule.file) < 2) return molecule;
     try {
         ModelReader models(content, options, molecule, ModelReader::Order::all);
         OtherModelCollector others(molecule, options.maxAtoms);
@@ -111,7 +111,7 @@ Molecule readContent(const Content& content, const ReadOptions& options) {
 }  // namespace
 
 Molecule readMolecule(const std::string& name, std::string bytes, const ReadOptions& options) {
-    return cleanly(name, [&] { return readContent(contentOf(name, std::move(bytes), options), options); });
+    return cleanly(name, [&] { return readContent(makeContent(name, std::move(bytes), options), options); });
 }
 
 Molecule readMoleculeFile(const std::string& path, const ReadOptions& options) {
@@ -136,7 +136,7 @@ struct ModelFile::State {
         options.others = true;
         first = readContent(content, options);
         options.others = false;
-        if (modelsOf(first.file) > 1) keep();
+        if (countModels(first.file) > 1) keep();
     }
 
     void keep() {
@@ -170,11 +170,11 @@ ModelFile::ModelFile(const std::string& path, const ReadOptions& options)
 
 ModelFile::ModelFile(const std::string& name, std::string bytes, const ReadOptions& options)
     : state_(cleanly(
-          name, [&] { return std::make_unique<State>("", contentOf(name, std::move(bytes), options), options); })) {}
+          name, [&] { return std::make_unique<State>("", makeContent(name, std::move(bytes), options), options); })) {}
 
 ModelFile::~ModelFile() = default;
 
-int ModelFile::count() const { return static_cast<int>(modelsOf(state_->first.file)); }
+int ModelFile::count() const { return static_cast<int>(countModels(state_->first.file)); }
 
 const Molecule& ModelFile::first() const { return state_->first; }
 

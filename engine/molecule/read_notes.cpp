@@ -27,7 +27,7 @@ std::string_view readActionName(ReadAction action) {
 namespace {
 
 /// "radii of grains": "radius of grains"; "periodic boxes": "periodic box".
-std::string singularOf(std::string_view plural) {
+std::string toSingular(std::string_view plural) {
     struct Ending {
         std::string_view plural, singular;
     };
@@ -43,14 +43,14 @@ std::string singularOf(std::string_view plural) {
 
 }  // namespace
 
-std::string sentenceOf(const ReadNote& note) {
+std::string describeNote(const ReadNote& note) {
     std::string text(readActionName(note.action));
-    text += " " + std::to_string(note.count) + " " + (note.count == 1 ? singularOf(note.what) : note.what);
+    text += " " + std::to_string(note.count) + " " + (note.count == 1 ? toSingular(note.what) : note.what);
     if (note.line > 0) text += (note.count > 1 ? ", the first on line " : ", line ") + std::to_string(note.line);
     return note.why.empty() ? text : text + ": " + note.why;
 }
 
-ReadNotes readingOf(const Molecule& molecule, const std::vector<std::uint8_t>& drawnOrders) {
+ReadNotes listReadNotes(const Molecule& molecule, const std::vector<std::uint8_t>& drawnOrders) {
     ReadNotes notes;
     const auto read = [&](std::string_view what, std::size_t count) {
         addNote(notes, ReadAction::read, what, "", static_cast<std::int64_t>(count));

@@ -26,7 +26,7 @@ void addNote(ReadNotes& notes, ReadAction action, std::string_view what, std::st
              std::uint64_t line = 0);
 
 /// "left out 2 atoms, the first on line 17: no coordinates"
-std::string sentenceOf(const ReadNote& note);
+std::string describeNote(const ReadNote& note);
 
 /// "read", "guessed" or "left out"; `unused` is also "left out"
 std::string_view readActionName(ReadAction action);
@@ -34,6 +34,6 @@ std::string_view readActionName(ReadAction action);
 struct Molecule;
 /// The whole list in the order read, guessed, left out: the reader's notes and counts of the molecule.
 /// @param drawnOrders  of its bonds (drawn_orders.h): differing orders are guesses
-ReadNotes readingOf(const Molecule& molecule, const std::vector<std::uint8_t>& drawnOrders);
+ReadNotes listReadNotes(const Molecule& molecule, const std::vector<std::uint8_t>& drawnOrders);
 
 }  // namespace nacre

@@ -23,7 +23,7 @@ const std::vector<std::uint32_t>& ResidueFacts::positions() const {
         const std::vector<Residue>& residues = molecule_->residues;
         std::vector<std::uint32_t> first(residues.size());
         for (std::uint32_t i = 0; i < first.size(); ++i)
-            first[i] = i > 0 && residues[i].atPositionOf(residues[i - 1]) ? first[i - 1] : i;
+            first[i] = i > 0 && residues[i].sharesPosition(residues[i - 1]) ? first[i - 1] : i;
         return first;
     });
 }

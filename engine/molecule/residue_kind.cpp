@@ -60,14 +60,14 @@ enum Link : std::uint8_t {
 };
 
 /// Kind of backbone bond that an atom of this name can have to another residue; 0: none.
-std::uint8_t linkOf(const Name& atom) {
+std::uint8_t classifyLink(const Name& atom) {
     const std::string_view name = atom.view();
     if (name == "N" || name == "C") return kPeptideLink;
     return name == "P" || name == "O3'" || name == "O3*" ? kNucleicLink : 0;
 }
 
 /// An atom's place in a chain, by the atom of another residue that it is bonded to.
-std::uint8_t chainLinkOf(const Atom& atom, const Atom& other) {
+std::uint8_t classifyChainLink(const Atom& atom, const Atom& other) {
     constexpr Element kCarbon = 6, kNitrogen = 7;
     if (atom.element == kNitrogen && other.name == Name("C")) return kAfterPeptide;
     return atom.element == kCarbon && other.name == Name("N") ? kBeforePeptide : 0;
@@ -76,7 +76,7 @@ std::uint8_t chainLinkOf(const Atom& atom, const Atom& other) {
 using Links = std::vector<std::pair<const Atom*, const Atom*>>;
 
 /// Bonds between two residues.
-Links linksOf(const Molecule& molecule) {
+Links findLinks(const Molecule& molecule) {
     Links links;
     for (const Bond& bond : molecule.bonds) {
         const Atom &a = molecule.atoms[bond.a], &b = molecule.atoms[bond.b];
@@ -91,14 +91,14 @@ class Classifier {
 public:
     Classifier(const Molecule& molecule, const Links& links) : molecule_(molecule), links_(molecule.residues.size()) {
         for (const auto& [a, b] : links) {
-            links_[a->residue] |= linkOf(a->name);
-            links_[a->residue] |= chainLinkOf(*a, *b);
-            links_[b->residue] |= linkOf(b->name);
-            links_[b->residue] |= chainLinkOf(*b, *a);
+            links_[a->residue] |= classifyLink(a->name);
+            links_[a->residue] |= classifyChainLink(*a, *b);
+            links_[b->residue] |= classifyLink(b->name);
+            links_[b->residue] |= classifyChainLink(*b, *a);
         }
     }
 
-    ResidueKind kindOf(std::uint32_t index) {
+    ResidueKind findKind(std::uint32_t index) {
         const Residue& residue = molecule_.residues[index];
         if (residue.entityKind == EntityKind::protein) return ResidueKind::protein;
         if (residue.entityKind == EntityKind::nucleic) return ResidueKind::nucleic;
@@ -160,15 +160,15 @@ public:
         : molecule_(molecule), group_(molecule.residues.size()), chained_(molecule.residues.size()) {
         std::iota(group_.begin(), group_.end(), 0u);
         for (const auto& [a, b] : links)
-            if (isOpen(a->residue) && isOpen(b->residue)) group_[rootOf(a->residue)] = rootOf(b->residue);
+            if (isOpen(a->residue) && isOpen(b->residue)) group_[findRoot(a->residue)] = findRoot(b->residue);
         for (const auto& [a, b] : links) {
-            if (linkOf(a->name) == 0 || linkOf(a->name) != linkOf(b->name)) continue;
-            if (isOpen(a->residue) && !isOpen(b->residue)) chained_[rootOf(a->residue)] = true;
-            if (isOpen(b->residue) && !isOpen(a->residue)) chained_[rootOf(b->residue)] = true;
+            if (classifyLink(a->name) == 0 || classifyLink(a->name) != classifyLink(b->name)) continue;
+            if (isOpen(a->residue) && !isOpen(b->residue)) chained_[findRoot(a->residue)] = true;
+            if (isOpen(b->residue) && !isOpen(a->residue)) chained_[findRoot(b->residue)] = true;
         }
         std::map<std::uint32_t, std::size_t> members, polymers;  // by the last of each group
         for (std::uint32_t i = 0; i < group_.size(); ++i)
-            if (group_[i] != i) ++members[rootOf(i)];  // in addition to the group's last
+            if (group_[i] != i) ++members[findRoot(i)];  // in addition to the group's last
         for (std::uint32_t i = 0; i < group_.size(); ++i) {
             if (!isOpen(i) || !isPolymer(kinds[i])) continue;
             const Residue& residue = molecule.residues[i];
@@ -177,13 +177,13 @@ public:
             const bool whole =
                 classifier.hasAll(residue, {"N", "CA", "C"}) || classifier.hasAll(residue, {"C3'", "O3'"});
             const bool modified = !residueTemplate(residue.name) || residue.name == Name("MSE");
-            const bool alone = members.count(rootOf(i)) == 0 && modified;
-            if (!whole || alone || ++polymers[rootOf(i)] > kMostOfInhibitor) chained_[rootOf(i)] = true;
+            const bool alone = members.count(findRoot(i)) == 0 && modified;
+            if (!whole || alone || ++polymers[findRoot(i)] > kMostOfInhibitor) chained_[findRoot(i)] = true;
         }
     }
 
     /// Whether a residue is part of a group that no backbone joins to a polymer.
-    bool isApart(std::uint32_t residue) { return isOpen(residue) && !chained_[rootOf(residue)]; }
+    bool isApart(std::uint32_t residue) { return isOpen(residue) && !chained_[findRoot(residue)]; }
 
 private:
     static constexpr std::size_t kMostOfInhibitor = 8;
@@ -192,7 +192,7 @@ private:
         const Residue& r = molecule_.residues[residue];
         return r.entityKind == EntityKind::unknown && r.atomCount > 0 && molecule_.atoms[r.firstAtom].hetero;
     }
-    std::uint32_t rootOf(std::uint32_t residue) {
+    std::uint32_t findRoot(std::uint32_t residue) {
         while (group_[residue] != residue) residue = group_[residue] = group_[group_[residue]];
         return residue;
     }
@@ -220,11 +220,11 @@ void makeInhibitorsLigands(const Molecule& molecule, const Links& links, const C
 }  // namespace
 
 std::vector<ResidueKind> residueKinds(const Molecule& molecule) {
-    const Links links = linksOf(molecule);
+    const Links links = findLinks(molecule);
     Classifier classifier(molecule, links);
     std::vector<ResidueKind> kinds;
     kinds.reserve(molecule.residues.size());
-    for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) kinds.push_back(classifier.kindOf(i));
+    for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) kinds.push_back(classifier.findKind(i));
     makeInhibitorsLigands(molecule, links, classifier, kinds);
     return kinds;
 }

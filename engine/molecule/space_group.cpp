@@ -7,7 +7,7 @@
 
 namespace nacre {
 
-const gemmi::SpaceGroup* spaceGroupOf(const std::string& name) {
+const gemmi::SpaceGroup* findSpaceGroup(const std::string& name) {
     if (const gemmi::SpaceGroup* group = gemmi::find_spacegroup_by_name(name)) return group;
     std::string plain = name;
     if (const std::size_t origin = plain.find(':'); origin != std::string::npos) plain.erase(origin);
@@ -21,7 +21,7 @@ const gemmi::SpaceGroup* spaceGroupOf(const std::string& name) {
     return gemmi::find_spacegroup_by_name(plain.insert(2, "-"));
 }
 
-std::optional<gemmi::Op> operationOf(std::string_view text) {
+std::optional<gemmi::Op> parseTriplet(std::string_view text) {
     // gemmi multiplies and adds without overflow checks.
     constexpr std::size_t kLongest = 200, kMostDigits = 3;
     if (text.size() > kLongest) return {};

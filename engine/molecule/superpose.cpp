@@ -26,7 +26,7 @@ glm::dmat3 turnFromTo(const glm::dvec3& from, const glm::dvec3& to) {
     return glm::mat3_cast(glm::angleAxis(angle, glm::normalize(glm::cross(from, aside))));
 }
 
-double rmsdOf(const Superposition& s, std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving) {
+double computeRmsd(const Superposition& s, std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving) {
     double sum = 0;
     for (std::size_t i = 0; i < fixed.size(); ++i) {
         const glm::dvec3 d = s(moving[i]) - fixed[i];
@@ -66,7 +66,7 @@ Superposition superposeLines(std::span<const glm::dvec3> fixed, std::span<const 
         s.rotation = fixedLine ? turnFromTo(glm::normalize(other), glm::normalize(line))
                                : turnFromTo(glm::normalize(line), glm::normalize(other));
     s.shift = a - s.rotation * b;
-    s.rmsd = rmsdOf(s, fixed, moving);
+    s.rmsd = computeRmsd(s, fixed, moving);
     return s;
 }
 
@@ -87,7 +87,7 @@ Superposition superpose(std::span<const glm::dvec3> fixed, std::span<const glm::
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) s.rotation[column][row] = result.transform.mat[row][column];
     s.shift = {result.transform.vec.x, result.transform.vec.y, result.transform.vec.z};
-    s.rmsd = rmsdOf(s, fixed, moving);
+    s.rmsd = computeRmsd(s, fixed, moving);
     return s;
 }
 

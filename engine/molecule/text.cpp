@@ -235,7 +235,7 @@ Words splitWords(std::string_view line) {
     return words;
 }
 
-std::vector<std::string_view> wordsOf(std::string_view line) {
+std::vector<std::string_view> splitAllWords(std::string_view line) {
     std::vector<std::string_view> words;
     for (std::string_view word = cutWord(line); !word.empty(); word = cutWord(line)) words.push_back(word);
     return words;

@@ -57,7 +57,7 @@ struct Words {
 };
 Words splitWords(std::string_view line);
 /// All words of a line.
-std::vector<std::string_view> wordsOf(std::string_view line);
+std::vector<std::string_view> splitAllWords(std::string_view line);
 /// The first words of a line, separating three numbers from word `first` on, which may touch. @param apart  holds their
 /// text
 Words splitWordsApart(std::string_view line, std::size_t first, std::string& apart);

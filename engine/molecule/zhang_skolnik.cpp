@@ -60,7 +60,7 @@ bool fits(const Pattern& pattern, const Molecule& molecule, std::span<const Alph
     return true;
 }
 
-SecondaryStructure kindOf(const Molecule& molecule, std::span<const AlphaCarbon, kWindow> row) {
+SecondaryStructure findKind(const Molecule& molecule, std::span<const AlphaCarbon, kWindow> row) {
     const std::uint32_t chain = molecule.residues[row[0].residue].chain;
     for (const AlphaCarbon& c : row)
         if (molecule.residues[c.residue].chain != chain) return SecondaryStructure::none;
@@ -87,7 +87,7 @@ std::vector<SecondaryStructure> zhangSkolnik(const ResidueFacts& facts) {
     const std::vector<AlphaCarbon> carbons = loneAlphaCarbons(facts);
     std::vector<SecondaryStructure> found(carbons.size(), SecondaryStructure::none);
     for (std::size_t i = 0; i + kWindow <= carbons.size(); ++i)
-        found[i + kWindow / 2] = kindOf(molecule, std::span(carbons).subspan(i).first<kWindow>());
+        found[i + kWindow / 2] = findKind(molecule, std::span(carbons).subspan(i).first<kWindow>());
     dropShort(found);
     for (std::size_t i = 0; i < carbons.size(); ++i) kinds[carbons[i].residue] = found[i];
     for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = kinds[facts.positions()[i]];

@@ -106,7 +106,7 @@ std::uint64_t Bake::mapsDone() const {
     return sum;
 }
 
-std::size_t Bake::texelsOf(std::uint32_t model) const {
+std::size_t Bake::countTexels(std::uint32_t model) const {
     std::size_t sum = 0;
     for (const OcclusionCopies::Run& run : copies_.runs) sum += run.model == model ? run.count : 0;
     return sum;
@@ -138,9 +138,9 @@ void Bake::release() {
 void Bake::makeCells(std::span<const std::uint8_t> texels) {
     const OcclusionLayout& l = layout_;
     if (!device_.caps().tiles.shade || l.sphereEdge < 2) return;
-    constexpr auto wordsOf = [](std::uint32_t across) { return (across + 1) / 3; };
-    const std::uint64_t words = std::uint64_t{l.sphereCount} * wordsOf(l.sphereEdge) * l.sphereEdge +
-                                std::uint64_t{l.cylinderCount} * wordsOf(l.around) * l.along +
+    constexpr auto countWords = [](std::uint32_t across) { return (across + 1) / 3; };
+    const std::uint64_t words = std::uint64_t{l.sphereCount} * countWords(l.sphereEdge) * l.sphereEdge +
+                                std::uint64_t{l.cylinderCount} * countWords(l.around) * l.along +
                                 (std::uint64_t{l.vertexCount} + 1) / 2;
     const std::uint64_t bytes = words * sizeof(std::uint32_t);
     if (bytes + 2 * texels.size() > budgetBytes_ || bytes > device_.caps().maxStorageBufferBytes) return;

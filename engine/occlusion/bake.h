@@ -108,7 +108,7 @@ private:
     static std::uint32_t batchFor(std::uint32_t directions) { return directions > 4 ? 16 : directions > 1 ? 4 : 1; }
     Work nextWork(const Allowance& allowance) const;
     std::uint64_t mostInstances(const Allowance& allowance) const;
-    static double unitsOf(const Work& work);
+    static double countUnits(const Work& work);
     /// Whether whole directions are drawn at once, not in parts.
     bool drawnAtOnce(const Work& work, const Allowance& allowance) const;
     void makeBuffers(const OpenTexels& open);
@@ -128,7 +128,7 @@ private:
                             std::uint32_t model, std::size_t first, std::size_t end);
     vk::DescriptorSet accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t group);
     void writeDirections(std::span<const glm::dmat3> frames, int first);
-    std::size_t texelsOf(std::uint32_t model) const;
+    std::size_t countTexels(std::uint32_t model) const;
 
     const gpu::Device& device_;
     const passes::SceneBuffers& scene_;

@@ -43,7 +43,7 @@ Bake::Work Bake::nextWork(const Allowance& allowance) const {
     work.model = static_cast<std::uint32_t>(behind - doneOf_.begin());
     work.first = *behind;
     work.instances = maps_.instances(work.model);
-    work.texels = texelsOf(work.model);
+    work.texels = countTexels(work.model);
     const double each = static_cast<double>(work.instances) * kUnitsOfInstance + static_cast<double>(work.texels);
     const std::uint32_t left = static_cast<std::uint32_t>(directions()) - static_cast<std::uint32_t>(work.first);
     const double fit = std::clamp(allowance.units / std::max(each, 1.0), 1.0, double{DepthMaps::kMostPerBatch});
@@ -60,12 +60,12 @@ Bake::Work Bake::nextWork(const Allowance& allowance) const {
     return work;
 }
 
-double Bake::unitsOf(const Work& work) {
+double Bake::countUnits(const Work& work) {
     return work.count * (static_cast<double>(work.instances) * kUnitsOfInstance + static_cast<double>(work.texels));
 }
 
 bool Bake::drawnAtOnce(const Work& work, const Allowance& allowance) const {
-    return work.count > 1 || (unitsOf(work) <= allowance.units && work.instances <= mostInstances(allowance));
+    return work.count > 1 || (countUnits(work) <= allowance.units && work.instances <= mostInstances(allowance));
 }
 
 double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance) {
@@ -93,7 +93,7 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
         w.drawnThen = w.instances;
         w.askedThen = w.texels;
         accumulate(maps_.declare(g, imports, frames, batch, w.model));
-        return std::max(unitsOf(w), 1.0);
+        return std::max(countUnits(w), 1.0);
     }
     // Parts of one direction: first draws all primitives, then tests all texels.
     if (w.drawn < w.instances) {

@@ -57,7 +57,7 @@ private:
     std::unique_ptr<XXH3_state_t, Free> state_;
 };
 
-std::string_view bytesOf(const void* data, std::size_t size) { return {static_cast<const char*>(data), size}; }
+std::string_view asBytes(const void* data, std::size_t size) { return {static_cast<const char*>(data), size}; }
 
 std::vector<std::uint8_t> packed(const std::vector<bool>& bits) {
     std::vector<std::uint8_t> bytes((bits.size() + 7) / 8);
@@ -179,11 +179,11 @@ bool writeOcclusion(const DiskCache& cache, const std::string& name, const Finis
     header.openTexels = finished.openTexels;
     header.bounced = finished.bounced ? 1 : 0;
     const std::vector<std::uint8_t> seen = packed(finished.seenSpheres);
-    std::string content(bytesOf(&header, sizeof header));
+    std::string content(asBytes(&header, sizeof header));
     content.append(reinterpret_cast<const char*>(finished.atlas.data()), finished.atlas.size());
     content.append(reinterpret_cast<const char*>(seen.data()), seen.size());
     const XXH128_canonical_t sum = checksum(name, content);
-    const std::string_view parts[] = {content, bytesOf(sum.digest, sizeof sum.digest)};
+    const std::string_view parts[] = {content, asBytes(sum.digest, sizeof sum.digest)};
     return cache.write(name, parts);
 }
 

@@ -30,7 +30,7 @@ constexpr std::uint64_t kMostBytesPerPixel = 4 + 8;  // encoded depth in RGBA16F
 // Primitives per draw of the tile path: their lists take about 30 bytes each on the host.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
 /// Render target states between the graphs of a direction drawn in parts.
-const graph::State kPartState = graph::stateOf(graph::Verb::samples, graph::PassKind::compute);
+const graph::State kPartState = graph::verbState(graph::Verb::samples, graph::PassKind::compute);
 std::uint32_t bytesPerPixel(OcclusionMaps path, const graph::EncodedFormat& encoded) {
     switch (path) {
         case OcclusionMaps::encoded:
@@ -106,7 +106,7 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
     : pixels(width) {
     const bool tiles = path == OcclusionMaps::tiles;
     const std::uint32_t each = bytesPerPixel(path, caps.encodedMaps);
-    const auto bytesOf = [&](std::uint32_t batch) {
+    const auto countBytes = [&](std::uint32_t batch) {
         return tiles ? 2 * TileMaps::bytesFor(pixels, mapsAcross(batch))
                      : std::uint64_t{each} * pixels * pixels * batch;
     };
@@ -115,10 +115,10 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
     const std::uint64_t listed = (representation.spheres.size() + representation.cylinders.size()) * copies;
     const std::uint64_t drawn = listed + representation.triangles.size() * copies;
     for (const std::uint32_t batch : {4u, DepthMaps::kMostPerBatch})
-        if (bytesOf(batch) <= room && pixels * mapsAcross(batch) <= caps.maxImageSize &&
+        if (countBytes(batch) <= room && pixels * mapsAcross(batch) <= caps.maxImageSize &&
             (!tiles || drawn * batch < 1ull << 31))
             perBatch = batch;
-    bytes = bytesOf(perBatch);
+    bytes = countBytes(perBatch);
     mostPrimitives = std::clamp<std::uint64_t>(bytes / 2 / TileMaps::kBytesPerPrimitive, 1, kMostPrimitives);
     // Lists hold no triangles.
     mostPrimitives = mostPrimitives * std::max<std::uint64_t>(drawn, 1) / std::max<std::uint64_t>(listed, 1);
@@ -194,9 +194,10 @@ std::uint64_t DepthMaps::instancesThatFit() const {
     if (caps.mostVertexBytes == 0) return ~std::uint64_t{0};
     passes::PrimitiveCounts counts;
     counts.radiusPixels = radiusPixels();
-    const passes::SphereShapes shapes = passes::shapesOf(PlateShape::automatic, ImpostorShape::automatic, caps, counts);
-    const passes::PassCost plates = passes::costOf(passes::Handed::plates, caps.storesVaryings, shapes);
-    const passes::PassCost depth = passes::costOf(passes::Handed::depth, caps.storesVaryings, shapes);
+    const passes::SphereShapes shapes =
+        passes::chooseShapes(PlateShape::automatic, ImpostorShape::automatic, caps, counts);
+    const passes::PassCost plates = passes::computeCost(passes::Handed::plates, caps.storesVaryings, shapes);
+    const passes::PassCost depth = passes::computeCost(passes::Handed::depth, caps.storesVaryings, shapes);
     std::uint32_t most = 1;
     if (!representation_.spheres.empty()) most = std::max(most, plates[0].bytes + depth[0].bytes);
     if (!representation_.cylinders.empty()) most = std::max(most, depth[1].bytes);
@@ -271,7 +272,7 @@ DepthMaps::Images DepthMaps::addPartImages(graph::Graph& g, bool begins) const {
     const VkFormat format = encoded() ? device_.caps().encodedMaps.format : VK_FORMAT_D32_SFLOAT;
     const graph::Image map = g.importImage("depth map in parts", {format, extent}, kPartState, begins);
     if (!encoded()) return {map, {}};
-    const graph::State depth = graph::stateOf(graph::Verb::depth, graph::PassKind::graphics);
+    const graph::State depth = graph::verbState(graph::Verb::depth, graph::PassKind::graphics);
     return {g.importImage("its hardware depth", {VK_FORMAT_D32_SFLOAT, extent}, depth, begins), map};
 }
 
@@ -283,7 +284,7 @@ void DepthMaps::wantPipelines(gpu::Executor& executor, bool parts) const {
         graph::Graph g("occlusion ahead");
         Images images = add(g);
         declareDrawn(g, images, {&frame, 1}, 1, model, part);
-        const auto state = graph::stateOf(graph::Verb::writes, graph::PassKind::compute);
+        const auto state = graph::verbState(graph::Verb::writes, graph::PassKind::compute);
         const auto sums = g.importBuffer("occlusion sums", sizeof(glm::vec2), state);
         g.compute("occlusion accumulation").samples(images.maps.value_or(images.depth)).writes(sums);
         g.output(sums);

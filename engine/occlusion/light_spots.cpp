@@ -73,7 +73,7 @@ public:
         const std::uint32_t item = itemOfVertex_[i];
         if (item == kNone) return ends.insert(ends.end(), 2, static_cast<std::uint32_t>(seen.size())), void();
         const float step = r_.triangles[item - r_.spheres.size() - r_.cylinders.size()].step();
-        const glm::vec3 point = positionOf(r_.meshVertices[i], step), normal = normalOf(r_.meshVertices[i]);
+        const glm::vec3 point = decodePosition(r_.meshVertices[i], step), normal = decodeNormal(r_.meshVertices[i]);
         from(item, point + kLift * normal, normal, seen);
         ends.push_back(static_cast<std::uint32_t>(seen.size()));
         // The inner side of a closed surface gets no light.

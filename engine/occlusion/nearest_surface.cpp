@@ -46,9 +46,9 @@ std::optional<SurfacePoint> meetCylinder(const Cylinder& c, const glm::vec3& sta
 /// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997).
 std::optional<SurfacePoint> meetTriangle(const Representation& r, const Triangle& t, const glm::vec3& start,
                                          const glm::vec3& direction) {
-    const glm::vec3 a = positionOf(r.meshVertices[t.a], t.step());
-    const glm::vec3 ab = positionOf(r.meshVertices[t.b], t.step()) - a,
-                    ac = positionOf(r.meshVertices[t.c], t.step()) - a;
+    const glm::vec3 a = decodePosition(r.meshVertices[t.a], t.step());
+    const glm::vec3 ab = decodePosition(r.meshVertices[t.b], t.step()) - a,
+                    ac = decodePosition(r.meshVertices[t.c], t.step()) - a;
     const glm::vec3 p = glm::cross(direction, ac);
     const float determinant = glm::dot(ab, p);
     if (determinant == 0) return {};

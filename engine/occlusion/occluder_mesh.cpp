@@ -21,7 +21,7 @@ std::uint64_t mixed(std::uint64_t x) {  // the finaliser of splitmix64
     return x ^ x >> 31;
 }
 
-std::span<const Triangle> trianglesOf(const Representation& r, std::uint32_t first, std::uint32_t count) {
+std::span<const Triangle> spanTriangles(const Representation& r, std::uint32_t first, std::uint32_t count) {
     const std::size_t finest = r.triangles.size();
     return first < finest ? std::span(r.triangles).subspan(first, count)
                           : std::span(r.coarseTriangles).subspan(first - finest, count);
@@ -45,7 +45,7 @@ OccluderMesh plainMesh(const Representation& r, std::span<const Triangle> triang
             if (number == kNew) {
                 number = static_cast<std::uint32_t>(vertices.size());
                 vertices.push_back(vertex);
-                mesh.positions.push_back(positionOf(r.meshVertices[vertex], t.step()));
+                mesh.positions.push_back(decodePosition(r.meshVertices[vertex], t.step()));
             }
             return number;
         };
@@ -100,12 +100,12 @@ private:
 OccluderMesh clustered(const Representation& r, const OccluderMesh& fine, std::span<const std::uint32_t> vertices,
                        float cell) {
     Clusters clusters(vertices.size());
-    std::vector<std::uint32_t> clusterOf(vertices.size());
+    std::vector<std::uint32_t> clusterIndex(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
-        clusterOf[i] = clusters.add(fine.positions[i], normalOf(r.meshVertices[vertices[i]]), cell);
+        clusterIndex[i] = clusters.add(fine.positions[i], decodeNormal(r.meshVertices[vertices[i]]), cell);
     OccluderMesh mesh;
     for (const glm::uvec3& t : fine.triangles) {
-        const glm::uvec3 coarse(clusterOf[t.x], clusterOf[t.y], clusterOf[t.z]);
+        const glm::uvec3 coarse(clusterIndex[t.x], clusterIndex[t.y], clusterIndex[t.z]);
         if (coarse.x != coarse.y && coarse.y != coarse.z && coarse.z != coarse.x) mesh.triangles.push_back(coarse);
     }
     mesh.positions = clusters.middles();
@@ -116,7 +116,7 @@ OccluderMesh clustered(const Representation& r, const OccluderMesh& fine, std::s
 
 OccluderMesh occluderMesh(const Representation& r, std::uint32_t first, std::uint32_t count, float pixel) {
     std::vector<std::uint32_t> vertices;
-    const std::span<const Triangle> triangles = trianglesOf(r, first, count);
+    const std::span<const Triangle> triangles = spanTriangles(r, first, count);
     OccluderMesh mesh = plainMesh(r, triangles, vertices);
     if (OccluderMesh coarse = clustered(r, mesh, vertices, kCell * pixel);
         2 * coarse.triangles.size() <= mesh.triangles.size())

@@ -122,9 +122,9 @@ private:
     bool isOpaque(std::uint32_t item) const {
         const std::size_t spheres = r_.spheres.size();
         if (item < spheres && item < r_.sphereLooks.size())
-            return translucencyOf(r_.sphereLooks[item]) == Translucency::opaque;
+            return classifyTranslucency(r_.sphereLooks[item]) == Translucency::opaque;
         if (item >= spheres && item - spheres < r_.cylinderLooks.size())
-            return translucencyOf(r_.cylinderLooks[item - spheres]) == Translucency::opaque;
+            return classifyTranslucency(r_.cylinderLooks[item - spheres]) == Translucency::opaque;
         return true;
     }
     bool holds(std::uint32_t item, const glm::vec3& p) const {
@@ -154,9 +154,9 @@ private:
                 const Cylinder& stick = r_.cylinders[item - r_.spheres.size()];
                 for (std::uint32_t k = 0; k < kLanes; ++k) in[k] |= inside(stick, {x[k], y[k], z[k]}) ? -1 : 0;
             }
-            if (signsOf(in) == kAllLanes) return 0;
+            if (packSigns(in) == kAllLanes) return 0;
         }
-        return ~signsOf(in) & kAllLanes;
+        return ~packSigns(in) & kAllLanes;
     }
     void begin(const glm::ivec2& size, bool sphere) {
         patch_.begin(size, sphere);

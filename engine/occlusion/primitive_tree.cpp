@@ -19,9 +19,9 @@ std::vector<std::uint64_t> companies(const Representation& r, std::size_t count)
         r.copies.spheres.size() + r.copies.cylinders.size() + (triangles ? r.copies.triangles.size() : 0) > 1;
     if (!lists && r.sphereModels.empty() && (!triangles || r.triangleModels.empty())) return {};
     std::vector<std::uint64_t> companies(count, 0);
-    const auto add = [&](std::size_t base, const auto& runs, const auto& numberOf) {
+    const auto add = [&](std::size_t base, const auto& runs, const auto& getNumber) {
         for (const auto& run : runs)
-            for (std::uint32_t i = 0; i < run.count; ++i) companies[base + run.first + i] += numberOf(run);
+            for (std::uint32_t i = 0; i < run.count; ++i) companies[base + run.first + i] += getNumber(run);
     };
     const auto list = [](const PrimitiveRun& run) { return std::uint64_t{run.list} << 32; };
     const auto model = [](const ModelRun& run) { return std::uint64_t{run.model}; };
@@ -49,9 +49,9 @@ PrimitiveTree::PrimitiveTree(const Representation& r, Of of) {
     }
     if (of == Of::everything)
         for (const Triangle& t : r.triangles) {
-            const glm::vec3 a = positionOf(r.meshVertices[t.a], t.step()),
-                            b = positionOf(r.meshVertices[t.b], t.step()),
-                            c = positionOf(r.meshVertices[t.c], t.step());
+            const glm::vec3 a = decodePosition(r.meshVertices[t.a], t.step()),
+                            b = decodePosition(r.meshVertices[t.b], t.step()),
+                            c = decodePosition(r.meshVertices[t.c], t.step());
             const glm::vec3 middle = (glm::min(glm::min(a, b), c) + glm::max(glm::max(a, b), c)) * 0.5f;
             const auto away = [&](const glm::vec3& p) { return glm::length(p - middle); };
             balls_.push_back({middle, std::max({away(a), away(b), away(c)})});

@@ -15,7 +15,7 @@ constexpr double kWaitedMilliseconds = 30;
 /// Minimum value while a molecule moves: surfaces exposed since the bake are dark, not black.
 constexpr std::uint32_t kLeastOfMoved = 102;
 
-const char* nameOf(OcclusionMaps maps) {
+const char* mapsName(OcclusionMaps maps) {
     switch (maps) {
         case OcclusionMaps::encoded:
             return "encoded";
@@ -27,7 +27,7 @@ const char* nameOf(OcclusionMaps maps) {
 }
 
 /// Memory limit of a bake. @param vertices  of meshes
-std::uint64_t budgetOf(std::uint64_t bytes, std::size_t vertices) {
+std::uint64_t computeBudget(std::uint64_t bytes, std::size_t vertices) {
     constexpr std::uint64_t kOfMaps = 16ull << 20, kOfVertex = 48;
     return bytes == OcclusionSettings::kUsualBytes ? std::max(bytes, kOfMaps + kOfVertex * vertices) : bytes;
 }
@@ -39,7 +39,7 @@ std::uint64_t countUnseen(const std::vector<bool>& seen) {
 /// Everything except the shapes that affects texels.
 std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
     return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
-           std::to_string(options.detail) + " texels, " + (options.bounce ? "bounced, " : "") + nameOf(options.path) +
+           std::to_string(options.detail) + " texels, " + (options.bounce ? "bounced, " : "") + mapsName(options.path) +
            ", " + std::string(caps.encodedMaps.name) + ", " + caps.deviceName + ", " + caps.driverName + ", " +
            std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
 }
@@ -102,7 +102,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optio
     before_ = std::move(shown);
     of_ = scene_;
     wanted_ = wanted;
-    options_ = {settings.directions, budgetOf(settings.bytes, of_.representation->meshVertices.size()),
+    options_ = {settings.directions, computeBudget(settings.bytes, of_.representation->meshVertices.size()),
                 settings.maps,       settings.detail,
                 viewDirection,       settings.bounce};
     const bool tiles = device_.caps().plan.tiles;
@@ -148,7 +148,7 @@ void SceneOcclusion::make(const Allowance& least, const Allowance& most) {
     stats_.bounceMilliseconds = 0;
     stats_.occlusion = {bake->directions(),        0,
                         bake->layout().sphereEdge, bake->texels(),
-                        nameOf(options_.path),     bake->maps().pixels(),
+                        mapsName(options_.path),   bake->maps().pixels(),
                         bake->maps().perBatch(),   bake->bytes(),
                         options_.budgetBytes,      0};
     if (!kept) return;

@@ -51,7 +51,7 @@ std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representa
     const std::size_t count = r.triangles.size() + r.coarseTriangles.size();
     for (std::size_t i = 0; i < count; ++i) {
         const Triangle& t = drawnTriangle(r, i);
-        const auto at = [&](std::uint32_t vertex) { return positionOf(r.meshVertices[vertex], t.step()); };
+        const auto at = [&](std::uint32_t vertex) { return decodePosition(r.meshVertices[vertex], t.step()); };
         const glm::vec3 a = at(t.a), b = at(t.b), c = at(t.c), ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
         if (hidden.hides(a, b, c)) continue;
         const float length = glm::length(normal), facing = glm::dot(normal, towards);
@@ -66,7 +66,7 @@ std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representa
 }
 
 /// One word per four texels, one bit each.
-std::vector<std::uint8_t> wordsOf(const std::vector<bool>& texels) {
+std::vector<std::uint8_t> packTexels(const std::vector<bool>& texels) {
     std::vector<std::uint8_t> words((texels.size() + 3) / 4, 0);
     for (std::size_t i = 0; i < texels.size(); ++i)
         if (texels[i]) words[i / 4] |= static_cast<std::uint8_t>(1u << i % 4);
@@ -90,9 +90,9 @@ void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representat
     if (layout.sphereEdge == 1) return;
     const std::uint32_t edge = layout.sphereEdge, perRow = layout.width / 4;
     const std::vector<bool> ofSphere = seenOfSphere(edge, viewDirection.towards);
-    const std::vector<std::uint8_t> ofVertices = wordsOf(seenOfVertices(layout, r, viewDirection, hidden));
+    const std::vector<std::uint8_t> ofVertices = packTexels(seenOfVertices(layout, r, viewDirection, hidden));
     const std::uint64_t vertexRow = std::uint64_t{layout.sphereRows} + layout.cylinderRows;
-    const auto seenOf = [&](std::uint32_t word) -> std::uint32_t {
+    const auto findSeen = [&](std::uint32_t word) -> std::uint32_t {
         const std::uint32_t row = word / perRow, column = word % perRow;
         if (row < layout.sphereRows) {
             std::uint32_t seen = 0;
@@ -107,7 +107,7 @@ void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representat
     std::vector<std::uint32_t> keptBefore(open.texels.size() + 1, 0);
     const auto keep = [&](const AtlasWord& word, std::uint16_t entry) { keptBefore[word.base + entry + 1] = 1; };
     for (AtlasWord& word : open.words) {
-        const std::uint32_t seen = seenOf(word.address);
+        const std::uint32_t seen = findSeen(word.address);
         for (std::uint32_t i = 0; i < 4; ++i) {
             AtlasWord::Source& source = word.sources[i];
             if (source.entry == AtlasWord::kNone) continue;

@@ -12,13 +12,13 @@ using FourNumbers = std::int32_t __attribute__((vector_size(16)));
 #include "engine/simd/each_lanes.inc"
 
 std::span<const TriangleLanes> triangleLanes() {
-    static constexpr TriangleLanes kLanesOf[] = {
+    static constexpr TriangleLanes kLaneTable[] = {
         {4, lanes4::draw},
 #if defined(__x86_64__)
         {8, lanes8::draw},
 #endif
     };
-    return usableLanes<TriangleLanes>(kLanesOf);
+    return usableLanes<TriangleLanes>(kLaneTable);
 }
 
 }  // namespace nacre::occlusion

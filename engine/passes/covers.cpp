@@ -13,7 +13,7 @@ constexpr vk::VertexInputAttributeDescription kCoverAttributes[] = {{0, 0, vk::F
 
 }  // namespace
 
-std::vector<glm::vec4> coversOf(const TileMask& mask, graph::Extent image) {
+std::vector<glm::vec4> makeCovers(const TileMask& mask, graph::Extent image) {
     std::vector<glm::vec4> covers;
     const glm::vec2 ndc = 2.0f * TileMask::kSide / glm::vec2(image.width, image.height);
     const auto down = static_cast<std::uint32_t>(mask.wanted.size() / mask.across);

@@ -12,15 +12,16 @@ namespace nacre::passes {
 namespace {
 
 /// Atlas, effects, shadow map, numbers, shapes, looks, rows of copies; where there are any, rims or nearest depth.
-constexpr std::array<Type, 8> bindingsOf(Type numbers, Type other) {
+constexpr std::array<Type, 8> listBindings(Type numbers, Type other) {
     return {kSampled, Type::eUniformBuffer, kSampled, numbers, kStorage, kStorage, kStorage, other};
 }
-constexpr auto kAllInput = bindingsOf(Type::eInputAttachment, Type::eInputAttachment),
-               kAllSampled = bindingsOf(kSampled, kSampled), kOtherInput = bindingsOf(kSampled, Type::eInputAttachment);
+constexpr auto kAllInput = listBindings(Type::eInputAttachment, Type::eInputAttachment),
+               kAllSampled = listBindings(kSampled, kSampled),
+               kOtherInput = listBindings(kSampled, Type::eInputAttachment);
 
 #define NACRE_NUMBERS(name) (texture ? NACRE_STAGE(name##Sampled) : NACRE_STAGE(name##Input))
 
-Stage shaderOf(const DeferredPass& pass) {
+Stage chooseShader(const DeferredPass& pass) {
     const bool texture = (pass.over ? pass.over->from : pass.reads.from) == NearestFrom::texture;
     if (pass.over && pass.over->from == NearestFrom::depthBuffer) return NACRE_STAGE(translucentTested);
     if (pass.over) return NACRE_NUMBERS(translucentNearest);
@@ -30,11 +31,11 @@ Stage shaderOf(const DeferredPass& pass) {
 }
 
 /// Image of the last binding; null: none.
-vk::ImageView otherOf(const DeferredPass& pass) {
+vk::ImageView otherImage(const DeferredPass& pass) {
     return pass.rims ? pass.rims->image : pass.over ? pass.over->nearest : vk::ImageView();
 }
 
-const gpu::Layout& layoutOf(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass) {
+const gpu::Layout& passLayout(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass) {
     const std::span<const Type> all = pass.reads.from != NearestFrom::texture                        ? kAllInput
                                       : pass.over && pass.over->from == NearestFrom::inputAttachment ? kOtherInput
                                                                                                      : kAllSampled;
@@ -50,9 +51,9 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     const bool texture = pass.reads.from == NearestFrom::texture;
     const bool otherTexture = pass.over ? pass.over->from == NearestFrom::texture : texture;
     const vk::DescriptorImageInfo atlas(context.pipelines.sampler(vk::Filter::eLinear), pass.reads.atlas, kRead),
-        shadow = shadowOf(context, view, pass.reads.atlas),
+        shadow = describeShadow(context, view, pass.reads.atlas),
         numbers(texture ? nearestTexel : vk::Sampler(), pass.reads.nearest, texture ? kRead : context.inputLayout),
-        other(otherTexture ? nearestTexel : vk::Sampler(), otherOf(pass), kRead);
+        other(otherTexture ? nearestTexel : vk::Sampler(), otherImage(pass), kRead);
     const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
         looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows->handle, 0, VK_WHOLE_SIZE),
         effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
@@ -66,8 +67,9 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
 }
 
-FullScreenPass fullScreenOf(const gpu::PipelineContext& context, const SceneView& view, const DeferredPass& deferred) {
-    FullScreenPass pass{forViews(context, shaderOf(deferred).of(view)), {}, {}};
+FullScreenPass makeFullScreen(const gpu::PipelineContext& context, const SceneView& view,
+                              const DeferredPass& deferred) {
+    FullScreenPass pass{forViews(context, chooseShader(deferred).of(view)), {}, {}};
     if (deferred.rims)
         for (int i = 0; i < 4; ++i)
             pass.constants.set(layout::kClearId + i, deferred.rims->clear.value[static_cast<std::size_t>(i)]);
@@ -96,8 +98,8 @@ bool isEmpty(const SceneView& view, const DeferredPass& pass) {
 
 void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& pass) {
     if (isEmpty(view, pass)) return;
-    const gpu::Layout& layout = layoutOf(context, view, pass);
-    bindFullScreen(context, fullScreenOf(context, view, pass), layout);
+    const gpu::Layout& layout = passLayout(context, view, pass);
+    bindFullScreen(context, makeFullScreen(context, view, pass), layout);
     bindReads(context, view, layout, pass);
     bindCounter(context, view, layout);
     layout::ViewConstants constants = view.constants;
@@ -110,7 +112,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& 
 
 void want(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass) {
     if (isEmpty(view, pass)) return;
-    wantFullScreen(context, fullScreenOf(context, view, pass), layoutOf(context, view, pass));
+    wantFullScreen(context, makeFullScreen(context, view, pass), passLayout(context, view, pass));
 }
 
 }  // namespace nacre::passes

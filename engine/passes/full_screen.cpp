@@ -10,8 +10,8 @@
 namespace nacre::passes {
 namespace {
 
-gpu::GraphicsPipeline pipelineOf(const gpu::PipelineContext& context, const FullScreenPass& pass,
-                                 const gpu::Layout& layout) {
+gpu::GraphicsPipeline describePipeline(const gpu::PipelineContext& context, const FullScreenPass& pass,
+                                       const gpu::Layout& layout) {
     gpu::GraphicsPipeline d = context.pipeline();
     d.detail = pass.detail;
     d.vertex = shaders::screenVertex;
@@ -30,12 +30,12 @@ gpu::GraphicsPipeline pipelineOf(const gpu::PipelineContext& context, const Full
 }  // namespace
 
 void bindFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const gpu::Layout& layout) {
-    const vk::Pipeline pipeline = context.pipelines.graphics(pipelineOf(context, pass, layout));
+    const vk::Pipeline pipeline = context.pipelines.graphics(describePipeline(context, pass, layout));
     context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
 }
 
 void wantFullScreen(gpu::PipelineContext& context, const FullScreenPass& pass, const gpu::Layout& layout) {
-    context.pipelines.want(pipelineOf(context, pass, layout));
+    context.pipelines.want(describePipeline(context, pass, layout));
 }
 
 void bindTextures(gpu::PassContext& context, const gpu::Layout& layout, vk::Filter filter,
@@ -65,7 +65,7 @@ const gpu::Layout& resampleLayout(gpu::PipelineContext& context, const Resamplin
                                      texture ? kPicture : kOwnPixel, kFragments, sizeof(Resampled)});
 }
 
-FullScreenPass passOf(const Resampling& how) {
+FullScreenPass makePass(const Resampling& how) {
     FullScreenPass pass{shaders::resampleFragment, {}, {}};
     if (how.from == NearestFrom::inputAttachment) pass.fragment = shaders::resampleInputFragment;
     if (how.layer) pass.fragment = forEyes(pass.fragment, "resample"), pass.detail = "layer";
@@ -98,7 +98,7 @@ void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling
                          row(1, at(part.offset.y)),
                          row(2, at(how.layer.value_or(0)))};
     const gpu::Layout& layout = resampleLayout(context, how);
-    bindFullScreen(context, passOf(how), layout);
+    bindFullScreen(context, makePass(how), layout);
     if (how.from == NearestFrom::texture)
         bindTextures(context, layout, vk::Filter::eLinear, {&picture, 1});
     else
@@ -112,7 +112,7 @@ void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling
 }
 
 void wantResampling(gpu::PipelineContext& context, const Resampling& how) {
-    wantFullScreen(context, passOf(how), resampleLayout(context, how));
+    wantFullScreen(context, makePass(how), resampleLayout(context, how));
 }
 
 }  // namespace nacre::passes

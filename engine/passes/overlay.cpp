@@ -31,7 +31,7 @@ void put(const gpu::Device& device, gpu::Buffer& buffer, const std::vector<T>& c
 }
 
 /// A batch's rectangle in the image, which may be the picture turned; empty if it lies outside.
-vk::Rect2D scissorOf(const OverlayBatch& b, graph::Extent upright, int quarterTurns) {
+vk::Rect2D makeScissor(const OverlayBatch& b, graph::Extent upright, int quarterTurns) {
     const auto pixel = [](float value, std::uint32_t most) {
         return static_cast<std::int32_t>(std::clamp(value, 0.0f, static_cast<float>(most)));
     };
@@ -108,7 +108,7 @@ void OverlayPass::draw(gpu::PassContext& context, const gpu::FrameSlot& slot, co
     commands.bindVertexBuffers(0, *slot.vertices.handle, {0});
     commands.bindIndexBuffer(*slot.indices.handle, 0, vk::IndexType::eUint32);
     for (const OverlayBatch& batch : overlay.batches) {
-        const vk::Rect2D scissor = scissorOf(batch, upright, quarterTurns);
+        const vk::Rect2D scissor = makeScissor(batch, upright, quarterTurns);
         if (scissor.extent.width == 0) continue;
         if (bound != batch.eye) {
             const gpu::GraphicsPipeline pipeline = overlayPipeline(context, quarterTurns, coded, batch.eye);

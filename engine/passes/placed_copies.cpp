@@ -26,7 +26,7 @@ struct Borders {
 };
 
 /// The planes through the eye and the edges of a picture that is larger by `room` pixels on each side.
-Edges edgesOf(const View& view, double room) {
+Edges makeEdges(const View& view, double room) {
     const double slope = view.eyeDistance > 0 ? 1.0 / view.eyeDistance : 0.0;
     const auto edge = [&](glm::dvec3 out, std::uint32_t pixels, double pan) {
         const double half = (pixels / 2.0 + room) / view.pixelsPerAngstrom + pan;  // on the plane z = 0
@@ -38,10 +38,10 @@ Edges edgesOf(const View& view, double room) {
             edge({0, 1, 0}, view.height, -view.pan.y), edge({0, -1, 0}, view.height, view.pan.y)};
 }
 
-/// @param room  as for edgesOf()
-Borders bordersOf(const View& view, double room) {
-    Borders borders{edgesOf(view, room), {}};
-    if (view.other) borders.other = edgesOf(otherView(view), room);
+/// @param room  as for makeEdges()
+Borders makeBorders(const View& view, double room) {
+    Borders borders{makeEdges(view, room), {}};
+    if (view.other) borders.other = makeEdges(otherView(view), room);
     return borders;
 }
 
@@ -134,7 +134,7 @@ std::vector<MeshLevelCount> PlacedCopies::triangleLevels(const Representation& r
     if (r.meshes.empty()) return {};  // true in each frame of most scenes
     std::vector<TriangleCall> calls;
     for (const Call& call : triangles) calls.push_back({call.first, call.count});
-    return levelsOf(r, calls);
+    return countLevels(r, calls);
 }
 
 PlacedCopies placeCopies(const Representation& r, const View& view, const Chunks* chunks, double room, double error,
@@ -148,7 +148,7 @@ void placeCopies(PlacedCopies& placed, const Representation& r, const View& view
                  double error, bool wires) {
     placed.clear();
     // Impostors reach a little beyond their spheres.
-    const Borders edges = bordersOf(view, 2.0 + room);
+    const Borders edges = makeBorders(view, 2.0 + room);
     const auto* spheres = chunks ? &chunks->spheres : nullptr;
     const auto* cylinders = chunks ? &chunks->cylinders : nullptr;
     const auto* triangles = chunks ? &chunks->triangles : nullptr;

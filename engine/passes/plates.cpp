@@ -29,7 +29,7 @@ double steadyRadius(double before, double now, const graph::GeometryCaps& caps) 
     return now;
 }
 
-std::span<const Plate> platesOf(PlateShape shape) {
+std::span<const Plate> listPlates(PlateShape shape) {
     static constexpr Plate kSquare[]{{4, 0.98516f}}, kDome2[]{{8, 0.98516f}, {8, 0.75f}},
         kDome3[]{{8, 0.98516f}, {8, 0.86f}, {8, 0.6f}};
     if (shape == PlateShape::square) return kSquare;

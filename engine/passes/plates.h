@@ -28,6 +28,6 @@ ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& ca
 double steadyRadius(double before, double now, const graph::GeometryCaps& caps);
 
 /// The polygons of a shape. Several form a dome: smaller plates that lie nearer to the viewer.
-std::span<const Plate> platesOf(PlateShape shape);
+std::span<const Plate> listPlates(PlateShape shape);
 
 }  // namespace nacre::passes

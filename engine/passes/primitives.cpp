@@ -26,7 +26,7 @@ constexpr vk::VertexInputAttributeDescription kCylinderAttributes[] = {
     {0, 0, kVec4, 0}, {1, 0, kVec4, 16}, {2, 1, vk::Format::eR32G32B32A32Uint, 0}};
 
 /// Streams A and B, or A alone. Triangles, and looks of fetched spheres, are fetched by number instead.
-gpu::VertexStreams streamsOf(Primitive primitive, bool looks) {
+gpu::VertexStreams chooseStreams(Primitive primitive, bool looks) {
     if (primitive == Primitive::triangle) return {};
     if (primitive == Primitive::sphere)
         return {std::span(kSphereBindings).first(looks ? 3 : 2), std::span(kSphereAttributes).first(looks ? 3 : 2)};
@@ -34,7 +34,7 @@ gpu::VertexStreams streamsOf(Primitive primitive, bool looks) {
 }
 
 /// Set 0 of a pass that reads: the atlas, effect parameters, the shadow map, and the nearest depth.
-std::span<const Type> bindingsOf(const std::optional<Reads>& reads) {
+std::span<const Type> listBindings(const std::optional<Reads>& reads) {
     static constexpr Type kAtlas[] = {kSampled, Type::eUniformBuffer, kSampled};
     static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment};
     static constexpr Type kTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled};
@@ -51,7 +51,7 @@ std::span<const Type> bindingsOf(const std::optional<Reads>& reads) {
     return kInput;
 }
 /// As above, with the streams for the vertex stage of triangles. Binding numbers are independent of what is read.
-std::span<const Type> triangleBindingsOf(const std::optional<Reads>& reads) {
+std::span<const Type> listTriangleBindings(const std::optional<Reads>& reads) {
     static constexpr Type kAlone[] = {kStorage, kStorage};
     static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage,
                                       kStorage};
@@ -74,11 +74,11 @@ bool bindsStreams(const GeometryPass& pass, const Draw& drawn) {
     return pass.streams || drawn.fetched || drawn.primitive == Primitive::triangle;
 }
 
-const gpu::Layout& layoutOf(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass,
-                            const Draw& drawn) {
+const gpu::Layout& passLayout(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass,
+                              const Draw& drawn) {
     const bool streams = bindsStreams(pass, drawn);
     return context.pipelines.layout({pass.reads ? "shading layout" : "geometry layout",
-                                     streams ? triangleBindingsOf(pass.reads) : bindingsOf(pass.reads), kDraw,
+                                     streams ? listTriangleBindings(pass.reads) : listBindings(pass.reads), kDraw,
                                      sizeof(layout::ViewConstants), view.fragments != nullptr, streams ? 2u : 0u,
                                      pass.streams || drawn.fetched});
 }
@@ -89,14 +89,14 @@ CornerRange impostorCorners(ImpostorShape shape) {
                                              : kPyramid;
 }
 
-const std::vector<PlacedCopies::Call>& callsOf(const SceneView& view, Primitive primitive) {
+const std::vector<PlacedCopies::Call>& primitiveCalls(const SceneView& view, Primitive primitive) {
     return primitive == Primitive::sphere     ? view.copies.spheres
            : primitive == Primitive::cylinder ? view.copies.cylinders
                                               : view.copies.triangles;
 }
 
 /// Spheres of a radius in the picture, as impostors.
-Draw impostorsOf(const GeometryPass& pass, const graph::GeometryCaps& caps, const SceneView& view, double radius) {
+Draw makeImpostors(const GeometryPass& pass, const graph::GeometryCaps& caps, const SceneView& view, double radius) {
     const bool fetched = !view.fragments && !pass.fetched.sphere.vertex.empty() && caps.storesVaryings;
     return {Primitive::sphere, fetched ? pass.fetched.sphere : pass.shaders.sphere, nullptr,
             impostorCorners(chooseImpostor(view.impostor, caps, radius, view.flat())), fetched};
@@ -112,14 +112,14 @@ void eachDraw(const gpu::PipelineContext& context, const SceneView& view, const 
     if (view.buffers->empty()) return;
     const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
     const auto has = [&](Primitive primitive, const Shaders& shaders) {
-        return !shaders.vertex.empty() && !callsOf(view, primitive).empty();
+        return !shaders.vertex.empty() && !primitiveCalls(view, primitive).empty();
     };
     const auto& [sphere, cylinder, triangle] = pass.shaders;
     if (has(Primitive::sphere, sphere)) {
         if (!pass.plates)
-            work(impostorsOf(pass, caps, view, view.radiusPixels));
+            work(makeImpostors(pass, caps, view, view.radiusPixels));
         else
-            for (const Plate& plate : platesOf(choosePlates(view.plates, caps, view.radiusPixels)))
+            for (const Plate& plate : listPlates(choosePlates(view.plates, caps, view.radiusPixels)))
                 work(platesAs(pass, plate));
     }
     if (has(Primitive::cylinder, cylinder)) work({Primitive::cylinder, cylinder, nullptr, {0, 4}});
@@ -128,7 +128,7 @@ void eachDraw(const gpu::PipelineContext& context, const SceneView& view, const 
         work({Primitive::triangle, fetched ? pass.fetched.triangle : triangle, nullptr, {0, 3}, fetched});
 }
 
-const char* nameOf(const Draw& drawn) {
+const char* drawName(const Draw& drawn) {
     constexpr const char* kNames[] = {"spheres", "cylinders", "triangles"};
     constexpr const char* kFetchedNames[] = {"fetched spheres", "", "fetched triangles"};
     return (drawn.fetched ? kFetchedNames : kNames)[static_cast<std::size_t>(drawn.primitive)];
@@ -151,18 +151,18 @@ std::vector<gpu::GraphicsPipeline> otherShapes(gpu::PipelineContext& context, co
     for (const double radius : {0.0, caps.plateOctagons, caps.octagons, caps.domes}) {
         if (std::isinf(radius)) continue;  // never reached
         if (!drawn.plate)
-            add(impostorsOf(pass, caps, view, radius));
+            add(makeImpostors(pass, caps, view, radius));
         else
-            for (const Plate& plate : platesOf(choosePlates(PlateShape::automatic, caps, radius)))
+            for (const Plate& plate : listPlates(choosePlates(PlateShape::automatic, caps, radius)))
                 add(platesAs(pass, plate));
     }
     return others;
 }
 
-gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass,
-                                 const Draw& drawn) {
+gpu::GraphicsPipeline describePipeline(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass,
+                                       const Draw& drawn) {
     gpu::GraphicsPipeline d = context.pipeline();
-    d.detail = nameOf(drawn);
+    d.detail = drawName(drawn);
     d.vertex = forViews(context, drawn.shaders.vertex);
     d.fragment = forViews(context, drawn.shaders.fragment.of(view));
     setGeometryConstants(d.constants, view, pass.rim);
@@ -175,8 +175,8 @@ gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView&
     if (drawn.plate) d.constants.set(layout::kRimId, drawn.plate->rim);
     // A fragment finds one hit, which may differ from those of its samples.
     if (drawn.plate) d.constants.set(layout::kPlateRoomId, view.samples > 1 ? 0.6f : 0.0f);
-    d.streams = streamsOf(drawn.primitive, pass.looks && !drawn.fetched);
-    d.layout = *layoutOf(context, view, pass, drawn).pipeline;
+    d.streams = chooseStreams(drawn.primitive, pass.looks && !drawn.fetched);
+    d.layout = *passLayout(context, view, pass, drawn).pipeline;
     d.colorsWritten = pass.colorsWritten;
     d.depth = pass.depth;
     d.blend = pass.blend;
@@ -196,7 +196,7 @@ void writeReads(gpu::PassContext& context, const SceneView& view, vk::Descriptor
                                           reads.from == NearestFrom::ownAttachment     ? vk::ImageLayout::eGeneral
                                           : reads.from == NearestFrom::inputAttachment ? context.inputLayout
                                                                                        : kRead);
-    const vk::DescriptorImageInfo shadow = shadowOf(context, view, reads.atlas);
+    const vk::DescriptorImageInfo shadow = describeShadow(context, view, reads.atlas);
     const vk::DescriptorBufferInfo effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
     const vk::WriteDescriptorSet writes[] = {
         {set, 0, 0, Type::eCombinedImageSampler, atlas},
@@ -227,7 +227,8 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
 }
 
 /// First and end of the instances of a kind that the pass draws.
-std::array<std::uint64_t, 2> instancesOf(const gpu::PassContext& context, const SceneView& view, Primitive primitive) {
+std::array<std::uint64_t, 2> instanceRange(const gpu::PassContext& context, const SceneView& view,
+                                           Primitive primitive) {
     if (context.share.count == 1) return {0, ~std::uint64_t{0}};
     const PlacedCopies& all = view.copies;
     return context.share.range(static_cast<std::size_t>(primitive),
@@ -235,13 +236,13 @@ std::array<std::uint64_t, 2> instancesOf(const gpu::PassContext& context, const 
 }
 
 void record(gpu::PassContext& context, const SceneView& view, const GeometryPass& pass, const Draw& drawn) {
-    const auto [begin, end] = instancesOf(context, view, drawn.primitive);
+    const auto [begin, end] = instanceRange(context, view, drawn.primitive);
     if (begin == end) return;
     const bool sphere = drawn.primitive == Primitive::sphere, triangle = drawn.primitive == Primitive::triangle;
     const bool pyramid = sphere && drawn.corners.count == kPyramid.count;
     const SceneBuffers& scene = *view.buffers;
-    const gpu::GraphicsPipeline pipeline = pipelineOf(context, view, pass, drawn);
-    const gpu::Layout& layout = layoutOf(context, view, pass, drawn);
+    const gpu::GraphicsPipeline pipeline = describePipeline(context, view, pass, drawn);
+    const gpu::Layout& layout = passLayout(context, view, pass, drawn);
     const vk::raii::CommandBuffer& commands = context.commands;
     commands.bindPipeline(kGraphics, context.pipelines.graphics(
                                          pipeline, [&] { return otherShapes(context, view, pass, drawn, pipeline); }));
@@ -260,7 +261,8 @@ void record(gpu::PassContext& context, const SceneView& view, const GeometryPass
     if (pass.rim > 0) constants.contourWidth = pass.rim;
     if (context.views > 1) constants.contourDepth = view.otherAxis;
     std::uint64_t at = 0;
-    for (const PlacedCopies::Call& all : callsOf(view, drawn.primitive)) {  // copies differ by their push constants
+    for (const PlacedCopies::Call& all :
+         primitiveCalls(view, drawn.primitive)) {  // copies differ by their push constants
         const auto from = static_cast<std::uint32_t>(std::clamp(begin, at, at + all.count) - at);
         const auto to = static_cast<std::uint32_t>(std::clamp(end, at, at + all.count) - at);
         at += all.count;
@@ -287,7 +289,7 @@ void record(gpu::PassContext& context, const SceneView& view, const GeometryPass
 
 }  // namespace
 
-vk::DescriptorImageInfo shadowOf(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas) {
+vk::DescriptorImageInfo describeShadow(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas) {
     return {context.pipelines.sampler(vk::Filter::eNearest), view.shadow ? context.view(*view.shadow) : atlas,
             vk::ImageLayout::eShaderReadOnlyOptimal};
 }
@@ -345,7 +347,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const GeometryPass& 
 
 void want(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass) {
     eachDraw(context, view, pass, [&](const Draw& drawn) {
-        const gpu::GraphicsPipeline pipeline = pipelineOf(context, view, pass, drawn);
+        const gpu::GraphicsPipeline pipeline = describePipeline(context, view, pass, drawn);
         context.pipelines.want(pipeline);
         for (const gpu::GraphicsPipeline& next : otherShapes(context, view, pass, drawn, pipeline))
             context.pipelines.want(next);

@@ -85,7 +85,7 @@ void setGeometryConstants(gpu::Specialization& constants, const SceneView& view,
 void setShadingConstants(gpu::Specialization& constants, const SceneView& view);
 
 /// The shadow map, or a placeholder without shadows.
-vk::DescriptorImageInfo shadowOf(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas);
+vk::DescriptorImageInfo describeShadow(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas);
 
 /// Binds the counter of this pass as set 1, if the view counts.
 void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout,

@@ -26,7 +26,7 @@ gpu::Image makeTexture(const gpu::Device& device, gpu::Executor& executor, const
     gpu::Image image = gpu::makeImage(device, desc, read | vk::ImageUsageFlagBits::eTransferDst, false, name);
     const gpu::Buffer staging = gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferSrc, name + " bytes");
     graph::Graph g(name);
-    auto target = g.importImage(name, desc, graph::stateOf(use, graph::PassKind::graphics), true);
+    auto target = g.importImage(name, desc, graph::verbState(use, graph::PassKind::graphics), true);
     const auto source = g.importBuffer(name + " bytes", staging.size);
     g.transfer("upload").copiesFrom(source).copiesTo(target).record([=](gpu::PassContext& c) {
         c.commands.copyBufferToImage(c.buffer(source), c.image(target), vk::ImageLayout::eTransferDstOptimal,

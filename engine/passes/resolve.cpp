@@ -21,7 +21,7 @@ const gpu::Layout& resolveLayout(gpu::PipelineContext& context, bool words, bool
     return context.pipelines.layout({name, types.first(masked ? 2 : 1), kDraw, sizeof(Push)});
 }
 
-FullScreenPass passOf(const Resolving& how, bool words) {
+FullScreenPass makePass(const Resolving& how, bool words) {
     FullScreenPass pass{words ? (how.masked ? shaders::resolveWordsMasked : shaders::resolveWords)
                               : (how.masked ? shaders::resolveImageMasked : shaders::resolveImage),
                         {},
@@ -37,7 +37,7 @@ void resolve(gpu::PassContext& context, const Resolving& how, const ResolvePlace
     const bool words = what.tiles != nullptr;
     const gpu::Layout& layout = resolveLayout(context, words, how.masked);
     const auto at = [](std::uint32_t pixels) { return static_cast<std::int32_t>(pixels); };
-    bindFullScreen(context, passOf(how, words), layout);
+    bindFullScreen(context, makePass(how, words), layout);
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     const vk::BufferView texels = words ? what.tiles->pixelTexels() : vk::BufferView();
     const auto sampled = [&](vk::ImageView image) {

@@ -32,8 +32,8 @@ void put(const gpu::Buffer& buffer, const Streams&... streams) {
 /// A buffer of streams, back to back.
 template <typename... Streams>
 gpu::Buffer joined(const gpu::Device& device, const std::string& name, const Streams&... streams) {
-    const auto bytesOf = [](const auto& stream) { return stream.size() * sizeof(stream[0]); };
-    gpu::Buffer buffer = gpu::makeBuffer(device, (bytesOf(streams) + ...), kUsage, gpu::Access::upload, name);
+    const auto countBytes = [](const auto& stream) { return stream.size() * sizeof(stream[0]); };
+    gpu::Buffer buffer = gpu::makeBuffer(device, (countBytes(streams) + ...), kUsage, gpu::Access::upload, name);
     put(buffer, streams...);
     return buffer;
 }
@@ -47,7 +47,7 @@ void checkFits(const gpu::Device& device, const Representation& r) {
                     " MB at most (draw fewer atoms, or a surface with a coarser --surface-resolution)");
 }
 
-std::size_t cylindersOf(const Representation& r) { return r.cylinders.size() + r.wires.size(); }
+std::size_t countCylinders(const Representation& r) { return r.cylinders.size() + r.wires.size(); }
 
 /// Cylinders in device form, followed by wires. Adds 1 / length, Å, to save each pixel a division.
 std::vector<Cylinder> placedCylinders(const Representation& r) {
@@ -61,12 +61,12 @@ std::vector<Cylinder> placedCylinders(const Representation& r) {
 std::vector<Triangle> placedTriangles(const Representation& r) {
     std::vector<Triangle> triangles = r.triangles;
     triangles.insert(triangles.end(), r.coarseTriangles.begin(), r.coarseTriangles.end());
-    const auto first = static_cast<std::uint32_t>(r.spheres.size() + 2 * cylindersOf(r) + triangles.size());
+    const auto first = static_cast<std::uint32_t>(r.spheres.size() + 2 * countCylinders(r) + triangles.size());
     for (Triangle& t : triangles) t.a += first, t.b += first, t.c += first;
     return triangles;
 }
 std::vector<MeshVertex> placedVertices(const Representation& r) {
-    const auto first = static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * cylindersOf(r));
+    const auto first = static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * countCylinders(r));
     std::vector<MeshVertex> vertices = r.meshVertices;
     for (MeshVertex& v : vertices) v.look = first + 2 * v.look;
     return vertices;
@@ -89,7 +89,7 @@ std::array<float, 256> linearBytes() {
     return linear;
 }
 
-std::vector<glm::vec4> ballsOf(const Representation& r) {
+std::vector<glm::vec4> makeBalls(const Representation& r) {
     static const std::array<float, 256> linear = linearBytes();
     std::vector<glm::vec4> balls;
     balls.reserve(r.spheres.size());
@@ -105,9 +105,9 @@ std::vector<glm::vec4> ballsOf(const Representation& r) {
 }
 
 /// Groups of the atoms of looks, in the order of the looks.
-std::vector<std::uint32_t> groupsOf(const Representation& r) {
+std::vector<std::uint32_t> listGroups(const Representation& r) {
     std::vector<std::uint32_t> groups;
-    groups.reserve(r.spheres.size() + 2 * cylindersOf(r) + r.meshLooks.size());
+    groups.reserve(r.spheres.size() + 2 * countCylinders(r) + r.meshLooks.size());
     const auto add = [&](std::uint32_t atom) {
         groups.push_back(atom > 0 && atom <= r.atomGroups.size() ? r.atomGroups[atom - 1] : 0);
     };
@@ -126,14 +126,14 @@ std::uint64_t mostShapeBytes(const gpu::Caps& caps) {
 }
 
 void putLooks(SceneBuffers& scene, const Representation& r) {
-    put(scene.looks, r.sphereLooks, r.cylinderLooks, r.wireLooks, r.meshLooks, groupsOf(r));
-    if (scene.balls.mapped) put(scene.balls, ballsOf(r));
+    put(scene.looks, r.sphereLooks, r.cylinderLooks, r.wireLooks, r.meshLooks, listGroups(r));
+    if (scene.balls.mapped) put(scene.balls, makeBalls(r));
 }
 
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r) {
     SceneBuffers scene;
     scene.sphereCount = static_cast<std::uint32_t>(r.spheres.size());
-    scene.cylinderCount = static_cast<std::uint32_t>(cylindersOf(r));
+    scene.cylinderCount = static_cast<std::uint32_t>(countCylinders(r));
     scene.triangleCount = static_cast<std::uint32_t>(r.triangles.size() + r.coarseTriangles.size());
     if (scene.empty()) return scene;
     checkFits(device, r);
@@ -142,10 +142,11 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     scene.shapes =
         joined(device, "stream A: shapes", r.spheres, placedCylinders(r), placedTriangles(r), placedVertices(r));
     scene.looks =
-        joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.wireLooks, r.meshLooks, groupsOf(r));
+        joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.wireLooks, r.meshLooks, listGroups(r));
     if (device.caps().plan.geometry.storesVaryings && !r.spheres.empty())
-        scene.balls = joined(device, "stream C: spheres' linear colours", ballsOf(r));
-    scene.firstGroup = static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * cylindersOf(r) + 2 * r.meshLooks.size());
+        scene.balls = joined(device, "stream C: spheres' linear colours", makeBalls(r));
+    scene.firstGroup =
+        static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * countCylinders(r) + 2 * r.meshLooks.size());
     const auto corners = cornerStream();
     scene.corners =
         gpu::makeBuffer(device, std::span<const glm::vec3>(corners), vk::BufferUsageFlagBits::eVertexBuffer, "corners");

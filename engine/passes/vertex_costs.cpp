@@ -16,16 +16,16 @@ VertexCost polygon(std::uint32_t corners, std::uint32_t bytesOfCorner) {
     return {corners, corners - 2, corners * bytesOfCorner};
 }
 
-VertexCost plateOf(PlateShape shape) {
+VertexCost plateCost(PlateShape shape) {
     VertexCost sum;
-    for (const Plate& p : platesOf(shape)) {
+    for (const Plate& p : listPlates(shape)) {
         const VertexCost plate = polygon(p.corners, kPosition);
         sum = {sum.vertices + plate.vertices, sum.triangles + plate.triangles, sum.bytes + plate.bytes};
     }
     return sum;
 }
 
-VertexCost impostorOf(ImpostorShape shape, std::uint32_t bytesOfCorner) {
+VertexCost impostorCost(ImpostorShape shape, std::uint32_t bytesOfCorner) {
     switch (shape) {
         case ImpostorShape::square:
             return polygon(4, bytesOfCorner);
@@ -36,43 +36,44 @@ VertexCost impostorOf(ImpostorShape shape, std::uint32_t bytesOfCorner) {
     }
 }
 
-PassCost impostorsOf(const SphereShapes& shapes, std::uint32_t sphere, std::uint32_t cylinder, std::uint32_t triangle) {
-    return {impostorOf(shapes.impostor, sphere), polygon(4, cylinder), polygon(3, triangle)};
+PassCost impostorCosts(const SphereShapes& shapes, std::uint32_t sphere, std::uint32_t cylinder,
+                       std::uint32_t triangle) {
+    return {impostorCost(shapes.impostor, sphere), polygon(4, cylinder), polygon(3, triangle)};
 }
 
 }  // namespace
 
-SphereShapes shapesOf(PlateShape plates, ImpostorShape impostor, const graph::GeometryCaps& caps,
-                      const PrimitiveCounts& counts) {
+SphereShapes chooseShapes(PlateShape plates, ImpostorShape impostor, const graph::GeometryCaps& caps,
+                          const PrimitiveCounts& counts) {
     return {choosePlates(plates, caps, counts.radiusPixels),
             chooseImpostor(impostor, caps, counts.radiusPixels, counts.flat)};
 }
 
-PassCost costOf(Handed handed, bool stores, const SphereShapes& shapes) {
+PassCost computeCost(Handed handed, bool stores, const SphereShapes& shapes) {
     switch (handed) {
         case Handed::plates: {
             const bool none = shapes.plates == PlateShape::none;
-            return {plateOf(shapes.plates), VertexCost(), none ? VertexCost() : polygon(3, kPosition)};
+            return {plateCost(shapes.plates), VertexCost(), none ? VertexCost() : polygon(3, kPosition)};
         }
         case Handed::depth:
-            return impostorsOf(shapes, kSphere, kCylinder, stores ? kFetched : kTriangle);
+            return impostorCosts(shapes, kSphere, kCylinder, stores ? kFetched : kTriangle);
         case Handed::number:
-            return impostorsOf(shapes, kSphere + kNumber, kCylinder + kNumber, kTriangle + kNumber);
+            return impostorCosts(shapes, kSphere + kNumber, kCylinder + kNumber, kTriangle + kNumber);
         case Handed::shading:
-            return impostorsOf(shapes, kSphere + kSphereLook, kCylinder + kCylinderLook, kTriangle + kTriangleLook);
+            return impostorCosts(shapes, kSphere + kSphereLook, kCylinder + kCylinderLook, kTriangle + kTriangleLook);
         case Handed::shadingFetched:
             break;
     }
-    return impostorsOf(shapes, kPosition + kThree + kNumber, kCylinder + kCylinderLook, kFetched);
+    return impostorCosts(shapes, kPosition + kThree + kNumber, kCylinder + kCylinderLook, kFetched);
 }
 
-std::array<std::uint32_t, 3> bytesOf(const PassCost& cost) { return {cost[0].bytes, cost[1].bytes, cost[2].bytes}; }
+std::array<std::uint32_t, 3> countBytes(const PassCost& cost) { return {cost[0].bytes, cost[1].bytes, cost[2].bytes}; }
 
-std::array<std::uint64_t, 3> kindsOf(const PrimitiveCounts& counts) {
+std::array<std::uint64_t, 3> countKinds(const PrimitiveCounts& counts) {
     return {counts.spheres, counts.cylinders, counts.triangles};
 }
 
-std::uint64_t bytesOf(const PassCost& cost, const PrimitiveCounts& counts) {
+std::uint64_t countBytes(const PassCost& cost, const PrimitiveCounts& counts) {
     return cost[0].bytes * counts.spheres + cost[1].bytes * counts.cylinders + cost[2].bytes * counts.triangles;
 }
 

@@ -31,8 +31,8 @@ struct SphereShapes {
     ImpostorShape impostor{};
 };
 /// Shapes of spheres of a view. @param plates, impostor  as requested
-SphereShapes shapesOf(PlateShape plates, ImpostorShape impostor, const graph::GeometryCaps& caps,
-                      const PrimitiveCounts& counts);
+SphereShapes chooseShapes(PlateShape plates, ImpostorShape impostor, const graph::GeometryCaps& caps,
+                          const PrimitiveCounts& counts);
 
 struct VertexCost {
     std::uint32_t vertices = 0, triangles = 0, bytes = 0;
@@ -41,13 +41,13 @@ struct VertexCost {
 using PassCost = std::array<VertexCost, 3>;
 
 /// Cost of a primitive of each kind. @param stores  GeometryCaps::storesVaryings
-PassCost costOf(Handed handed, bool stores, const SphereShapes& shapes);
+PassCost computeCost(Handed handed, bool stores, const SphereShapes& shapes);
 
 /// Bytes of a primitive of each kind.
-std::array<std::uint32_t, 3> bytesOf(const PassCost& cost);
+std::array<std::uint32_t, 3> countBytes(const PassCost& cost);
 /// The primitives of a view's passes, by kind.
-std::array<std::uint64_t, 3> kindsOf(const PrimitiveCounts& counts);
+std::array<std::uint64_t, 3> countKinds(const PrimitiveCounts& counts);
 /// Bytes of all primitives.
-std::uint64_t bytesOf(const PassCost& cost, const PrimitiveCounts& counts);
+std::uint64_t countBytes(const PassCost& cost, const PrimitiveCounts& counts);
 
 }  // namespace nacre::passes

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t kOpaque = 0xff000000, kColor = ~kOpaque;
 
 /// A colour for each of 63 atoms, all far apart; never black.
-std::uint32_t colorOf(std::uint32_t atom) {
+std::uint32_t makeColor(std::uint32_t atom) {
     constexpr std::uint32_t kLevels[] = {0x20, 0x60, 0xa0, 0xe0};
     return kOpaque | kLevels[atom & 3] | kLevels[atom >> 2 & 3] << 8 | kLevels[atom >> 4 & 3] << 16;
 }
@@ -30,8 +30,8 @@ Representation sample(const char* name, Style style) {
 
 Representation colored(Style style) {
     Representation r = sample("glucose", style);
-    for (SphereLook& s : r.sphereLooks) s.color = colorOf(s.atom);
-    for (CylinderLook& c : r.cylinderLooks) c.colorA = colorOf(c.atomA), c.colorB = colorOf(c.atomB);
+    for (SphereLook& s : r.sphereLooks) s.color = makeColor(s.atom);
+    for (CylinderLook& c : r.cylinderLooks) c.colorA = makeColor(c.atomA), c.colorB = makeColor(c.atomB);
     return r;
 }
 
@@ -51,8 +51,8 @@ void addOctahedra(Representation& r, float size) {
         for (const glm::uvec3& face : kFaces) mesh.triangles.push_back(face + first);
     }
     const std::vector<SphereLook> looks = r.sphereLooks;
-    const auto lookOf = [&](std::uint32_t atom) { return looks[atom]; };
-    appendMesh(mesh, glm::dvec3(0), lookOf, r);
+    const auto getLook = [&](std::uint32_t atom) { return looks[atom]; };
+    appendMesh(mesh, glm::dvec3(0), getLook, r);
 }
 
 Representation octahedra(Representation r) {
@@ -101,7 +101,7 @@ public:
         for (const Sphere& s : r.spheres) centers_.push_back(seen(s.center));
         for (const Cylinder& c : r.cylinders) ends_.push_back({seen(c.a), seen(c.b)});
         for (const Triangle& t : r.triangles) {
-            const auto corner = [&](std::uint32_t v) { return seen(positionOf(r.meshVertices[v], t.step())); };
+            const auto corner = [&](std::uint32_t v) { return seen(decodePosition(r.meshVertices[v], t.step())); };
             corners_.push_back({corner(t.a), corner(t.b), corner(t.c)});
         }
     }
@@ -226,7 +226,7 @@ RenderSettings testSettings(const Representation& r, Projection projection, std:
     Camera camera;
     camera.projection = projection;
     camera.rotationDegrees = {20, 30, 40};
-    s.view = viewOf(camera, r.radius, pixels, pixels);
+    s.view = makeView(camera, r.radius, pixels, pixels);
     s.supersample = 1;
     s.background = {0, 0, 0, 0};
     s.lighting = false;

@@ -28,13 +28,13 @@ inline bool any(Mask mask) {
     return (halves[0] | halves[1]) != 0;
 }
 
-inline Mask bitsOf(Lanes lanes) {
+inline Mask toBits(Lanes lanes) {
     Mask bits;
     std::memcpy(&bits, &lanes, sizeof bits);
     return bits;
 }
 /// The sign bits of four numbers, the first in the lowest bit.
-inline std::uint32_t signsOf(Mask bits) {
+inline std::uint32_t packSigns(Mask bits) {
 #if defined(__SSE__)
     Lanes lanes;
     std::memcpy(&lanes, &bits, sizeof lanes);

@@ -68,7 +68,7 @@ void Coverage::cover(const TileView& view, const glm::vec3& center, float radius
     const float scale = view.perspective ? view.origin / Z : 1.0f;
     const float reach = (radius * scale * view.pixels * (1 - kRoomShare) - inset_) * perSide_;
     if (!(reach > 0)) return;
-    const glm::vec2 at = pixelOf(view, glm::vec2(center) * scale) * perSide_;
+    const glm::vec2 at = toPixel(view, glm::vec2(center) * scale) * perSide_;
     eachRow({at, reach, reach * reach}, rows, [&](float* from, float* to) {
         for (; from != to; ++from) *from = std::min(*from, Z);
         return true;

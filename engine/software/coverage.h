@@ -25,7 +25,7 @@ public:
     /// @param at, reach  of the disc, pixels
     /// @param near  Z, Å
     bool hides(glm::vec2 at, float reach, float near, RowBand rows) {
-        const CellDisc disc = discOf(at, reach);
+        const CellDisc disc = boundingDisc(at, reach);
         return disc.radius < 0.5f ? hidesSmall(disc, near, rows) : hidesLarge(disc, near, rows);
     }
     std::uint32_t rows() const { return down_; }  ///< in cells
@@ -38,7 +38,7 @@ private:
     };
     template <typename Work>
     bool eachRow(const CellDisc& disc, RowBand rows, const Work& work);
-    CellDisc discOf(glm::vec2 at, float reach) const {
+    CellDisc boundingDisc(glm::vec2 at, float reach) const {
         const float radius = (reach + outset_) * perSide_;
         return {at * perSide_, radius, radius * radius};
     }

@@ -37,13 +37,13 @@ namespace front_lanes {
 
 std::span<const FrontLanes> frontLanes() {
     using namespace front_lanes;
-    static constexpr FrontLanes kLanesOf[] = {
+    static constexpr FrontLanes kLaneTable[] = {
         {4, lanes4::drawGroup, lanes4::findRectangles},
 #if defined(__x86_64__)
         {8, lanes8::drawGroup, lanes8::findRectangles},
 #endif
     };
-    return usableLanes<FrontLanes>(kLanesOf);
+    return usableLanes<FrontLanes>(kLaneTable);
 }
 
 }  // namespace nacre

@@ -18,9 +18,9 @@ constexpr float kHidesAll = -kNoDepth;
 constexpr std::uint32_t kMostLanes = 16;
 
 /// Computed anew wherever needed: there may be millions of copies of single atoms.
-FrontPlace placeOf(const TileView& view, const TileCall& call) {
+FrontPlace makePlace(const TileView& view, const TileCall& call) {
     const glm::vec4* rows = call.rows;
-    // As pixelOf().
+    // As toPixel().
     const glm::vec4 across = rows[0] * view.pixels, up = rows[1] * view.pixels;
     const glm::vec4 turned[4][2] = {{across, -up}, {up, across}, {-across, up}, {-up, -across}};
     FrontPlace p{turned[view.quarterTurns & 3][0], turned[view.quarterTurns & 3][1], -rows[2], {}, {}, {}};
@@ -86,7 +86,7 @@ void FrontSpheres::list(const TileView& view, const Scenery& s) {
     const auto count = static_cast<std::uint32_t>(s.boxes.groups.size());
     for (std::uint32_t c = 0; c < s.calls.size(); ++c) {
         const TileCall& call = s.calls[c];
-        const FrontPlace place = placeOf(view, call);
+        const FrontPlace place = makePlace(view, call);
         const std::uint32_t end = (call.first + call.count + kOfGroup - 1) / kOfGroup;
         for (std::uint32_t g = call.first / kOfGroup; g < end; g += lanes_.lanes) {
             for (std::uint32_t k = 0; k < lanes_.lanes; ++k) boxes[k] = s.boxes.groups[std::min(g + k, count - 1)];
@@ -179,7 +179,7 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
         for (const FrontGroup& group : sorted_) {
             if (group.bottom < top || group.top > bottom) continue;
             if (!band.isHidden({group.near, group.left, group.top, group.right, group.bottom}))
-                lanes_.draw(band, s.spheres, s.boxes, s.calls[group.call], placeOf(view, s.calls[group.call]),
+                lanes_.draw(band, s.spheres, s.boxes, s.calls[group.call], makePlace(view, s.calls[group.call]),
                             group.group);
         }
     });

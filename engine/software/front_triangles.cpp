@@ -52,14 +52,14 @@ struct FrontTriangles::Picture {
     /// Whether the nearest point of a box is certainly behind each of its pixels.
     bool isHidden(const TriangleLens& lens, const Box& box) const {
         if (lens.perspective && !(box.nearest > 0)) return false;
-        const float nearest = lens.keyOf(box.nearest);
+        const float nearest = lens.depthKey(box.nearest);
         const Lanes key = Lanes{} + (nearest + lens.errorOfKey(nearest));
         for (std::int32_t y = box.top; y < box.bottom; ++y) {
             if (!rows[static_cast<std::size_t>(y)]) return false;
             const float* row = &behind[static_cast<std::size_t>(y) * pitch];
             for (std::int32_t x = box.left; x < box.right; x += static_cast<std::int32_t>(kLanes)) {
                 const Lanes within = static_cast<float>(box.right - x) - 0.5f - Lanes{0, 1, 2, 3};
-                if (signsOf(bitsOf(key - loadLanes(row + x)) | bitsOf(within)) != (1u << kLanes) - 1) return false;
+                if (packSigns(toBits(key - loadLanes(row + x)) | toBits(within)) != (1u << kLanes) - 1) return false;
             }
         }
         return true;
@@ -162,8 +162,8 @@ FrontTriangles::Placed FrontTriangles::place(const Group& group, std::uint32_t n
     const glm::vec3 center = nacre::placed(group.rows, group.ball->center);
     const float Z = view_.origin - center.z - group.ball->radius - 2 * lens_.errorOfZ;
     if (view_.perspective && !(Z > 0)) return placed;
-    const Disc disc = discOf(view_, center, group.ball->radius);
-    const glm::vec2 at = pixelOf(view_, disc.center);
+    const Disc disc = boundingDisc(view_, center, group.ball->radius);
+    const glm::vec2 at = toPixel(view_, disc.center);
     const float reach = disc.radius * view_.pixels + kRoom + static_cast<float>(view_.edges ? kAround : 0);
     const auto row = [&](float y) { return static_cast<std::int32_t>(std::min(std::max(y + 0.5f, 0.0f), height)); };
     placed.near = Z;
@@ -235,12 +235,14 @@ void FrontTriangles::end() {
         }
 }
 
-std::uint32_t FrontTriangles::numberOf(std::uint32_t index) const { return numbers_[index / kGroup] + index % kGroup; }
+std::uint32_t FrontTriangles::triangleNumber(std::uint32_t index) const {
+    return numbers_[index / kGroup] + index % kGroup;
+}
 
 const Triangle& FrontTriangles::doubt(std::size_t index, const glm::vec4*& rows, std::uint32_t& number) const {
     const Group& group = groups_[ambiguous_[index] / kGroup];
     rows = group.rows;
-    number = numberOf(ambiguous_[index]);
+    number = triangleNumber(ambiguous_[index]);
     return group.triangles[ambiguous_[index] % kGroup];
 }
 
@@ -259,7 +261,7 @@ void FrontTriangles::write(std::uint32_t x, std::uint32_t y, std::uint32_t count
     const bool any = y < lens_.height && picture_->rows[y];
     const std::uint32_t end = any ? std::clamp(lens_.width, x, x + count) : x;
     const std::uint32_t* row = picture_->index.data() + y * picture_->pitch;
-    for (std::uint32_t at = x; at < end; ++at) *to++ = row[at] == kNone ? 0 : numberOf(row[at]);
+    for (std::uint32_t at = x; at < end; ++at) *to++ = row[at] == kNone ? 0 : triangleNumber(row[at]);
     std::fill_n(to, x + count - end, 0u);
 }
 

@@ -65,7 +65,7 @@ private:
         std::uint32_t group = 0;
         std::int32_t top = 0, bottom = 0;  // equal: none
     };
-    std::uint32_t numberOf(std::uint32_t index) const;
+    std::uint32_t triangleNumber(std::uint32_t index) const;
     void addGroups(const Run& run);
     Placed place(const Group& group, std::uint32_t number) const;
     void doubtUncovered(const Band& band);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kMargin = 0.05f;  // Å by which a hidden sphere must be farther away, to allow for shaders' rounding
 
-const glm::vec4* rowsOf(const PlacedCopies& placed, std::uint32_t copy) {
+const glm::vec4* placedRows(const PlacedCopies& placed, std::uint32_t copy) {
     return placed.rows.data() + 3 * std::size_t{copy};
 }
 
@@ -24,22 +24,22 @@ std::size_t threadsFor(std::size_t chunks) {
 
 void NearFirstSpheres::list(const PlacedCopies& copies, const Chunks& chunks, const TileView& view) {
     const std::vector<PlacedCopies::Call>& calls = copies.spheres;
-    const auto chunkOf = [](std::uint32_t sphere) { return sphere / Chunk::kPrimitives; };
+    const auto chunkIndex = [](std::uint32_t sphere) { return sphere / Chunk::kPrimitives; };
     begins_.assign(1, 0);
     for (const PlacedCopies::Call& call : calls)
-        begins_.push_back(begins_.back() + chunkOf(call.first + call.count - 1) + 1 - chunkOf(call.first));
+        begins_.push_back(begins_.back() + chunkIndex(call.first + call.count - 1) + 1 - chunkIndex(call.first));
     all_.resize(begins_.back());
     const auto listCall = [&](std::size_t c) {
         const PlacedCopies::Call& call = calls[c];
-        const glm::vec4* rows = rowsOf(copies, call.copy);
+        const glm::vec4* rows = placedRows(copies, call.copy);
         Some* to = all_.data() + begins_[c];
         const std::uint32_t end = call.first + call.count;
         for (std::uint32_t first = call.first; first < end;) {
-            const std::uint32_t next = std::min(end, (chunkOf(first) + 1) * Chunk::kPrimitives);
-            const Chunk& chunk = chunks.spheres[chunkOf(first)];
+            const std::uint32_t next = std::min(end, (chunkIndex(first) + 1) * Chunk::kPrimitives);
+            const Chunk& chunk = chunks.spheres[chunkIndex(first)];
             const glm::vec3 center = placed(rows, chunk.center);
-            const Disc disc = discOf(view, center, reachOf(view, center.z, chunk.radius));
-            const glm::vec2 at = pixelOf(view, disc.center);
+            const Disc disc = boundingDisc(view, center, outlinedRadius(view, center.z, chunk.radius));
+            const glm::vec2 at = toPixel(view, disc.center);
             *to++ = {view.origin - center.z - chunk.radius,
                      at.x,
                      at.y,
@@ -67,17 +67,17 @@ bool NearFirstSpheres::hides(const Some& some, RowBand part) {
 }
 
 /// @returns the spheres that may be visible in a part, a bit each @param asked  candidates
-std::uint32_t NearFirstSpheres::shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, RowBand part,
-                                        bool covers) {
+std::uint32_t NearFirstSpheres::findShown(const Some& some, std::uint32_t asked, const Scenery& scenery, RowBand part,
+                                          bool covers) {
     std::uint32_t shown = 0;
-    const glm::vec4* rows = rowsOf(scenery.copies, some.copy);
+    const glm::vec4* rows = placedRows(scenery.copies, some.copy);
     for (std::uint32_t i = 0; i < some.count; ++i) {
         if (!(asked >> i & 1)) continue;
         const Sphere& s = scenery.spheres[some.first + i];
         const glm::vec3 center = placed(rows, s.center);
-        const Disc disc = discOf(scenery.view, center, reachOf(scenery.view, center.z, s.radius));
+        const Disc disc = boundingDisc(scenery.view, center, outlinedRadius(scenery.view, center.z, s.radius));
         const float near = scenery.view.origin - center.z - s.radius - kMargin;
-        if (coverage_.hides(pixelOf(scenery.view, disc.center), disc.radius * scenery.view.pixels, near, part))
+        if (coverage_.hides(toPixel(scenery.view, disc.center), disc.radius * scenery.view.pixels, near, part))
             continue;
         shown |= 1u << i;
         if (covers) coverage_.cover(scenery.view, center, s.radius, part);
@@ -94,11 +94,11 @@ void NearFirstSpheres::look(const Scenery& scenery, std::size_t of) {
         __builtin_prefetch(&all_[order_[std::min(at + kAhead, order_.size() - 1)]]);
         const std::uint32_t i = order_[at];
         if (hides(all_[i], part)) continue;
-        const std::uint32_t here = shownOf(all_[i], ~0u, scenery, part, true);
+        const std::uint32_t here = findShown(all_[i], ~0u, scenery, part, true);
         if (here != 0) shown.push_back({i, here});
     }
     // Again, now that the largest occluders are known.
-    for (Shown& s : shown) s.spheres = shownOf(all_[s.some], s.spheres, scenery, part, false);
+    for (Shown& s : shown) s.spheres = findShown(all_[s.some], s.spheres, scenery, part, false);
 }
 
 std::unique_ptr<HiddenSpheres> makeHiddenSpheres() { return std::make_unique<NearFirstSpheres>(); }
@@ -111,11 +111,11 @@ void NearFirstSpheres::drop(SceneView& seen, const Representation& r, const Chun
     list(copies, chunks, view);
     orderNearFirst<1024>(view, all_, order_);
     const std::uint32_t rows = coverage_.rows();
-    const auto rowOf = [&](const Some& some) {
+    const auto findRow = [&](const Some& some) {
         const float row = std::min(std::max(some.y / coverage_.side(), 0.0f), static_cast<float>(rows - 1));
         return static_cast<std::uint32_t>(row);
     };
-    partRows(rows, threadsFor(all_.size()), all_, rowOf, inRow_, parts_);
+    partRows(rows, threadsFor(all_.size()), all_, findRow, inRow_, parts_);
     shown_.resize(std::max(shown_.size(), parts_.size()));
     inParallel(parts_.size(), [&](std::size_t p) { look({view, r.spheres, copies}, p); });
     // A sphere on the border of two parts may be visible in either.

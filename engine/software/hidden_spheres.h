@@ -39,7 +39,7 @@ private:
         std::uint32_t some, spheres;  // index of the chunk, and one bit per sphere
     };
     bool hides(const Some& some, RowBand part);
-    std::uint32_t shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, RowBand part, bool covers);
+    std::uint32_t findShown(const Some& some, std::uint32_t asked, const Scenery& scenery, RowBand part, bool covers);
     void look(const Scenery& scenery, std::size_t part);
 
     Coverage coverage_;

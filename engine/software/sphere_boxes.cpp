@@ -29,7 +29,7 @@ struct Corners {
 };
 
 /// @param corners  of the spheres
-SphereBox boxOf(const Corners& corners, std::span<const Sphere> spheres) {
+SphereBox makeBox(const Corners& corners, std::span<const Sphere> spheres) {
     if (spheres.empty()) return {};
     const glm::vec3 middle = corners.low * 0.5f + corners.high * 0.5f;
     float ball = 0;
@@ -86,7 +86,7 @@ std::vector<std::uint32_t> orderInBoxes(const std::vector<Sphere>& stream, const
 
 }  // namespace
 
-SphereBoxes sphereBoxesOf(std::span<const Sphere> spheres) {
+SphereBoxes makeSphereBoxes(std::span<const Sphere> spheres) {
     constexpr std::size_t kOfGroup = std::size_t{SphereBoxes::kSpheres} * SphereBoxes::kBoxes;
     SphereBoxes all;
     for (std::size_t first = 0; first < spheres.size(); first += kOfGroup) {
@@ -97,9 +97,9 @@ SphereBoxes sphereBoxesOf(std::span<const Sphere> spheres) {
             Corners corners;
             for (std::size_t i = begin; i < end; ++i) corners.add(spheres[i]);
             group.add(corners);
-            all.boxes.push_back(boxOf(corners, spheres.subspan(begin, end - begin)));
+            all.boxes.push_back(makeBox(corners, spheres.subspan(begin, end - begin)));
         }
-        all.groups.push_back(boxOf(group, spheres.subspan(first, std::min(kOfGroup, spheres.size() - first))));
+        all.groups.push_back(makeBox(group, spheres.subspan(first, std::min(kOfGroup, spheres.size() - first))));
     }
     for (const Sphere& s : spheres) {
         const float reach =
@@ -112,13 +112,13 @@ SphereBoxes sphereBoxesOf(std::span<const Sphere> spheres) {
 
 /// Copies are drawn often, and have few spheres: an own order pays. The stream keeps its order, which decides which of
 /// two equally near spheres is shown.
-SphereBoxes sphereBoxesOf(const Representation& r) {
-    if (r.copies.transforms.empty()) return sphereBoxesOf(r.spheres);
+SphereBoxes makeSphereBoxes(const Representation& r) {
+    if (r.copies.transforms.empty()) return makeSphereBoxes(r.spheres);
     std::vector<std::uint32_t> starts = runStarts(r.copies.spheres, r.sphereModels, r.spheres.size());
     std::vector<std::uint32_t> numbers = orderInBoxes(r.spheres, starts);
     std::vector<Sphere> spheres(numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) spheres[i] = r.spheres[numbers[i]];
-    SphereBoxes boxes = sphereBoxesOf(spheres);
+    SphereBoxes boxes = makeSphereBoxes(spheres);
     boxes.spheres = std::move(spheres);
     boxes.numbers = std::move(numbers);
     boxes.starts = std::move(starts);

@@ -31,8 +31,8 @@ struct SphereBoxes {
     float reach = 0;                     ///< bound of all coordinates and radii; infinite if any is NaN
 };
 
-SphereBoxes sphereBoxesOf(std::span<const Sphere> spheres);
+SphereBoxes makeSphereBoxes(std::span<const Sphere> spheres);
 /// The boxes of a scene, in their own order if it has copies.
-SphereBoxes sphereBoxesOf(const Representation& representation);
+SphereBoxes makeSphereBoxes(const Representation& representation);
 
 }  // namespace nacre

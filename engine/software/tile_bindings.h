@@ -87,7 +87,7 @@ void bindTiles(gpu::PassContext& context, const gpu::Layout& layout, const gpu::
 /// @param rim  of GeometryPass
 inline void setTileView(gpu::Specialization& constants, const SceneView& view, float rim = 0) {
     setGeometryConstants(constants, view, rim);
-    constants.set(layout::kCopiesId, listsOf(view).copies);
+    constants.set(layout::kCopiesId, listedFrame(view).copies);
     constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
 }
 

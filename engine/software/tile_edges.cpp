@@ -32,8 +32,8 @@ gpu::ComputePipeline findPipeline(gpu::PipelineContext& context, const SceneView
                            *findLayout(context).pipeline};
     d.constants.set(layout::kLanesId, caps.lanes);
     setTileView(d.constants, view);
-    d.constants.set(layout::kEverywhereId, listsOf(view).edgeData.everywhere);
-    d.constants.set(layout::kRowsId, listsOf(view).shaded);
+    d.constants.set(layout::kEverywhereId, listedFrame(view).edgeData.everywhere);
+    d.constants.set(layout::kRowsId, listedFrame(view).shaded);
     return d;
 }
 
@@ -51,12 +51,12 @@ gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneVi
     setTileView(d.constants, view);
     setShadingConstants(d.constants, view);
     d.constants.set(layout::kLanesId, caps.lanes);
-    d.constants.set(layout::kListedId, listsOf(view).edgeData.listed);
+    d.constants.set(layout::kListedId, listedFrame(view).edgeData.listed);
     if (tileScene(*view.buffers) == TileScene::triangles) {
         d.constants.set(layout::kSpheresId, view.buffers->sphereCount > 0);
         d.constants.set(layout::kCylindersId, view.buffers->cylinderCount > 0);
     }
-    d.constants.set(layout::kRowsId, listsOf(view).shaded);
+    d.constants.set(layout::kRowsId, listedFrame(view).shaded);
     return d;
 }
 
@@ -64,11 +64,11 @@ gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneVi
 
 void wantEdgesByTiles(gpu::PipelineContext& context, const SceneView& view) {
     context.pipelines.want(samplePipeline(context, view));  // this one takes a driver longer
-    if (!listsOf(view).edgeData.placed) context.pipelines.want(findPipeline(context, view));
+    if (!listedFrame(view).edgeData.placed) context.pipelines.want(findPipeline(context, view));
 }
 
 void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
-    const ListedFrame& f = listsOf(view);
+    const ListedFrame& f = listedFrame(view);
     if (f.lists.tiles().empty()) return;
     bindTiles(context, findLayout(context), findPipeline(context, view), f.constants, [&](TileBindings& to) {
         to.read(f.words);
@@ -81,7 +81,7 @@ void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
 }
 
 void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas) {
-    const ListedFrame& f = listsOf(view);
+    const ListedFrame& f = listedFrame(view);
     const SceneBuffers& scene = *view.buffers;
     if (f.lists.tiles().empty()) return;
     const gpu::Layout& layout = sampleLayout(context, view);
@@ -95,7 +95,7 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
         to.read(f.sights());
         to.read(f.edgeData.pixels);
         to.store(f.shaded ? f.numbers.buffer : f.edgeData.colors.buffer);
-        to.sample(shadowOf(context, view, atlas));
+        to.sample(describeShadow(context, view, atlas));
         // Always written, even if the shader reads none: lavapipe accesses it.
         if (context.device.caps().tiles.texels) to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
     });
@@ -104,7 +104,7 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
 }
 
 void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const graph::Clear& clear) {
-    const ListedFrame& f = listsOf(view);
+    const ListedFrame& f = listedFrame(view);
     const bool texels = context.device.caps().tiles.texels;
     if (f.lists.spans().empty()) return;
     const gpu::Layout& layout = context.pipelines.layout(

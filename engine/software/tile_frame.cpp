@@ -32,7 +32,8 @@ void listCalls(const SceneView& seen, const std::vector<PlacedCopies::Call>& cal
 
 static_assert(TileLists::kDepthSteps == layout::kListSteps);
 
-layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCopies& copies, const TileLists& lists) {
+layout::TileConstants makeConstants(const layout::ViewConstants& c, const PlacedCopies& copies,
+                                    const TileLists& lists) {
     layout::TileConstants t{};
     if (!copies.rows.empty()) t.row0 = copies.rows[0], t.row1 = copies.rows[1], t.row2 = copies.rows[2];
     t.origin = c.origin;
@@ -95,9 +96,9 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image, 
 std::unique_ptr<TileFrames> makeTileFrames(const gpu::Device& device) { return std::make_unique<ListedFrames>(device); }
 
 /// Made when the host first draws a scene's spheres. Kept when only colours change.
-const SphereBoxes& ListedFrames::boxesOf(const Representation& r, const SceneView& seen) {
+const SphereBoxes& ListedFrames::sceneBoxes(const Representation& r, const SceneView& seen) {
     if (!seen.owner || boxed_.lock() != seen.owner) {
-        boxes_ = sphereBoxesOf(r);
+        boxes_ = makeSphereBoxes(r);
         boxed_ = seen.owner;
     }
     return boxes_;
@@ -111,7 +112,7 @@ std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, 
     listCalls(seen, seen.copies.spheres, 0, spheres_);
     listCalls(seen, seen.copies.cylinders, seen.constants.spheres, cylinders_);
     listCalls(seen, seen.copies.triangles, firstTriangle, triangles_);
-    const SphereBoxes* boxes = work.frontSpheres ? &boxesOf(r, seen) : nullptr;
+    const SphereBoxes* boxes = work.frontSpheres ? &sceneBoxes(r, seen) : nullptr;
     const TileScenery scenery{r.spheres,      spheres_,   r.cylinders,       cylinders_, r.wires, r.triangles,
                               r.meshVertices, triangles_, r.coarseTriangles, r.meshes,   boxes,   work.triangleChunks};
     TileView asked = tileView(seen, view, image, !work.edges && !work.subsamples);
@@ -124,7 +125,7 @@ std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, 
     const std::uint32_t walks = seen.rims.any() ? 2 : 1;
     frame.groups = groupsOfTiles(frame.lists, work.shaded, walks, device_.caps().tiles.longestList);
     frame.copies = !r.copies.transforms.empty();
-    frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
+    frame.constants = makeConstants(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
     frame.cleared = work.shaded && (!r.cylinders.empty() || !r.wires.empty() || !r.triangles.empty());
     upload(frame, seen.copies, image, work.kept);

@@ -80,7 +80,7 @@ public:
 TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers);
 
 /// The lists of a view that is drawn by tiles.
-inline const ListedFrame& listsOf(const SceneView& view) { return static_cast<const ListedFrame&>(*view.tiles); }
+inline const ListedFrame& listedFrame(const SceneView& view) { return static_cast<const ListedFrame&>(*view.tiles); }
 
 /// Rows of bins, as shaders/tile_span.vert reads them.
 struct TileSpanVertex {
@@ -94,7 +94,7 @@ public:
                                              const View& view, graph::Extent image, TileWork work) override;
 
 private:
-    const SphereBoxes& boxesOf(const Representation& representation, const SceneView& seen);
+    const SphereBoxes& sceneBoxes(const Representation& representation, const SceneView& seen);
     /// Reserves the words of an image's pixels, and clears leftovers of earlier frames that will not be overwritten.
     /// @param kept  words per pixel @param all  also clears pixels to be drawn: the device writes covered ones only
     void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept, bool all,

@@ -19,7 +19,7 @@ struct VertexRange {
 };
 
 /// Vertices of a call's triangles. If most of a mesh is drawn, its known range.
-VertexRange verticesOf(const TileScenery& s, const TileCall& call) {
+VertexRange findVertices(const TileScenery& s, const TileCall& call) {
     constexpr std::uint32_t kFew = 8;  // for a smaller share of a mesh, its triangles are searched
     for (const MeshRun& mesh : s.meshes) {
         const auto within = [&](std::uint32_t first, std::uint32_t count) {
@@ -31,7 +31,7 @@ VertexRange verticesOf(const TileScenery& s, const TileCall& call) {
                 return {mesh.firstVertex, level.endVertex};
     }
     VertexRange range;
-    for (const Triangle& t : s.trianglesOf(call))
+    for (const Triangle& t : s.callTriangles(call))
         range.add({std::min({t.a, t.b, t.c}), std::max({t.a, t.b, t.c}) + std::size_t{1}});
     return range;
 }
@@ -59,7 +59,7 @@ bool holdsCenter(glm::vec2 low, glm::vec2 high) {
 }
 
 /// Radius of a wire, as in shaders/common/hit.glsl, slightly enlarged.
-float radiusOf(const TileView& view, float stored, float z) {
+float wireRadius(const TileView& view, float stored, float z) {
     if (stored >= 0) return stored;
     const float atOrigin = -stored * view.wireScale / view.pixels * 1.001f;
     return view.perspective ? atOrigin * (view.origin - z) / view.origin : atOrigin;
@@ -98,8 +98,8 @@ void TileLists::addSpheres(const TileView& view, std::span<const Sphere> spheres
         const glm::vec3 center = placed(call.rows, spheres[i].center);
         const float Z = view.origin - center.z, radius = spheres[i].radius;
         if (Z + radius < view.clipNear || Z - radius > view.clipFar) continue;
-        const Disc disc = discOf(view, center, reachOf(view, center.z, radius));
-        const glm::vec2 at = pixelOf(view, disc.center);
+        const Disc disc = boundingDisc(view, center, outlinedRadius(view, center.z, radius));
+        const glm::vec2 at = toPixel(view, disc.center);
         const float reach = disc.radius * view.pixels;
         addRound(view, call.number + i, at - reach, at + reach, Z - radius, reach);
     }
@@ -109,9 +109,10 @@ void TileLists::addCylinders(const TileView& view, const TileScenery& s, const T
     for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
         const Cylinder& c = i < s.cylinders.size() ? s.cylinders[i] : s.wires[i - s.cylinders.size()];
         const glm::vec3 a = placed(call.rows, c.a), b = placed(call.rows, c.b);
-        const float radius = radiusOf(view, c.radius, 0.5f * (a.z + b.z));
-        const Disc da = discOf(view, a, reachOf(view, a.z, radius)), db = discOf(view, b, reachOf(view, b.z, radius));
-        const glm::vec2 pa = pixelOf(view, da.center), pb = pixelOf(view, db.center);
+        const float radius = wireRadius(view, c.radius, 0.5f * (a.z + b.z));
+        const Disc da = boundingDisc(view, a, outlinedRadius(view, a.z, radius)),
+                   db = boundingDisc(view, b, outlinedRadius(view, b.z, radius));
+        const glm::vec2 pa = toPixel(view, da.center), pb = toPixel(view, db.center);
         const float ra = da.radius * view.pixels, rb = db.radius * view.pixels;
         addRound(view, call.number + i, glm::min(pa - ra, pb - rb), glm::max(pa + ra, pb + rb),
                  view.origin - std::max(a.z, b.z) - radius, std::min(ra, rb));
@@ -121,7 +122,7 @@ void TileLists::addCylinders(const TileView& view, const TileScenery& s, const T
 std::vector<TileLists::MeshPart> TileLists::meshParts(const TileScenery& s) {
     std::vector<MeshPart> parts;
     for (const TileCall& call : s.triangleCalls) {
-        const std::span<const Triangle> triangles = s.trianglesOf(call);
+        const std::span<const Triangle> triangles = s.callTriangles(call);
         for (std::uint32_t first = 0, end = 0; end < call.count; first = end) {
             const float step = triangles[first].step();
             if (const std::uint32_t mesh = endOfMesh(s, call.first + first); mesh != 0)
@@ -146,12 +147,13 @@ void TileLists::placeCorners(const TileView& view, const TileScenery& s, const M
             const std::size_t first = range.first + slice * kSlice, end = std::min(first + kSlice, range.end);
             const std::size_t some = (end - first) / kWidest * kWidest;
             lanes_.place(place, &s.vertices[first], some, part.step, &corners_[first]);
-            for (std::size_t i = first + some; i < end; ++i) corners_[i] = place(positionOf(s.vertices[i], part.step));
+            for (std::size_t i = first + some; i < end; ++i)
+                corners_[i] = place(decodePosition(s.vertices[i], part.step));
         });
     };
     VertexRange range;  // of neighbouring calls
     for (const TileCall& call : part.calls) {
-        const VertexRange next = verticesOf(s, call);
+        const VertexRange next = findVertices(s, call);
         if (next.first > range.end || range.first > next.end) placeRange(std::exchange(range, {}));
         range.add(next);
     }
@@ -174,7 +176,7 @@ void TileLists::addTriangles(const TileView& view, const TileScenery& s) {
         placeCorners(view, s, part);
         for (const TileCall& call : part.calls) {
             std::uint32_t number = call.number + call.first;
-            for (const Triangle& t : s.trianglesOf(call))
+            for (const Triangle& t : s.callTriangles(call))
                 addTriangle(view, number++, corners_[t.a], corners_[t.b], corners_[t.c], kept_);
         }
     }
@@ -187,7 +189,7 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
         placeCorners(view, s, part);
         runs_.clear();
         for (const TileCall& call : part.calls)
-            runs_.push_back({s.trianglesOf(call), call.rows, call.number + call.first, s.chunksOf(call),
+            runs_.push_back({s.callTriangles(call), call.rows, call.number + call.first, s.callChunks(call),
                              call.first % Chunk::kPrimitives});
         front_.draw(runs_, corners_);
     }
@@ -213,7 +215,7 @@ void TileLists::addDoubt(const TileView& view, const TileScenery& s, std::size_t
     const Triangle& t = front_.doubt(index, rows, number);
     if (placed) return addTriangle(view, number, corners_[t.a], corners_[t.b], corners_[t.c], kept);
     const CornerPlace place(view, rows);
-    const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step())); };
+    const auto corner = [&](std::uint32_t v) { return place(decodePosition(s.vertices[v], t.step())); };
     addTriangle(view, number, corner(t.a), corner(t.b), corner(t.c), kept);
 }
 

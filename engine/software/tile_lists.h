@@ -35,11 +35,11 @@ struct TileScenery {
     std::span<const Chunk> triangleChunks = {};  ///< optional
 
     /// The triangles of a call.
-    std::span<const Triangle> trianglesOf(const TileCall& call) const {
+    std::span<const Triangle> callTriangles(const TileCall& call) const {
         if (call.first < triangles.size()) return triangles.subspan(call.first, call.count);
         return coarseTriangles.subspan(call.first - triangles.size(), call.count);
     }
-    std::span<const Chunk> chunksOf(const TileCall& call) const {
+    std::span<const Chunk> callChunks(const TileCall& call) const {
         if (triangleChunks.empty()) return {};
         return triangleChunks.subspan(call.first / Chunk::kPrimitives);
     }

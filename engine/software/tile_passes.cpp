@@ -53,7 +53,7 @@ const gpu::Layout& nearestLayout(gpu::PipelineContext& context, bool shades) {
 }
 
 gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneView& view, bool shades) {
-    const ListedFrame& f = listsOf(view);
+    const ListedFrame& f = listedFrame(view);
     const SceneBuffers& scene = *view.buffers;
     const gpu::TileCaps& caps = context.device.caps().tiles;
     gpu::ComputePipeline d{context.pass,
@@ -106,13 +106,13 @@ gpu::GraphicsPipeline spanPipeline(gpu::PipelineContext& context, const SceneVie
 gpu::VertexStreams spanStreams() { return {kSpanBindings, kSpanAttributes}; }
 
 void want(gpu::PipelineContext& context, const SceneView& view, const NearestByTiles& pass) {
-    if (listsOf(view).lists.tiles().empty()) return;
-    if (listsOf(view).edgeData.drawn) wantEdgesByTiles(context, view);
+    if (listedFrame(view).lists.tiles().empty()) return;
+    if (listedFrame(view).edgeData.drawn) wantEdgesByTiles(context, view);
     context.pipelines.want(nearestPipeline(context, view, pass.atlas.has_value()));
 }
 
 void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles& pass) {
-    const ListedFrame& f = listsOf(view);
+    const ListedFrame& f = listedFrame(view);
     const SceneBuffers& scene = *view.buffers;
     if (f.lists.tiles().empty()) return;
     const bool shades = pass.atlas.has_value();
@@ -129,25 +129,25 @@ void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles
         // Always written, even if the shader reads none: lavapipe accesses it.
         to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
         to.store(f.edgeData.drawn ? f.edgeData.numbers.buffer : f.numbers.buffer);
-        to.sample(shadowOf(context, view, *pass.atlas));
+        to.sample(describeShadow(context, view, *pass.atlas));
     };
     bindTiles(context, nearestLayout(context, shades), nearestPipeline(context, view, shades), f.constants, write);
     dispatchTiles(context, shades ? f.groups : f.lists.tiles().size());
 }
 
 void want(gpu::PipelineContext& context, const SceneView& view, const TileShading& pass) {
-    if (!listsOf(view).lists.spans().empty()) context.pipelines.want(spanPipeline(context, view, pass));
+    if (!listedFrame(view).lists.spans().empty()) context.pipelines.want(spanPipeline(context, view, pass));
 }
 
 void draw(gpu::PassContext& context, const SceneView& view, const TileShading& pass) {
-    const ListedFrame& f = listsOf(view);
+    const ListedFrame& f = listedFrame(view);
     const SceneBuffers& scene = *view.buffers;
     if (f.lists.spans().empty()) return;
     const gpu::Layout& layout = spanLayout(context, view);
     bindTiles(context, layout, spanPipeline(context, view, pass), f.constants, [&](TileBindings& to) {
         to.sample(pass.atlas);
         to.uniform(*view.effectConstants);
-        to.sample(shadowOf(context, view, pass.atlas));
+        to.sample(describeShadow(context, view, pass.atlas));
         to.read(f.numbers);
         to.read(scene.shapes, scene.shapeTexels);
         to.read(f.rows);
@@ -158,7 +158,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const TileShading& p
 }
 
 void findLayersByTiles(gpu::PassContext& context, const SceneView& view) {
-    const ListedFrame& f = listsOf(view);
+    const ListedFrame& f = listedFrame(view);
     const gpu::TileCaps& caps = context.device.caps().tiles;
     if (f.lists.tiles().empty()) return;
     const gpu::Layout& layout = nearestLayout(context, false);

@@ -34,7 +34,7 @@ TriangleLens::TriangleLens(const TileView& view)
 
 CornerPlace::CornerPlace(const TileView& view, const glm::vec4* rows)
     : z(rows[2]), axisX(view.axis.x), axisY(view.axis.y), origin(view.origin), perspective(view.perspective) {
-    // As pixelOf().
+    // As toPixel().
     const glm::vec4 right = rows[0] * view.pixels, up = rows[1] * view.pixels;
     const glm::vec4 turned[4][2] = {{right, -up}, {up, right}, {-right, up}, {-up, -right}};
     x = turned[view.quarterTurns & 3][0];
@@ -95,13 +95,13 @@ namespace triangle_lanes {
 
 std::span<const TriangleLanes> triangleLanes() {
     using namespace triangle_lanes;
-    static constexpr TriangleLanes kLanesOf[] = {
+    static constexpr TriangleLanes kLaneTable[] = {
         {4, lanes4::drawTriangles, lanes4::placeCorners},
 #if defined(__x86_64__)
         {8, lanes8::drawTriangles, lanes8::placeCorners},
 #endif
     };
-    return usableLanes<TriangleLanes>(kLanesOf);
+    return usableLanes<TriangleLanes>(kLaneTable);
 }
 
 }  // namespace nacre

@@ -25,7 +25,7 @@ struct TriangleLens {
 
     TriangleLens() = default;
     explicit TriangleLens(const TileView& view);
-    float keyOf(float Z) const { return perspective ? 1 / Z : -Z; }
+    float depthKey(float Z) const { return perspective ? 1 / Z : -Z; }
     float errorOfKey(float key) const { return errorOfZ * (perspective ? key * key : 1.0f); }
 };
 

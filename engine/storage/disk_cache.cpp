@@ -29,7 +29,7 @@ constexpr std::string_view kTag =
 bool unfinished(std::string_view name) { return name.starts_with(kTemporary) || name.ends_with(".part"); }
 
 /// Status of the path itself; does not follow a link.
-bool statusOf(const std::string& path, struct stat& status) { return lstat(path.c_str(), &status) == 0; }
+bool readStatus(const std::string& path, struct stat& status) { return lstat(path.c_str(), &status) == 0; }
 
 bool writeAll(int file, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -65,7 +65,7 @@ struct DiskCache::File {
 
 std::string DiskCache::temporaryName() { return std::string(kTemporary) + unforeseenDigits(); }
 
-std::string DiskCache::pathOf(std::string_view name) const { return (fs::path(folder_) / name).string(); }
+std::string DiskCache::entryPath(std::string_view name) const { return (fs::path(folder_) / name).string(); }
 
 bool DiskCache::isEntry(std::string_view name) const {
     return name.starts_with(kTemporary) || std::any_of(prefixes_.begin(), prefixes_.end(),
@@ -73,14 +73,14 @@ bool DiskCache::isEntry(std::string_view name) const {
 }
 
 /// Whether the folder is one of our caches.
-bool DiskCache::isOwn() const { return readPlain(pathOf(kTagName), kTag.size()) == kTag; }
+bool DiskCache::isOwn() const { return readPlain(entryPath(kTagName), kTag.size()) == kTag; }
 
 std::vector<DiskCache::File> DiskCache::files() const {
     std::vector<File> files;
     for (const std::string& name : namesIn(folder_)) {
         struct stat status {};
-        const std::string path = pathOf(name);
-        if (!isEntry(name) || !statusOf(path, status) || !S_ISREG(status.st_mode)) continue;
+        const std::string path = entryPath(name);
+        if (!isEntry(name) || !readStatus(path, status) || !S_ISREG(status.st_mode)) continue;
 #ifdef __APPLE__
         const timespec used = status.st_mtimespec;
 #else
@@ -94,8 +94,8 @@ std::vector<DiskCache::File> DiskCache::files() const {
 
 std::optional<std::string> DiskCache::read(std::string_view name) const {
     if (!on()) return std::nullopt;
-    std::optional<std::string> bytes = readPlain(pathOf(name), maxBytes_);
-    if (bytes) utimensat(AT_FDCWD, pathOf(name).c_str(), nullptr, AT_SYMLINK_NOFOLLOW);
+    std::optional<std::string> bytes = readPlain(entryPath(name), maxBytes_);
+    if (bytes) utimensat(AT_FDCWD, entryPath(name).c_str(), nullptr, AT_SYMLINK_NOFOLLOW);
     return bytes;
 }
 
@@ -103,7 +103,7 @@ bool DiskCache::write(std::string_view name, std::span<const std::string_view> p
     std::uint64_t size = 0;
     for (const std::string_view part : parts) size += part.size();
     if (!on() || size > maxBytes_ || !makeFolder()) return false;
-    const std::string temporary = pathOf(temporaryName()), path = pathOf(name);
+    const std::string temporary = entryPath(temporaryName()), path = entryPath(name);
     const int file = openPlain(temporary, O_WRONLY | O_CREAT | O_EXCL, 0600);
     if (file < 0) return false;
     bool whole = true;
@@ -111,7 +111,7 @@ bool DiskCache::write(std::string_view name, std::span<const std::string_view> p
     whole = whole && fsync(file) == 0;
     whole = close(file) == 0 && whole;
     struct stat before {};
-    const bool free = !statusOf(path, before) || S_ISREG(before.st_mode);
+    const bool free = !readStatus(path, before) || S_ISREG(before.st_mode);
     if (!whole || !free || std::rename(temporary.c_str(), path.c_str()) != 0) {
         unlink(temporary.c_str());
         return false;
@@ -122,7 +122,7 @@ bool DiskCache::write(std::string_view name, std::span<const std::string_view> p
 
 void DiskCache::remove(std::string_view name) const {
     struct stat status {};
-    if (on() && statusOf(pathOf(name), status) && S_ISREG(status.st_mode)) unlink(pathOf(name).c_str());
+    if (on() && readStatus(entryPath(name), status) && S_ISREG(status.st_mode)) unlink(entryPath(name).c_str());
 }
 
 bool DiskCache::makeFolder() const {
@@ -132,16 +132,16 @@ bool DiskCache::makeFolder() const {
     if (isOwn()) return true;
     for (const std::string& name : namesIn(folder_)) {
         struct stat status {};
-        if (name != kTagName && (!isEntry(name) || !statusOf(pathOf(name), status) || !S_ISREG(status.st_mode)))
+        if (name != kTagName && (!isEntry(name) || !readStatus(entryPath(name), status) || !S_ISREG(status.st_mode)))
             return false;
     }
-    const std::string temporary = pathOf(temporaryName());
+    const std::string temporary = entryPath(temporaryName());
     const int file = openPlain(temporary, O_WRONLY | O_CREAT | O_EXCL, 0600);
     if (file < 0) return false;
     const bool whole = writeAll(file, kTag);
     close(file);
     // Never overwrites a foreign tag: it marks another program's cache.
-    const bool made = whole && link(temporary.c_str(), pathOf(kTagName).c_str()) == 0;
+    const bool made = whole && link(temporary.c_str(), entryPath(kTagName).c_str()) == 0;
     unlink(temporary.c_str());
     return made || isOwn();
 }

@@ -28,7 +28,7 @@ public:
 
     bool on() const { return !folder_.empty(); }
     const std::string& folder() const { return folder_; }
-    std::string pathOf(std::string_view name) const;
+    std::string entryPath(std::string_view name) const;
 
     /// The whole entry, which counts as used now; empty if there is none, or it exceeds `maxBytes`.
     std::optional<std::string> read(std::string_view name) const;

@@ -43,7 +43,7 @@ bool makesSense(std::string_view header, bool swapped) {
     return isMode(word(kMode)) && areAxes(word(kAxes), word(kAxes + 1), word(kAxes + 2));
 }
 
-std::size_t bytesOf(int mode) {
+std::size_t bytesPerValue(int mode) {
     switch (mode) {
         case 0:
             return 1;
@@ -90,11 +90,13 @@ void Ccp4Reader::readGeometry() {
         const std::int32_t axis = integer(kAxes + i);
         box_.axes[static_cast<std::size_t>(i)] = axis == 0 ? i + 1 : axis;
     }
-    const auto axisOf = [&](int i) { return box_.axes[static_cast<std::size_t>(i)] - 1; };  // columns, rows, sections
+    const auto axisIndex = [&](int i) {
+        return box_.axes[static_cast<std::size_t>(i)] - 1;
+    };  // columns, rows, sections
     for (int i = 0; i < 3; ++i) {
         files_[i] = integer(1 + i);
-        box_.size[axisOf(i)] = files_[i];
-        box_.start[axisOf(i)] = integer(kStartWord + i);
+        box_.size[axisIndex(i)] = files_[i];
+        box_.start[axisIndex(i)] = integer(kStartWord + i);
     }
     checkedNodes(name_, box_.size, limits_);
     for (int i = 0; i < 3; ++i) {
@@ -133,13 +135,13 @@ void Ccp4Reader::readOperations() {
         if (!operation) return box_.operations.clear();  // other programs store other data there
         box_.operations.push_back(*operation);
     }
-    if (box_.operations.size() < operationsOf(box_.spaceGroup, box_.cell).size()) box_.operations.clear();
+    if (box_.operations.size() < findOperations(box_.spaceGroup, box_.cell).size()) box_.operations.clear();
 }
 
 void Ccp4Reader::readHeader() {
     findByteOrder();
     mode_ = integer(kMode);
-    valueBytes_ = bytesOf(mode_);
+    valueBytes_ = bytesPerValue(mode_);
     if (valueBytes_ == 0)
         cannotReadMap(name_, "its values are of mode " + std::to_string(mode_) + "; read are 0, 1, 2, 6 and 12");
     unsignedBytes_ =

@@ -4,7 +4,7 @@
 
 namespace nacre {
 
-MapStatistics statisticsOf(const std::vector<float>& values) {
+MapStatistics computeStatistics(const std::vector<float>& values) {
     MapStatistics s;
     s.min = std::numeric_limits<double>::infinity();
     s.max = -s.min;

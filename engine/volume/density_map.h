@@ -62,6 +62,6 @@ double valueAt(const DensityMap& map, const glm::dvec3& position);
 /// @param share  0..1 @param ofBothSigns  of absolute values
 double levelOfTopShare(const DensityMap& map, double share, bool ofBothSigns = false);
 
-MapStatistics statisticsOf(const std::vector<float>& values);
+MapStatistics computeStatistics(const std::vector<float>& values);
 
 }  // namespace nacre

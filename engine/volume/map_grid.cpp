@@ -92,7 +92,7 @@ bool isDifference(const std::string& path) {
     return contains(name, {"diff", "fofc", "fo-fc", "fo_fc"}) && !contains(name, {"2fofc", "2fo-fc", "2fo_fc"});
 }
 
-DensityMap mapOf(const std::string& name, const char* format) {
+DensityMap makeMap(const std::string& name, const char* format) {
     DensityMap map;
     map.name = name;
     map.format = format;
@@ -141,7 +141,7 @@ void checkCell(const std::string& name, const MapBox& box, const MapLimits& limi
 
 DensityMap completed(const std::string& name, const char* format, MapBox box, const MapLimits& limits,
                      const glm::dvec3* shift) {
-    DensityMap map = mapOf(name, format);
+    DensityMap map = makeMap(name, format);
     if (!box.cell.isValid()) cannotReadMap(name, "its cell has no volume");
     map.cell = box.cell;
     map.spaceGroup = box.spaceGroup;
@@ -157,24 +157,24 @@ DensityMap completed(const std::string& name, const char* format, MapBox box, co
         forgetNonNumbers(box.values, map);
         map.values = wrappedIntoCell(box);
         std::vector<float>().swap(box.values);
-        const auto& operations = box.operations.empty() ? operationsOf(box.spaceGroup, box.cell) : box.operations;
+        const auto& operations = box.operations.empty() ? findOperations(box.spaceGroup, box.cell) : box.operations;
         if (!spread(map.values.change(), map.size, operations))
             map.warnings.push_back("the grid does not fit space group " + std::to_string(box.spaceGroup) +
                                    ": what the file holds is drawn without symmetry copies");
-        map.statistics = statisticsOf(map.values);
+        map.statistics = computeStatistics(map.values);
         return map;
     }
     map.size = box.size;
     map.values = std::move(box.values);
     map.origin = shift ? *shift : map.step * glm::dvec3(box.start);
     forgetNonNumbers(map.values.change(), map);
-    map.statistics = statisticsOf(map.values);
+    map.statistics = computeStatistics(map.values);
     return map;
 }
 
 DensityMap completed(const std::string& name, const char* format, const glm::ivec3& size, const glm::dvec3& origin,
                      const glm::dmat3& step, std::vector<float> values) {
-    DensityMap map = mapOf(name, format);
+    DensityMap map = makeMap(name, format);
     for (int i = 0; i < 3; ++i) {
         const double length = glm::length(step[i]);
         if (!(length > 0 && length < 1e6) || !std::isfinite(origin[i]))
@@ -191,7 +191,7 @@ DensityMap completed(const std::string& name, const char* format, const glm::ive
     map.step = step;
     map.values = std::move(values);
     forgetNonNumbers(map.values.change(), map);
-    map.statistics = statisticsOf(map.values);
+    map.statistics = computeStatistics(map.values);
     return map;
 }
 

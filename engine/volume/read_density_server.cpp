@@ -28,7 +28,7 @@ public:
         if (found.empty())
             fail(limits_.channel.empty() ? "it has no volume_data_3d: no map"
                                          : "it has no map of the channel '" + printable(limits_.channel) + "'");
-        DensityMap map = mapOf(found.front());
+        DensityMap map = readMapBlock(found.front());
         if (found.size() > 1)
             map.warnings.push_back("the file has " + std::to_string(found.size()) + " maps: the first is drawn");
         return map;
@@ -80,7 +80,7 @@ private:
     }
     static std::string at(const char* key, int i) { return std::string(key) + "[" + std::to_string(i) + "]"; }
 
-    DensityMap mapOf(const MsgpackValue& block) const {
+    DensityMap readMapBlock(const MsgpackValue& block) const {
         const MsgpackValue info = *category(block, "volume_data_3d_info");
         MapBox box;
         for (int i = 0; i < 3; ++i) {
@@ -104,11 +104,11 @@ private:
         }
         box.spaceGroup = whole(info, "spacegroup_number");
         // A server returns boxes for crystals too: symmetry is already applied.
-        box.values = valuesOf(*category(block, "volume_data_3d"), box);
+        box.values = readValues(*category(block, "volume_data_3d"), box);
         return completed(name_, "density-server", std::move(box), limits_);
     }
 
-    std::vector<float> valuesOf(const MsgpackValue& data, const MapBox& box) const {
+    std::vector<float> readValues(const MsgpackValue& data, const MapBox& box) const {
         const auto column = named(data, "columns", "values");
         if (!column) fail("volume_data_3d has no values");
         // Runs of equal values are packed: as much as a compressed file may be.

@@ -60,7 +60,7 @@ bool isBinaryCif(std::string_view start) {
            start.substr(0, 512).find("encoder") != std::string_view::npos;
 }
 
-MapFormat formatOf(std::string_view name, std::string_view start) {
+MapFormat detectFormat(std::string_view name, std::string_view start) {
     if (Ccp4Reader::recognises(start)) return MapFormat::ccp4;
     if (isDx(start)) return MapFormat::dx;
     if (startsWith(start, ":-)")) return MapFormat::dsn6;
@@ -116,14 +116,14 @@ std::string inflatedStart(const std::string& name, std::string_view packed, bool
 }
 
 DensityMap readPacked(const std::string& name, std::string_view packed, const MapLimits& limits) {
-    const MapFormat format = formatOf(name, inflatedStart(name, packed));
+    const MapFormat format = detectFormat(name, inflatedStart(name, packed));
     if (format != MapFormat::ccp4) return readText(name, format, decompress(name, packed, limits.maxBytes), limits);
     Ccp4Reader reader(name, limits, std::max(kAnyRatio, kMostRatio * packed.size()));
     decompress(name, packed, limits.maxBytes + kPiece, [&](std::string_view piece) { reader.take(piece); });
     return reader.finish();
 }
 
-std::string bytesOf(const ByteFile& file, std::uint64_t first, std::uint64_t count) {
+std::string readBytes(const ByteFile& file, std::uint64_t first, std::uint64_t count) {
     std::string bytes(static_cast<std::size_t>(count), '\0');
     file.read(first, bytes.data(), bytes.size());
     return bytes;
@@ -131,24 +131,26 @@ std::string bytesOf(const ByteFile& file, std::uint64_t first, std::uint64_t cou
 
 }  // namespace
 
-bool looksLikeMap(std::string_view name, std::string_view start) { return formatOf(name, start) != MapFormat::none; }
+bool looksLikeMap(std::string_view name, std::string_view start) {
+    return detectFormat(name, start) != MapFormat::none;
+}
 
 bool isMapFile(const std::string& path, const std::string& given) try {
     const std::string& name = given.empty() ? path : given;
     const auto file = ByteFile::open(path);
     if (!file) return false;
-    const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
-    if (compressionOf(start).empty()) return looksLikeMap(name, start);
+    const std::string start = readBytes(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
+    if (detectCompression(start).empty()) return looksLikeMap(name, start);
     // The beginning of a compressed file is enough, even if truncated.
     return looksLikeMap(
-        name, inflatedStart(name, bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), 64 * kStart)), true));
+        name, inflatedStart(name, readBytes(*file, 0, std::min<std::uint64_t>(file->size(), 64 * kStart)), true));
 } catch (const Error&) {
     return false;
 }
 
 DensityMap readMap(const std::string& name, std::string bytes, const MapLimits& limits) {
-    if (!compressionOf(bytes).empty()) return readPacked(name, bytes, limits);
-    return readText(name, formatOf(name, std::string_view(bytes).substr(0, kStart)), bytes, limits);
+    if (!detectCompression(bytes).empty()) return readPacked(name, bytes, limits);
+    return readText(name, detectFormat(name, std::string_view(bytes).substr(0, kStart)), bytes, limits);
 }
 
 DensityMap readMapFile(const std::string& path, const MapLimits& limits, const std::string& given) {
@@ -156,17 +158,17 @@ DensityMap readMapFile(const std::string& path, const MapLimits& limits, const s
     const auto file = ByteFile::open(path);
     if (!file) cannotReadMap(name, ByteFile::whyNotOpened(path));
     if (file->size() == 0) cannotReadMap(name, "it is empty");
-    const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
-    const bool packed = !compressionOf(start).empty();
-    if (packed || formatOf(name, start) != MapFormat::ccp4) {
+    const std::string start = readBytes(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
+    const bool packed = !detectCompression(start).empty();
+    if (packed || detectFormat(name, start) != MapFormat::ccp4) {
         if (file->size() > limits.maxBytes)
             cannotReadMap(name, "the file has " + std::to_string(file->size() >> 20) + " MB, more than the limit of " +
                                     std::to_string(limits.maxBytes >> 20) + " MB");
-        return readMap(name, bytesOf(*file, 0, file->size()), limits);
+        return readMap(name, readBytes(*file, 0, file->size()), limits);
     }
     Ccp4Reader reader(name, limits, file->size());
     for (std::uint64_t at = 0; at < file->size(); at += kPiece)
-        reader.take(bytesOf(*file, at, std::min<std::uint64_t>(kPiece, file->size() - at)));
+        reader.take(readBytes(*file, at, std::min<std::uint64_t>(kPiece, file->size() - at)));
     return reader.finish();
 }
 

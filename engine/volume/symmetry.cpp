@@ -28,7 +28,7 @@ bool SymmetryOperation::isIdentity() const {
     return shift[0] % kShift == 0 && shift[1] % kShift == 0 && shift[2] % kShift == 0;
 }
 
-std::vector<SymmetryOperation> operationsOf(int spaceGroup, const UnitCell& cell) {
+std::vector<SymmetryOperation> findOperations(int spaceGroup, const UnitCell& cell) {
     const gemmi::SpaceGroup* group = gemmi::find_spacegroup_by_number(spaceGroup);
     if (group == nullptr) return {};
     // For rhombohedral groups the table lists the hexagonal axes first.
@@ -43,7 +43,7 @@ std::vector<SymmetryOperation> operationsOf(int spaceGroup, const UnitCell& cell
 }
 
 std::optional<SymmetryOperation> parseOperation(std::string_view text) {
-    const std::optional<gemmi::Op> operation = operationOf(text);
+    const std::optional<gemmi::Op> operation = parseTriplet(text);
     return operation ? std::optional(from(*operation)) : std::nullopt;
 }
 

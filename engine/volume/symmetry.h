@@ -20,7 +20,7 @@ struct SymmetryOperation {
 };
 
 /// Operations of a space group by its number, in the setting that fits the cell; empty if the group is unknown.
-std::vector<SymmetryOperation> operationsOf(int spaceGroup, const UnitCell& cell);
+std::vector<SymmetryOperation> findOperations(int spaceGroup, const UnitCell& cell);
 /// Parses "-X,Y+1/2,-Z"; empty if malformed.
 std::optional<SymmetryOperation> parseOperation(std::string_view text);
 

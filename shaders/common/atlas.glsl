@@ -7,7 +7,7 @@
 #include "view.glsl"
 
 /// Rows needed for `patches` patches, `inRow` per row.
-uint rowsOf(uint patches, uint inRow) { return dividedSmall(patches + inRow - 1u, inRow).x; }
+uint countRows(uint patches, uint inRow) { return dividedSmall(patches + inRow - 1u, inRow).x; }
 uint sphereEdge() { return view.patchTexels & 0xffu; }
 uvec2 cylinderTexels() { return uvec2(view.patchTexels >> 8 & 0xffu, view.patchTexels >> 16 & 0xffu); }
 
@@ -21,7 +21,7 @@ uint sphereOfCell(uint cell) { return (cell >> 16) * (view.patchesInRow & 0xffff
 /// First texel of the patch of a sphere, x | y << 16. @param index  within its copy
 uint spherePatch(uint index) { return sphereCell(index) * sphereEdge(); }
 uint cylinderPatch(uint index) {
-    uint top = rowsOf(view.spheres, view.patchesInRow & 0xffffu) * sphereEdge();
+    uint top = countRows(view.spheres, view.patchesInRow & 0xffffu) * sphereEdge();
     uvec2 at = dividedSmall(index, view.patchesInRow >> 16).yx * cylinderTexels();
     return at.x | (at.y + top) << 16;
 }
@@ -39,8 +39,8 @@ vec2 placeOfCell(uint cell) { return placeOfTexel(vec2(cell & 0xffffu, cell >> 1
 
 /// Position of a vertex's texel. @param side  0 outer, 1 inner @param cylinders  with patches
 ivec2 vertexPlace(uint vertex, uint side, uint cylinders) {
-    uint top = rowsOf(view.spheres, view.patchesInRow & 0xffffu) * sphereEdge() +
-               rowsOf(cylinders, view.patchesInRow >> 16) * cylinderTexels().y;
+    uint top = countRows(view.spheres, view.patchesInRow & 0xffffu) * sphereEdge() +
+               countRows(cylinders, view.patchesInRow >> 16) * cylinderTexels().y;
     uvec2 at = dividedSmall(2u * vertex + side, uint(1.0 / view.atlasTexel.x + 0.5));
     return ivec2(at.y, at.x + top);
 }

@@ -35,7 +35,7 @@ struct Cell {
     vec2 first;  // of the texels
     vec2 share;  // weights of the right and lower texels
 };
-Cell cellOf(vec2 uv, vec2 texels) {
+Cell findCell(vec2 uv, vec2 texels) {
     precise vec2 at = uv * (texels - 1.0);
     vec2 first = clamp(floor(at), vec2(0.0), texels - 2.0);
     return Cell(first, at - first);
@@ -50,7 +50,7 @@ float between(vec4 texels, vec2 share) {
 /// @param place  position of the patch: patchPlace()
 vec4 patchTexel(vec2 place, vec2 uv, vec2 texels) {
     if (!kCells) return bakedIn(textureLod(occlusionAtlas, place + uv * ((texels - 1.0) * view.atlasTexel), 0.0));
-    Cell cell = cellOf(uv, texels);
+    Cell cell = findCell(uv, texels);
     ivec2 at = ivec2(place + cell.first);
     vec4 first = texelFetch(occlusionAtlas, at, 0), right = texelFetch(occlusionAtlas, at + ivec2(1, 0), 0);
     vec4 below = texelFetch(occlusionAtlas, at + ivec2(0, 1), 0), last = texelFetch(occlusionAtlas, at + 1, 0);
@@ -70,19 +70,19 @@ vec4 vertexTexelOfAtlas(uint vertex, uint side) {
 /// the first of the next, so that two words hold a cell. (One word per cell took three times the memory and was
 /// slower.)
 layout(set = 0, binding = CELLS) uniform usamplerBuffer cellTexels;
-uint wordsOf(uint texels) { return (texels + 1u) / 3u; }
+uint countWords(uint texels) { return (texels + 1u) / 3u; }
 vec4 cellTexel(uint firstWord, vec2 uv, vec2 texels) {
-    Cell cell = cellOf(uv, texels);
+    Cell cell = findCell(uv, texels);
     float word = floor((cell.first.x + 0.5) * (1.0 / 3.0));
-    uint inRow = wordsOf(uint(texels.x)), at = firstWord + uint(cell.first.y * float(inRow) + word);
+    uint inRow = countWords(uint(texels.x)), at = firstWord + uint(cell.first.y * float(inRow) + word);
     uint above = texelFetch(cellTexels, int(at)).x, below = texelFetch(cellTexels, int(at + inRow)).x;
     uint shift = uint((cell.first.x - 3.0 * word) * 8.0);
     above >>= shift;
     below >>= shift;
     return bakedIn(between(vec4(above & 0xffu, above >> 8 & 0xffu, below & 0xffu, below >> 8 & 0xffu), cell.share));
 }
-uint sphereWords() { return wordsOf(sphereEdge()) * sphereEdge(); }
-uint cylinderWords() { return wordsOf(cylinderTexels().x) * cylinderTexels().y; }
+uint sphereWords() { return countWords(sphereEdge()) * sphereEdge(); }
+uint cylinderWords() { return countWords(cylinderTexels().x) * cylinderTexels().y; }
 vec4 sphereTexel(uint index, vec2 uv) {
     vec2 texels = vec2(sphereEdge());
     if (kCells && !kBounce) return cellTexel(index * sphereWords(), uv, texels);
@@ -173,7 +173,7 @@ float capShade(vec2 q) {
 }
 
 /// In linear light. @param base  linear colour @param q  planePoint() of the pixel
-vec3 lightOf(Hit hit, vec3 base, vec4 baked, vec2 q) {
+vec3 computeLight(Hit hit, vec3 base, vec4 baked, vec2 q) {
     baked.x = max(baked.x, leastOcclusion());
     if (kClip && !hit.cap) baked.x = opened(baked.x);
     if (kBounce && kCopyColors != 0) baked.yzw *= sqrt(copyColor());  // the surroundings are of the same copy
@@ -189,11 +189,11 @@ vec3 lightOf(Hit hit, vec3 base, vec4 baked, vec2 q) {
     if (kContours && hit.contour) lit = effects.contour.rgb;
     return kFog ? mix(lit, effects.fog.rgb, fogAt(hit.Z)) : lit;
 }
-vec3 lightOf(Hit hit, uint colorBits, vec4 baked, vec2 q) {
-    return lightOf(hit, linearColor(colorBits), baked, q);
+vec3 computeLight(Hit hit, uint colorBits, vec4 baked, vec2 q) {
+    return computeLight(hit, linearColor(colorBits), baked, q);
 }
 vec3 asTargetTakesIt(vec3 lit) { return kCoded ? srgbFromLinear(clamp(lit, 0.0, 1.0)) : lit; }
-vec3 colorOf(Hit hit, uint colorBits, vec4 baked, vec2 q) {
-    return asTargetTakesIt(lightOf(hit, colorBits, baked, q));
+vec3 computeColor(Hit hit, uint colorBits, vec4 baked, vec2 q) {
+    return asTargetTakesIt(computeLight(hit, colorBits, baked, q));
 }
 #endif

@@ -43,4 +43,4 @@ uint cornerColor(uvec3 bits, uint corner, vec3 shares) {
 }
 
 /// Opacity from a stored colour; 1 is opaque.
-float opacityOf(uint bits) { return hasMaterial(bits) ? 1.0 : float((bits >> 25) + 1u) / 128.0; }
+float unpackOpacity(uint bits) { return hasMaterial(bits) ? 1.0 : float((bits >> 25) + 1u) / 128.0; }

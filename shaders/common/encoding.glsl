@@ -11,13 +11,13 @@ layout(constant_id = kDepthStepsId) const int kDepthSteps = 0;  // M; 0: one flo
 
 const int kHalfSteps = 61439;
 
-float channelOf(int step) {
+float toChannel(int step) {
     if (kDepthSteps != kHalfSteps) return float(step) / float(kDepthSteps);
     int rank = step - 30720;
     uint bits = rank >= 0 ? uint(0x0400 + rank) : uint(0x8000 + 0x0400 - 1 - rank);
     return unpackHalf2x16(bits).x;
 }
-int stepOf(float channel) {
+int toStep(float channel) {
     if (kDepthSteps != kHalfSteps) return int(channel * float(kDepthSteps) + 0.5);
     int bits = int(packHalf2x16(vec2(channel, 0.0)) & 0xffffu);
     return bits < 0x8000 ? bits - 0x0400 + 30720 : 30719 - (bits - 0x8000 - 0x0400);
@@ -28,10 +28,10 @@ int depthCode(float d) {
     return clamp(int(d * float(last)), 0, last);
 }
 int decodeCode(vec4 e) {
-    int code = stepOf(e.x);
-    if (kDepthChannels > 1) code += stepOf(e.y);
-    if (kDepthChannels > 2) code += stepOf(e.z);
-    if (kDepthChannels > 3) code += stepOf(e.w);
+    int code = toStep(e.x);
+    if (kDepthChannels > 1) code += toStep(e.y);
+    if (kDepthChannels > 2) code += toStep(e.z);
+    if (kDepthChannels > 3) code += toStep(e.w);
     return code;
 }
 
@@ -39,7 +39,7 @@ vec4 encodeDepth(float d) {
     if (kDepthSteps == 0) return vec4(d, 1.0, 1.0, 1.0);
     int code = depthCode(d);
     vec4 e = vec4(1.0);
-    for (int i = 0; i < kDepthChannels; ++i) e[i] = channelOf(clamp(code - i * kDepthSteps, 0, kDepthSteps));
+    for (int i = 0; i < kDepthChannels; ++i) e[i] = toChannel(clamp(code - i * kDepthSteps, 0, kDepthSteps));
     return e;
 }
 /// Neutral for MIN: written by fragments that miss, and the clear value.

@@ -124,7 +124,7 @@ struct Stick {
     float perLen;
 };
 /// @param b  the other end, and 1 / length, stored to avoid a root and a division per pixel
-Stick stickOf(vec3 a, vec4 b, float radius) {
+Stick makeStick(vec3 a, vec4 b, float radius) {
     precise vec3 span = b.xyz - a;
     precise vec3 axis = span * b.w;
     precise float len = dot(span, axis);
@@ -140,7 +140,7 @@ Stick stickOf(vec3 a, vec4 b, float radius) {
 Stick stickAt(vec4 a, vec4 b) {
     precise vec3 from = toView(a.xyz);
     precise vec4 to = endToView(b);
-    return stickOf(from, to, stickRadius(a.w, from.z, to.z));
+    return makeStick(from, to, stickRadius(a.w, from.z, to.z));
 }
 
 /// A cylinder's hit before clipping, with data for clipping and outlines.
@@ -264,7 +264,7 @@ Hit stickHitThrough(Stick c, vec2 q, const bool sideKnown) {
     return hit;
 }
 Hit stickHitThrough(Stick c, vec2 q) { return stickHitThrough(c, q, false); }
-Hit cylinderHitThrough(vec3 a, vec4 b, float r, vec2 q) { return stickHitThrough(stickOf(a, b, r), q); }
+Hit cylinderHitThrough(vec3 a, vec4 b, float r, vec2 q) { return stickHitThrough(makeStick(a, b, r), q); }
 Hit cylinderHit(vec3 a, vec4 b, float r, vec2 fragment) { return cylinderHitThrough(a, b, r, planePoint(fragment)); }
 
 /// A projected corner of a triangle: position on the plane z = 0, and its Z or, in perspective, 1 / Z, which is linear
@@ -295,7 +295,7 @@ vec2 nearestOnEdge(vec2 from, vec2 to) {
 /// straight, and meet at the edges of neighbours.
 /// @param division  which corners have equal looks: bits 0 a and b, 1 b and c, 2 c and a; then 7 bits for
 /// each corner: what its weight lacks to 1, in 128ths
-vec3 claimsOf(vec3 shares, uint division) {
+vec3 computeClaims(vec3 shares, uint division) {
     vec3 weights = 1.0 - vec3(division >> 3 & 0x7fu, division >> 10 & 0x7fu, division >> 17 & 0x7fu) * (1.0 / 128.0);
     vec3 joined = vec3(division & 1u, division >> 1 & 1u, division >> 2 & 1u);
     precise vec3 own = shares * weights;
@@ -307,7 +307,7 @@ layout(constant_id = kFrontsOnlyId) const bool kFrontsOnly = false;
 /// A triangle from projected() corners. Depth is interpolated as a weighted mean of the corners', so a hit is never in
 /// front of or behind all of them. Triangles within kCapRise behind the near plane are its caps (mesh_caps.h). The inner
 /// side of a mesh without caps looks like one, at its own depth. This excludes TRANSLUCENT meshes.
-/// @param division  as in claimsOf()
+/// @param division  as in computeClaims()
 Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint division, vec2 q) {
     Hit hit = noHit();
     precise vec2 pa = a.xy - q, pb = b.xy - q, pc = c.xy - q;
@@ -350,7 +350,7 @@ Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint division, vec2 q) {
         bool kept = !kClip || (Z >= view.clipNear && Z <= view.clipFar);
         drawContour(hit, kept ? min(ab.x, min(bc.x, ca.x)) : 1e9, view.contourWidth, Z);
     }
-    precise vec3 alike = claimsOf(hit.shares, division);
+    precise vec3 alike = computeClaims(hit.shares, division);
     hit.corner = alike.x >= max(alike.y, alike.z) ? 0u : alike.y >= alike.z ? 1u : 2u;
     return hit;
 }

@@ -6,11 +6,11 @@ uint bitsOfAll(uint bits) {
     return bits;
 }
 #ifdef TEXELS
-uint ballotOf(bool mine) {
+uint ballotLanes(bool mine) {
     return bitsOfAll(mine ? 1u << gl_SubgroupInvocationID : 0u);
 }
-bool anyLane(bool mine) { return ballotOf(mine) != 0u; }
+bool anyLane(bool mine) { return ballotLanes(mine) != 0u; }
 #else
-uint ballotOf(bool mine) { return subgroupBallot(mine).x; }
+uint ballotLanes(bool mine) { return subgroupBallot(mine).x; }
 bool anyLane(bool mine) { return subgroupAny(mine); }
 #endif

@@ -5,7 +5,7 @@
 #include "vertex.glsl"
 
 /// As triangleHitThrough() expects it.
-vec3 cornerOf(uvec4 vertex, float step) { return projected(toView(vertexPosition(vertex, step))); }
+vec3 projectVertex(uvec4 vertex, float step) { return projected(toView(vertexPosition(vertex, step))); }
 
 /// A triangle by its vertices.
 struct Facet {
@@ -16,16 +16,16 @@ struct Facet {
 };
 
 /// @param packed  word w of the triangle
-uint divisionOf(uint lookA, uint lookB, uint lookC, uint packed) {
+uint packDivision(uint lookA, uint lookB, uint lookC, uint packed) {
     return uint(lookA == lookB) | uint(lookB == lookC) << 1 | uint(lookC == lookA) << 2 | (packed & 0x1fffffu) << 3;
 }
 /// @param record  of a triangle: places of its vertices a, b, c, which follow `before`
 Facet facetFrom(uvec4 a, uvec4 b, uvec4 c, uvec4 record, uint before) {
-    return Facet(a, b, c, record.xyz - before, stepOf(record.w), divisionOf(a.w, b.w, c.w, record.w));
+    return Facet(a, b, c, record.xyz - before, unpackStep(record.w), packDivision(a.w, b.w, c.w, record.w));
 }
 
 Hit facetHitThrough(Facet f, vec2 q) {
-    return triangleHitThrough(cornerOf(f.a, f.step), cornerOf(f.b, f.step), cornerOf(f.c, f.step), f.division, q);
+    return triangleHitThrough(projectVertex(f.a, f.step), projectVertex(f.b, f.step), projectVertex(f.c, f.step), f.division, q);
 }
 
 /// Interpolates the vertex normals at a hit, turned towards the viewer. @param packed  vertex normals

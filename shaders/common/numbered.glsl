@@ -17,7 +17,7 @@ struct Seen {
 /// @param index  of the primitive in its copy (also below) @param q  planePoint() of the pixel
 Seen seenFacet(uint index, vec2 q) {
     Seen seen;
-    Facet f = facetOf(index);
+    Facet f = loadFacet(index);
     seen.hit = facetHitThrough(f, q);
     smoothNormal(seen.hit, uvec3(f.a.z, f.b.z, f.c.z));
     seen.look = seen.hit.corner == 0u ? f.a.w : seen.hit.corner == 1u ? f.b.w : f.c.w;
@@ -36,7 +36,7 @@ Seen seenStick(uint index, vec2 q, const bool sideKnown) {
     vec4 shapeB = shapeAt(view.spheres + 2u * index + 1u);
     precise vec3 a = toView(shapeA.xyz);
     precise vec4 b = endToView(shapeB);
-    seen.hit = stickHitThrough(stickOf(a, b, stickRadius(shapeA.w, a.z, b.z)), q, sideKnown);
+    seen.hit = stickHitThrough(makeStick(a, b, stickRadius(shapeA.w, a.z, b.z)), q, sideKnown);
     seen.look = 2u * view.spheres + 4u * index + (seen.hit.along < 0.5 ? 0u : 1u);
     seen.atom = seen.look + 2u;
 #ifdef TRIANGLES
@@ -64,7 +64,7 @@ Seen seenBall(uint index, vec2 q) {
 }
 
 /// @param number  of a primitive, from 1 @param q  planePoint() of the pixel
-Seen seenOf(uint number, vec2 q) {
+Seen findSeen(uint number, vec2 q) {
     uint index = place(number);
 #ifdef TRIANGLES
     if (isTriangle(index)) return seenFacet(index, q);

@@ -29,7 +29,7 @@ const float kTwoPi = 6.283185307179586;
 
 /// Angle of a direction in the plane, -0.5..0.5 of a turn, within 1.3e-5 of it: a polynomial fitted by Remez' exchange
 /// for an eighth of a turn. atan() of two arguments takes three times the instructions.
-float turnOf(vec2 p) {
+float toTurn(vec2 p) {
     vec2 size = abs(p);
     precise float ratio = min(size.x, size.y) / max(max(size.x, size.y), 1e-30), square = ratio * ratio;
     precise float curve = fma(square, -0.006204896448, 0.02327871239);
@@ -44,7 +44,7 @@ float turnOf(vec2 p) {
 float angleAbout(vec3 w, vec3 n) {
     vec3 u, v;
     frameAbout(w, u, v);
-    return turnOf(vec2(dot(n, u), dot(n, v))) + 0.5;
+    return toTurn(vec2(dot(n, u), dot(n, v))) + 0.5;
 }
 vec3 directionAbout(vec3 w, float around) {
     vec3 u, v;

@@ -10,7 +10,7 @@ Hit primitiveHitAt(vec2 fragment) { return cylinderHit(endA.xyz, endB, endA.w, f
 #elif defined(TRIANGLE) && defined(FETCHED)
 #include "facet.glsl"
 layout(location = 0) flat in uint number;
-Facet facet = facetOf(number);
+Facet facet = loadFacet(number);
 Hit primitiveHitAt(vec2 fragment) { return facetHitThrough(facet, planePoint(fragment)); }
 #elif defined(TRIANGLE)
 layout(location = 0) flat in vec3 cornerA;  // projected()

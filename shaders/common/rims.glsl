@@ -14,7 +14,7 @@ struct Owner {
 };
 
 /// @param index  of a primitive in its copy
-uint groupOf(uint index, bool secondHalf) {
+uint lookGroup(uint index, bool secondHalf) {
     uint look = index < view.spheres ? index : view.spheres + 2u * (index - view.spheres) + uint(secondHalf);
 #ifdef NO_TRIANGLES
     return lookAt(effects.firstGroup + look);
@@ -41,7 +41,7 @@ float lineShare(Hit hit, Owner here, bool behind, Owner there, float Z) {
 /// Freedom of the outline from fog, whether there is an outline, density of the halo. Several rims in a pixel combine
 /// by MAX.
 /// @param hit  inside the rim
-vec3 rimOf(Hit hit, Owner here, bool behind, Owner there, float Z) {
+vec3 shadeRim(Hit hit, Owner here, bool behind, Owner there, float Z) {
     float away = hit.away * view.contourWidth;
     float clear = kFog ? 1.0 - fogAt(hit.Z) : 1.0;
     float line = effects.lineWidth > 0.0 && away <= effects.lineWidth * lineShare(hit, here, behind, there, Z) ? 1.0 : 0.0;

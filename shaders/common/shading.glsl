@@ -35,7 +35,7 @@ struct Reach {
 /// approaches its minimum kLeastLight with slope zero, so that no border shows where few directions reach a point. It
 /// is exactly 1 under an open sky.
 /// @param base  linear base colour @param open  0 closed to 1 open
-Reach reachOf(vec3 base, float open) {
+Reach computeReach(vec3 base, float open) {
     // Terms without the occlusion come first, since it arrives late from a texture. The cubic uses the sum of the
     // channels.
     precise float sum = base.r + base.g + base.b;
@@ -80,7 +80,7 @@ vec3 shade(int material, vec3 base, vec3 normal, vec4 baked, float sun) {
     vec3 half_ = normalize(light + vec3(0.0, 0.0, 1.0));
     float facing = max(dot(normal, half_), 0.0);
     precise float highlight = material == kMatte || kHighlight == 0.0 ? 0.0 : glossy(facing, 0.16 * kHighlight) * sun;
-    Reach reach = reachOf(base, baked.x);
+    Reach reach = computeReach(base, baked.x);
     precise vec3 arriving = fma(ambient, vec3(reach.ambient), vec3(direct * reach.direct));
     if (kBounce) arriving += level * kAmbient * bounced(reach.direct, baked.yzw);
     if (material == kMetal) {

@@ -11,7 +11,7 @@ const uint kNumber = 0x0fffffffu;
 // A sphere has only one part.
 const bool kPlain = !kClip && !kContours;
 
-uint sightOf(Hit hit, uint number) {
+uint packSight(Hit hit, uint number) {
     return number | (hit.along >= 0.5 || hit.corner == 1u ? kSecondHalf : 0u) | (hit.corner == 2u ? kThirdCorner : 0u) |
            (kContours && hit.contour ? kContour : 0u) | (kClip && hit.cap ? kCutFace : 0u);
 }

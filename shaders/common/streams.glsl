@@ -33,7 +33,7 @@ vec4 shapeAt(uint i) { return uintBitsToFloat(shapeBits(i)); }
 #include "mesh.glsl"
 
 /// @param index  of the primitive in its copy: after the cylinders' records, two each, records are consecutive
-Facet facetOf(uint index) {
+Facet loadFacet(uint index) {
     uvec4 record = shapeBits(index + view.cylinders);
     return facetFrom(shapeBits(record.x), shapeBits(record.y), shapeBits(record.z), record,
                      view.primitives + view.cylinders);

@@ -43,7 +43,7 @@ void writeSurface(Hit hit, vec3 base, vec4 baked) {
 #if defined(SURFACE)
     surface = vec4(hit.Z, hit.normal);
 #else
-    vec3 lit = lightOf(hit, base, baked, planePoint(PLACE));
+    vec3 lit = computeLight(hit, base, baked, planePoint(PLACE));
 #ifdef RIMS
     writeRimmed(vec4(lit, 1.0));
 #else
@@ -59,7 +59,7 @@ void writeSurface(Hit hit, uint colorBits, uint atom, vec4 baked) {
 #else
     writeSurface(hit, linearColor(colorBits), baked);
 #ifdef TRANSLUCENT
-    color.a = opacityOf(colorBits);
+    color.a = unpackOpacity(colorBits);
 #endif
 #endif
 }

@@ -31,7 +31,7 @@ vec4 handed(vec4 v, uint from) {
     return vec4(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from),
                 subgroupShuffle(v.w, from));
 }
-Direction directionOf(int i) {
+Direction loadDirection(int i) {
     uint from = uint(i % kLanes);
     return Direction(handed(shareU[i / kLanes], from), handed(shareV[i / kLanes], from),
                      handed(shareW[i / kLanes], from));
@@ -39,7 +39,7 @@ Direction directionOf(int i) {
 /// In larger batches every second direction is opposite to the one before it: a surface faces one of the two.
 const int kApart = kBatch > 1 ? 2 : 1;
 /// @param i  receives the number of the faced direction of a pair @returns that direction
-Direction facedOf(inout int i, vec3 normal) {
+Direction loadFaced(inout int i, vec3 normal) {
     uint from = uint(i % kLanes);
     int share = i / kLanes;
     if (kApart == 2) {
@@ -55,14 +55,14 @@ Direction facedOf(inout int i, vec3 normal) {
 layout(set = 0, binding = 1, std140) uniform Directions { NarrowDirections directions; };
 void fetchDirections() {}
 /// u and v are `pixelsPerAngstrom` long, and v runs downwards.
-Direction directionOf(int i) {
+Direction loadDirection(int i) {
     vec4 u = directions.rows[2 * i], v = directions.rows[2 * i + 1], heights = directions.heights[i / 4];
     return Direction(u, v, vec4(cross(v.xyz, u.xyz) * bake.pixel, heights[i % 4]));
 }
 #else
 layout(set = 0, binding = 1, std140) uniform Directions { Direction directions[kMostDirections]; };
 void fetchDirections() {}
-Direction directionOf(int i) { return directions[i]; }
+Direction loadDirection(int i) { return directions[i]; }
 #endif
 
 vec3 turned(Direction d, vec3 p) { return vec3(dot(d.u.xyz, p), dot(d.v.xyz, p), dot(d.w.xyz, p)); }

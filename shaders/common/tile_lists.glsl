@@ -8,7 +8,7 @@ const int kTile = 8;
 #include "lanes.glsl"
 
 /// Corner of a tile, pixels. @param tile  x | unwanted quarters << 12 | y << 16 | small primitives << 31, from a list
-uvec2 cornerOf(uint tile) { return uvec2(tile & 0xfffu, tile >> 16 & 0xfffu) * uint(kTile); }
+uvec2 tileCorner(uint tile) { return uvec2(tile & 0xfffu, tile >> 16 & 0xfffu) * uint(kTile); }
 /// Whether a pixel of a tile, counted row by row, is in a wanted quarter.
 bool isWanted(uint tile, uint pixel) {
     uint quarter = pixel / uint(kTile * kTile / 2) * 2u + pixel % uint(kTile) / uint(kTile / 2);
@@ -17,7 +17,7 @@ bool isWanted(uint tile, uint pixel) {
 
 /// A disc on the plane z = 0 that contains the image of a sphere; in perspective, around the ellipse of
 /// common/outline.glsl.
-vec3 discOf(vec3 center, float radius) {
+vec3 boundingDisc(vec3 center, float radius) {
     float room = 0.05 * view.pixel;
     if (!kPerspective) return vec3(center.xy, radius * 1.005 + room);
     float D = view.origin - center.z;
@@ -28,7 +28,7 @@ vec3 discOf(vec3 center, float radius) {
 }
 
 /// The lowest set bit; 0 if none.
-uint lowestOf(uint bits) { return bits == 0u ? 0u : (floatBitsToUint(float(bits & (0u - bits))) >> 23) - 127u; }
+uint lowestBit(uint bits) { return bits == 0u ? 0u : (floatBitsToUint(float(bits & (0u - bits))) >> 23) - 127u; }
 vec4 handed(vec4 v, uint from) {
     return vec4(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from),
                 subgroupShuffle(v.w, from));
@@ -84,7 +84,7 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     e.division = 0u;
 #ifdef TRIANGLES
     e.facet = isTriangle(index);
-    Facet f = facetOf(e.facet ? index : view.spheres + view.cylinders);
+    Facet f = loadFacet(e.facet ? index : view.spheres + view.cylinders);
     index = e.facet ? 0u : index;
 #endif
 #ifdef CYLINDERS
@@ -98,15 +98,15 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     float radius = stickRadius(shape.w, e.a.z, end.z);
     e.a.w = abs(radius);
 #endif
-    vec3 disc = discOf(e.a.xyz, reachOf(e.a.z, e.a.w));
+    vec3 disc = boundingDisc(e.a.xyz, outlinedRadius(e.a.z, e.a.w));
     float front = e.a.z;
     vec2 away = middle - disc.xy;
     vec2 outside = max(abs(away) - reach, 0.0);
     e.meets = dot(outside, outside) <= disc.z * disc.z;
 #ifdef CYLINDERS
-    vec3 other = discOf(end.xyz, reachOf(end.z, e.a.w));
+    vec3 other = boundingDisc(end.xyz, outlinedRadius(end.z, e.a.w));
     e.meets = e.cylinder ? spanMeets(disc.xy, other.xy, max(disc.z, other.z), middle, reach) : e.meets;
-    e.stick = stickOf(e.a.xyz, end, radius);
+    e.stick = makeStick(e.a.xyz, end, radius);
     front = e.cylinder ? max(e.a.z, end.z) : front;
 #endif
     float begins = view.origin - front - e.a.w * 1.001;
@@ -121,9 +121,9 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
 #endif
 #ifdef TRIANGLES
     if (e.facet) {
-        e.a = vec4(cornerOf(f.a, f.step), 0.0);
-        e.b = cornerOf(f.b, f.step);
-        e.c = cornerOf(f.c, f.step);
+        e.a = vec4(projectVertex(f.a, f.step), 0.0);
+        e.b = projectVertex(f.b, f.step);
+        e.c = projectVertex(f.c, f.step);
         e.division = f.division;
         e.meets = facetMeets(e.a.xyz, e.b, e.c, middle, reach);
         begins = facetBegins(e.a.xyz, e.b, e.c);

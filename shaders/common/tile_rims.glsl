@@ -4,19 +4,19 @@
 
 float behindZ[kPixels];  // Z of the visible surface; far away if there is none
 Owner owners[kPixels];  // owner of the visible surface
-vec3 rims[kPixels];  // from rimOf()
+vec3 rims[kPixels];  // from shadeRim()
 uint rimWords[kPixels];  // the same with eight bits per value, as on every path
 
 /// @param front  encoded depth of the polygon in which the other paths draw a rim
 void addRim(int i, Hit hit, Owner here, float front, bool live) {
-    vec3 rim = rimOf(hit, here, number[i] != 0u, owners[i], behindZ[i]);
+    vec3 rim = shadeRim(hit, here, number[i] != 0u, owners[i], behindZ[i]);
     bool shows = live && hit.contour && front <= nearest[i];
     rims[i] = shows ? max(rims[i], rim) : rims[i];
 }
 
-Owner ownerOf(uint number, bool secondHalf) {
+Owner findOwner(uint number, bool secondHalf) {
     uint index = place(number);
-    return Owner(kCopies ? copyIndex : 0u, groupOf(index, secondHalf));
+    return Owner(kCopies ? copyIndex : 0u, lookGroup(index, secondHalf));
 }
 Owner handed(Owner owner, uint from) {
     return Owner(kCopies ? subgroupShuffle(owner.copy, from) : 0u, subgroupShuffle(owner.group, from));
@@ -26,18 +26,18 @@ Owner handed(Owner owner, uint from) {
 void findRims(uint at, uint end, uint lane, vec2 middle, vec2 reach) {
     for (int i = 0; i < kPixels; ++i) {
         rims[i] = vec3(0.0);
-        owners[i] = ownerOf(max(number[i], 1u), false);
+        owners[i] = findOwner(max(number[i], 1u), false);
     }
     view.contourWidth = max(effects.lineWidth, effects.haloWidth);
     bool more = true;
     do {
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        Owner first = ownerOf(e.number, false);
-        uint balls = ballotOf(mine && e.meets && !e.cylinder && !e.facet);
+        Owner first = findOwner(e.number, false);
+        uint balls = ballotLanes(mine && e.meets && !e.cylinder && !e.facet);
         at += uint(kLanes);
         do {
-            uint from = lowestOf(balls);
+            uint from = lowestBit(balls);
             vec4 sphere = handed(e.a, from);
             Owner here = handed(first, from);
             float front = subgroupShuffle(e.front, from);
@@ -46,10 +46,10 @@ void findRims(uint at, uint end, uint lane, vec2 middle, vec2 reach) {
             balls &= balls - 1u;
         } while (balls != 0u);
 #ifdef CYLINDERS
-        uint sticks = ballotOf(mine && e.meets && e.cylinder);
-        Owner second = ownerOf(e.number, e.cylinder);
+        uint sticks = ballotLanes(mine && e.meets && e.cylinder);
+        Owner second = findOwner(e.number, e.cylinder);
         do {
-            uint from = lowestOf(sticks);
+            uint from = lowestBit(sticks);
             Stick stick = handed(e.stick, from);
             Owner here = handed(first, from);
             uint other = subgroupShuffle(second.group, from);
@@ -63,9 +63,9 @@ void findRims(uint at, uint end, uint lane, vec2 middle, vec2 reach) {
         } while (sticks != 0u);
 #endif
 #ifdef TRIANGLES
-        uint facets = ballotOf(mine && e.meets && e.facet);
+        uint facets = ballotLanes(mine && e.meets && e.facet);
         do {
-            uint from = lowestOf(facets);
+            uint from = lowestBit(facets);
             vec3 a = handedCorner(e.a.xyz, from), b = handedCorner(e.b, from), c = handedCorner(e.c, from);
             Owner here = handed(first, from);
             float front = subgroupShuffle(e.front, from);

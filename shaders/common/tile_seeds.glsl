@@ -20,8 +20,8 @@ void beginAll(uint seeds[kPixels]) {
     }
     for (int i = 0; i < kPixels; ++i) {
         place(max(seeds[i], 1u));  // selects the triangle's copy
-        float step = stepOf(record[i].w);
-        begin(i, seeds[i], triangleHitThrough(cornerOf(a[i], step), cornerOf(b[i], step), cornerOf(c[i], step), 0u,
+        float step = unpackStep(record[i].w);
+        begin(i, seeds[i], triangleHitThrough(projectVertex(a[i], step), projectVertex(b[i], step), projectVertex(c[i], step), 0u,
                                               through[i]));
     }
 }

@@ -1,6 +1,6 @@
 // Pixels of a tile that show one kind of primitive, for common/tile_kind.glsl.
 
-uint kindOf(uint number) {
+uint findKind(uint number) {
     uint index = number - 1u;
     if (kCopies) index = divided(index, view.primitives).y;
 #ifdef TRIANGLES
@@ -33,7 +33,7 @@ struct Left {
 Left leftBalls, leftSticks, leftFacets;
 
 /// The n-th pixel with a set bit. @param bits  of all lanes in turn
-Left pixelOf(uvec2 bits, uint n, uvec2 corner) {
+Left findPixel(uvec2 bits, uint n, uvec2 corner) {
     uint first = uint(bitCount(bits.x));
     bool second = n >= first;
     uint at = placeOfBit(second ? bits.y : bits.x, n - (second ? first : 0u)) + (second ? 32u : 0u);

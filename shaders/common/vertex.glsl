@@ -9,7 +9,7 @@ vec3 vertexPosition(uvec4 vertex, float step) {
     return fma(vec3(at), vec3(step), vec3(-1048576.0 * step));  // exact, like the difference
 }
 /// @param packed  word w of a triangle: above the weights of its corners (Triangle of mesh_streams.h)
-float stepOf(uint packed) { return uintBitsToFloat(packed & ~0x1fffffu); }
+float unpackStep(uint packed) { return uintBitsToFloat(packed & ~0x1fffffu); }
 /// @param packed  word z of a vertex
 vec3 vertexNormal(uint packed) {
     return octahedralNormal(vec2(packed & 0xffffu, packed >> 16) * (1.0 / 65535.0));

@@ -95,7 +95,7 @@ float contourReach() { return max(view.contourWidth, 0.0); }  // negative: no ou
 float contourReach() { return view.contourWidth; }
 #endif
 /// Radius of a ball that contains a sphere with its outline, seen from any pixel. @param z  of the centre
-float reachOf(float z, float radius) {
+float outlinedRadius(float z, float radius) {
     if (!kContours) return radius;
     if (!kPerspective) return radius + contourReach();
     // Outlines have a constant width in the picture, so farther ones are wider in space.

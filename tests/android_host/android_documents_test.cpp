@@ -44,7 +44,7 @@ TEST_F(AndroidHost, TheStateOutlivesTheProcess) {
     expectAsRendered(restored, kMenu, "", 1);
     const WindowPicture shown = restored.picture();
     const WindowPicture saved = expectedPicture(app::parseSavedView(state, "state"), shown.width, shown.height, 1);
-    EXPECT_TRUE(differenceOf(shown, saved, kMenu).small());
+    EXPECT_TRUE(measureDifference(shown, saved, kMenu).small());
     restored.destroy();
     Host again(folder_);  // from the launcher: as it was left
     expectSameState(again.saveState(), state);
@@ -54,7 +54,7 @@ TEST_F(AndroidHost, TheStateOutlivesTheProcess) {
     EXPECT_FALSE(takeLog().empty());
 }
 
-std::string pdbOf(const char* element, double x) {
+std::string makePdb(const char* element, double x) {
     char line[400];
     std::snprintf(line, sizeof line,
                   "HETATM    1 %2s   UNK A   1    %8.3f%8.3f%8.3f  1.00  0.00          %2s\n"
@@ -66,7 +66,7 @@ std::string pdbOf(const char* element, double x) {
 TEST_F(AndroidHost, OpensWhatOtherAppsHandOver) {
     Document document;
     document.name = "../../two atoms.pdb";
-    document.bytes = pdbOf("FE", 1) + std::string(100000, '\n');
+    document.bytes = makePdb("FE", 1) + std::string(100000, '\n');
     std::string state;
     {
         Host host(folder_, document);
@@ -89,7 +89,7 @@ TEST_F(AndroidHost, OpensWhatOtherAppsHandOver) {
 }
 
 /// The line of the control of a name, in what a screen reader is told. Empty: there is none
-std::string toldOf(Host& host, const std::string& name) {
+std::string findLine(Host& host, const std::string& name) {
     std::istringstream lines(host.java().controls());
     for (std::string line; std::getline(lines, line);)
         if (line.find('\t' + name + '\t') != std::string::npos) return line;
@@ -100,22 +100,22 @@ TEST_F(AndroidHost, TellsScreenReadersWhatIsThere) {
     Host host(folder_, std::nullopt, kQuick);
     host.lowMemory();
     host.open(360, 640);
-    ASSERT_TRUE(eventually([&] { return !toldOf(host, "Menu").empty(); }));
-    EXPECT_TRUE(toldOf(host, "sample:glucose - Nacre").starts_with("image\t")) << host.java().controls();
-    EXPECT_TRUE(toldOf(host, "Menu").starts_with("button\tMenu\t\t1\t")) << host.java().controls();
+    ASSERT_TRUE(eventually([&] { return !findLine(host, "Menu").empty(); }));
+    EXPECT_TRUE(findLine(host, "sample:glucose - Nacre").starts_with("image\t")) << host.java().controls();
+    EXPECT_TRUE(findLine(host, "Menu").starts_with("button\tMenu\t\t1\t")) << host.java().controls();
     host.java().press("button", "no such control");
     host.java().press("switch", "Menu");
     sleep(0.3);
-    EXPECT_FALSE(toldOf(host, "Menu").empty());
+    EXPECT_FALSE(findLine(host, "Menu").empty());
     const int before = host.java().controlChanges();
     host.java().press("button", "Menu");
-    ASSERT_TRUE(eventually([&] { return !toldOf(host, "Spacefill").empty(); }));
+    ASSERT_TRUE(eventually([&] { return !findLine(host, "Spacefill").empty(); }));
     EXPECT_TRUE(eventually([&] { return host.java().controlChanges() > before; }));  // told once they are there
 }
 
 TEST_F(AndroidHost, OpensWhatProvidersStream) {
     Document document;
-    document.bytes = pdbOf("C", 1) + std::string(1500000, '\n');
+    document.bytes = makePdb("C", 1) + std::string(1500000, '\n');
     document.hasDescriptor = false;
     Host host(folder_, document);
     host.start();
@@ -131,21 +131,21 @@ TEST_F(AndroidHost, SaysWhyADocumentCannotBeOpened) {
     document.refuses = true;
     Host refused(folder_, document);
     refused.open(320, 200);
-    EXPECT_TRUE(eventually([&] { return !toldOf(refused, "Close").empty(); }));
+    EXPECT_TRUE(eventually([&] { return !findLine(refused, "Close").empty(); }));
     EXPECT_FALSE(takeLog().empty());
     refused.destroy();
     document.refuses = false;
     document.bytes = "no molecule at all";
     Host senseless(folder_, document);
     senseless.open(320, 200);
-    EXPECT_TRUE(eventually([&] { return !toldOf(senseless, "Cannot read molecule").empty(); }));
+    EXPECT_TRUE(eventually([&] { return !findLine(senseless, "Cannot read molecule").empty(); }));
 }
 
 // A provider may take any time, as one that fetches from a network does. The activity does not wait for it.
 TEST_F(AndroidHost, EndsAtOnceWhileADocumentIsStillComing) {
     std::promise<void> opens;
     Document document;
-    document.bytes = pdbOf("C", 1);
+    document.bytes = makePdb("C", 1);
     document.opens = opens.get_future().share();
     {
         Host host(folder_, document);
@@ -162,7 +162,7 @@ TEST_F(AndroidHost, ADocumentThatIsOpenedComesToTheActivityThatIsThere) {
     host.open(120, 120);
     Document document;
     document.name = "second.pdb";
-    document.bytes = pdbOf("FE", 1);
+    document.bytes = makePdb("FE", 1);
     host.java().newIntent(document);
     EXPECT_TRUE(eventually([&] { return host.view().input.path.ends_with("second.pdb"); }));
 }
@@ -171,7 +171,7 @@ TEST_F(AndroidHost, ADocumentThatAnotherAppSharesIsOpened) {
     Document document;
     document.sent = true;
     document.name = "shared.pdb";
-    document.bytes = pdbOf("FE", 1);
+    document.bytes = makePdb("FE", 1);
     Host host(folder_, document);
     host.lowMemory();
     host.open(120, 120);

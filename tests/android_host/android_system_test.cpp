@@ -17,7 +17,7 @@ struct Place {
 };
 
 /// Where the control of a name stands, pixels; -1: it is not there.
-Place placeOf(Host& host, const std::string& name) {
+Place findPlace(Host& host, const std::string& name) {
     std::istringstream lines(host.java().controls());
     for (std::string line; std::getline(lines, line);) {
         if (line.find('\t' + name + '\t') == std::string::npos) continue;
@@ -34,13 +34,13 @@ TEST_F(AndroidHost, BackClosesThePanelWhereItIsACallback) {
     Host host(folder_, std::nullopt, kQuick);
     host.lowMemory();
     host.open(360, 480);
-    ASSERT_TRUE(eventually([&] { return placeOf(host, "Menu").left >= 0; }));
+    ASSERT_TRUE(eventually([&] { return findPlace(host, "Menu").left >= 0; }));
     EXPECT_FALSE(host.java().wantsBack());
     host.java().press("button", "Menu");
     ASSERT_TRUE(eventually([&] { return host.java().wantsBack(); }));
     host.java().back();
     EXPECT_TRUE(eventually([&] { return !host.java().wantsBack(); }));
-    EXPECT_TRUE(eventually([&] { return placeOf(host, "Spacefill").left < 0; }));
+    EXPECT_TRUE(eventually([&] { return findPlace(host, "Spacefill").left < 0; }));
 }
 
 // The first start on a device takes seconds: none of them on the main thread, whatever the system does meanwhile.

@@ -41,7 +41,7 @@ WindowPicture expectedPicture(const app::PictureDescription& view, std::uint32_t
     return result;
 }
 
-Difference differenceOf(const WindowPicture& shown, const WindowPicture& expected, Covered covered) {
+Difference measureDifference(const WindowPicture& shown, const WindowPicture& expected, Covered covered) {
     if (shown.width != expected.width || shown.height != expected.height) return {1 << 30, 255, 0, 255};
     Difference d;
     for (std::uint32_t y = 0; y < shown.height; ++y)

@@ -24,7 +24,7 @@ struct Difference {
     /// Samples gather in halves, and a mean of them is a step aside now and then.
     bool small() const { return pixels <= coloured / 100 && largest <= 4; }
 };
-Difference differenceOf(const WindowPicture& shown, const WindowPicture& expected, Covered covered);
+Difference measureDifference(const WindowPicture& shown, const WindowPicture& expected, Covered covered);
 
 /// For looking at.
 void writePpm(const WindowPicture& picture, const std::string& path);

@@ -41,7 +41,7 @@ protected:
         const WindowPicture expected = expectedPicture(view, first.width, first.height, samples);
         Difference d;
         for (int i = 0; i < 100; ++i) {
-            d = differenceOf(host.picture(), expected, covered);
+            d = measureDifference(host.picture(), expected, covered);
             if (d.small()) break;
             sleep(0.2);
         }

@@ -54,13 +54,13 @@ constexpr struct {
 };
 
 Object* openStream(JNIEnv* env) {
-    Impl& machine = machineOf(env);
+    Impl& machine = findMachine(env);
     ++machine.opened;
     return machine.make("java/io/InputStream");
 }
 
 bool providerRefuses(JNIEnv* env) {
-    const Document& document = *machineOf(env).document;
+    const Document& document = *findMachine(env).document;
     std::this_thread::sleep_for(std::chrono::duration<double>(document.seconds));
     if (document.opens.valid()) document.opens.wait();
     if (document.refuses) raise(env, "java.lang.SecurityException", "Permission Denial");
@@ -68,7 +68,7 @@ bool providerRefuses(JNIEnv* env) {
 }
 
 /// A descriptor of an unlinked file that holds the document.
-int descriptorOf(const Document& document) {
+int openDescriptor(const Document& document) {
     char path[] = "/tmp/nacre-document-XXXXXX";
     const int file = mkstemp(path);
     unlink(path);
@@ -90,7 +90,7 @@ bool known(const std::string& type, const std::string& name, const std::string& 
 }
 
 Object* callObject(JNIEnv* env, Object* of, const std::string& name, va_list arguments) {
-    Impl& machine = machineOf(env);
+    Impl& machine = findMachine(env);
     if (name == "system") return machine.make("java/lang/String", "Android 16 (36), Example Phone");
     if (name == "getCacheDir") return machine.make("java/io/File", machine.cacheFolder);
     if (name == "getPath") return machine.make("java/lang/String", of->text);
@@ -131,7 +131,7 @@ Object* callObject(JNIEnv* env, Object* of, const std::string& name, va_list arg
 
 /// As HttpURLConnection: in parts of some size.
 void fetch(JNIEnv* env, const std::string& url, jlong to) {
-    Impl& machine = machineOf(env);
+    Impl& machine = findMachine(env);
     std::string content;
     void* received = nullptr;
     {
@@ -152,7 +152,7 @@ void fetch(JNIEnv* env, const std::string& url, jlong to) {
 }
 
 void callVoid(JNIEnv* env, Object*, const std::string& name, va_list arguments) {
-    Impl& machine = machineOf(env);
+    Impl& machine = findMachine(env);
     if (name == "fetch") {
         const std::string url = in(va_arg(arguments, jobject))->text;
         return fetch(env, url, va_arg(arguments, jlong));
@@ -171,8 +171,8 @@ void callVoid(JNIEnv* env, Object*, const std::string& name, va_list arguments) 
 }
 
 jint callInt(JNIEnv* env, Object* of, const std::string& name, va_list arguments) {
-    const Document& document = *machineOf(env).document;
-    if (name == "detachFd") return descriptorOf(document);
+    const Document& document = *findMachine(env).document;
+    if (name == "detachFd") return openDescriptor(document);
     Object* buffer = in(va_arg(arguments, jobject));  // read([B)
     if (of->at >= document.bytes.size()) return -1;
     // Streams give as much as they like.

@@ -24,15 +24,15 @@ std::mutex machinesMutex;
 
 }  // namespace
 
-JavaMachine::Impl& machineOf(JNIEnv* env) {
+JavaMachine::Impl& findMachine(JNIEnv* env) {
     const std::lock_guard lock(machinesMutex);
     return *machines().at(env->functions);
 }
 
 namespace {
 
-Thread& threadOf(JNIEnv* env) {
-    Impl& machine = machineOf(env);
+Thread& findThread(JNIEnv* env) {
+    Impl& machine = findMachine(env);
     const std::lock_guard lock(machine.mutex);
     const auto it = machine.threads.find(std::this_thread::get_id());
     if (it == machine.threads.end() || &it->second->env != env) {
@@ -44,7 +44,7 @@ Thread& threadOf(JNIEnv* env) {
 
 jobject local(JNIEnv* env, Object* object) {
     if (!object) return nullptr;
-    std::vector<jobject>& frame = threadOf(env).frames.back();
+    std::vector<jobject>& frame = findThread(env).frames.back();
     frame.push_back(object);
     constexpr std::size_t kMost = 512;  // Android's table of old
     if (frame.size() > kMost) Faults::add("more than 512 local references");
@@ -52,13 +52,13 @@ jobject local(JNIEnv* env, Object* object) {
 }
 
 void expectNothingPending(JNIEnv* env, const char* call) {
-    if (threadOf(env).pending) Faults::add(std::string(call) + " with an exception pending");
+    if (findThread(env).pending) Faults::add(std::string(call) + " with an exception pending");
 }
 
 }  // namespace
 
 void raise(JNIEnv* env, const std::string& type, const std::string& words) {
-    threadOf(env).pending = machineOf(env).make(type, type + ": " + words);
+    findThread(env).pending = findMachine(env).make(type, type + ": " + words);
 }
 
 namespace {
@@ -66,7 +66,7 @@ namespace {
 // --- the table
 
 /// UTF-8 by the C library, which tests switch to it (the constructor).
-std::u16string unitsOf(const std::string& text) {
+std::u16string toUnits(const std::string& text) {
     std::u16string units;
     std::mbstate_t state{};
     for (std::size_t at = 0; at < text.size();) {
@@ -86,7 +86,7 @@ std::u16string unitsOf(const std::string& text) {
     return units;
 }
 
-const Method& nameOf(JNIEnv* env, jobject of, jmethodID id, char result) {
+const Method& findMethod(JNIEnv* env, jobject of, jmethodID id, char result) {
     const auto& method = *reinterpret_cast<const Method*>(id);
     expectNothingPending(env, method.name.c_str());
     if (in(of)->type != method.type) Faults::add(method.name + " called of a " + in(of)->type);
@@ -97,11 +97,11 @@ const Method& nameOf(JNIEnv* env, jobject of, jmethodID id, char result) {
 
 void fillObjects(JNINativeInterface& f) {
     f.GetObjectClass = [](JNIEnv* env, jobject of) {
-        return as<jclass>(local(env, machineOf(env).make("class", in(of)->type)));
+        return as<jclass>(local(env, findMachine(env).make("class", in(of)->type)));
     };
     f.FindClass = [](JNIEnv* env, const char* name) {
         expectNothingPending(env, "FindClass");
-        return as<jclass>(local(env, machineOf(env).make("class", name)));
+        return as<jclass>(local(env, findMachine(env).make("class", name)));
     };
     f.GetMethodID = [](JNIEnv* env, jclass type, const char* name, const char* signature) -> jmethodID {
         expectNothingPending(env, "GetMethodID");
@@ -109,7 +109,7 @@ void fillObjects(JNINativeInterface& f) {
             raise(env, "java.lang.NoSuchMethodError", in(type)->text + "." + name + signature);
             return nullptr;
         }
-        Impl& machine = machineOf(env);
+        Impl& machine = findMachine(env);
         const std::lock_guard lock(machine.mutex);
         machine.methods.push_back({in(type)->text, name, signature});
         return reinterpret_cast<jmethodID>(&machine.methods.back());
@@ -128,26 +128,26 @@ void fillObjects(JNINativeInterface& f) {
                 text.append(part, bytes);
             }
         }
-        return as<jstring>(local(env, machineOf(env).make("java/lang/String", text)));
+        return as<jstring>(local(env, findMachine(env).make("java/lang/String", text)));
     };
-    f.GetStringLength = [](JNIEnv*, jstring string) { return static_cast<jsize>(unitsOf(in(string)->text).size()); };
+    f.GetStringLength = [](JNIEnv*, jstring string) { return static_cast<jsize>(toUnits(in(string)->text).size()); };
     f.GetStringRegion = [](JNIEnv* env, jstring string, jsize start, jsize count, jchar* to) {
-        const std::u16string units = unitsOf(in(string)->text);
+        const std::u16string units = toUnits(in(string)->text);
         if (start < 0 || count < 0 || static_cast<std::size_t>(start + count) > units.size())
             return raise(env, "java.lang.StringIndexOutOfBoundsException", "");
         std::copy_n(units.begin() + start, count, to);
     };
     f.NewObjectArray = [](JNIEnv* env, jsize count, jclass, jobject first) {
         if (count != 1) Faults::add("an array of another size");
-        return as<jobjectArray>(local(env, machineOf(env).make("[Ljava/lang/String;", in(first)->text)));
+        return as<jobjectArray>(local(env, findMachine(env).make("[Ljava/lang/String;", in(first)->text)));
     };
     f.NewByteArray = [](JNIEnv* env, jsize count) {
-        Object* array = machineOf(env).make("[B");
+        Object* array = findMachine(env).make("[B");
         array->bytes.resize(static_cast<std::size_t>(count));
         return as<jbyteArray>(local(env, array));
     };
     f.NewIntArray = [](JNIEnv* env, jsize count) {
-        Object* array = machineOf(env).make("[I");
+        Object* array = findMachine(env).make("[I");
         array->numbers.resize(static_cast<std::size_t>(count));
         return as<jintArray>(local(env, array));
     };
@@ -165,57 +165,57 @@ void fillObjects(JNINativeInterface& f) {
 
 void fillCalls(JNINativeInterface& f) {
     f.CallObjectMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list arguments) {
-        return local(env, callObject(env, in(of), nameOf(env, of, id, 'L').name, arguments));
+        return local(env, callObject(env, in(of), findMethod(env, of, id, 'L').name, arguments));
     };
     f.CallIntMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list arguments) {
-        return callInt(env, in(of), nameOf(env, of, id, 'I').name, arguments);
+        return callInt(env, in(of), findMethod(env, of, id, 'I').name, arguments);
     };
     f.CallBooleanMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list) -> jboolean {
-        if (nameOf(env, of, id, 'Z').name == "getBooleanExtra") return intentValidates ? JNI_TRUE : JNI_FALSE;
-        return machineOf(env).document->name.empty() ? JNI_FALSE : JNI_TRUE;
+        if (findMethod(env, of, id, 'Z').name == "getBooleanExtra") return intentValidates ? JNI_TRUE : JNI_FALSE;
+        return findMachine(env).document->name.empty() ? JNI_FALSE : JNI_TRUE;
     };
     f.CallVoidMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list arguments) {
-        callVoid(env, in(of), nameOf(env, of, id, 'V').name, arguments);
+        callVoid(env, in(of), findMethod(env, of, id, 'V').name, arguments);
     };
     f.RegisterNatives = [](JNIEnv* env, jclass type, const JNINativeMethod* methods, jint count) -> jint {
         if (in(type)->text != kActivity) Faults::add("natives for another class");
         for (jint i = 0; i < count; ++i)
-            machineOf(env).natives[std::string(methods[i].name) + methods[i].signature] = methods[i].fnPtr;
+            findMachine(env).natives[std::string(methods[i].name) + methods[i].signature] = methods[i].fnPtr;
         return JNI_OK;
     };
 }
 
 void fillReferences(JNINativeInterface& f) {
     f.PushLocalFrame = [](JNIEnv* env, jint) -> jint {
-        threadOf(env).frames.emplace_back();
+        findThread(env).frames.emplace_back();
         return JNI_OK;
     };
     f.PopLocalFrame = [](JNIEnv* env, jobject) -> jobject {
-        threadOf(env).frames.pop_back();
+        findThread(env).frames.pop_back();
         return nullptr;
     };
     f.DeleteLocalRef = [](JNIEnv* env, jobject object) {
-        std::vector<jobject>& frame = threadOf(env).frames.back();
+        std::vector<jobject>& frame = findThread(env).frames.back();
         const auto it = std::find(frame.begin(), frame.end(), object);
         if (it == frame.end()) return Faults::add("a local reference given back that is none");
         frame.erase(it);
     };
     f.NewGlobalRef = [](JNIEnv* env, jobject object) {
-        Impl& machine = machineOf(env);
+        Impl& machine = findMachine(env);
         const std::lock_guard lock(machine.mutex);
         machine.globals.push_back(object);
         return object;
     };
     f.DeleteGlobalRef = [](JNIEnv* env, jobject object) {
-        Impl& machine = machineOf(env);
+        Impl& machine = findMachine(env);
         const std::lock_guard lock(machine.mutex);
         const auto it = std::find(machine.globals.begin(), machine.globals.end(), object);
         if (it == machine.globals.end()) return Faults::add("a global reference given back that is none");
         machine.globals.erase(it);
     };
-    f.ExceptionCheck = [](JNIEnv* env) -> jboolean { return threadOf(env).pending ? JNI_TRUE : JNI_FALSE; };
-    f.ExceptionOccurred = [](JNIEnv* env) { return as<jthrowable>(local(env, threadOf(env).pending)); };
-    f.ExceptionClear = [](JNIEnv* env) { threadOf(env).pending = nullptr; };
+    f.ExceptionCheck = [](JNIEnv* env) -> jboolean { return findThread(env).pending ? JNI_TRUE : JNI_FALSE; };
+    f.ExceptionOccurred = [](JNIEnv* env) { return as<jthrowable>(local(env, findThread(env).pending)); };
+    f.ExceptionClear = [](JNIEnv* env) { findThread(env).pending = nullptr; };
 }
 
 jint attach(JavaVM* vm, JNIEnv** env, void*) {

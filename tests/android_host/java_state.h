@@ -80,7 +80,7 @@ struct JavaMachine::Impl {
 };
 
 /// The machine of an environment.
-JavaMachine::Impl& machineOf(JNIEnv* env);
+JavaMachine::Impl& findMachine(JNIEnv* env);
 /// Makes an exception pending.
 void raise(JNIEnv* env, const std::string& type, const std::string& words);
 

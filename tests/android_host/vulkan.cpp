@@ -32,7 +32,7 @@ Function loaders(VkInstance instance, const char* name) {
 #define NACRE_LOADERS(instance, name) loaders<PFN_##name>(instance, #name)
 #define NACRE_DEVICES(device, name) reinterpret_cast<PFN_##name>(devices.at(device).procedure(device, #name))
 
-PFN_vkVoidFunction procedureOf(VkDevice device, const char* name) {
+PFN_vkVoidFunction findProcedure(VkDevice device, const char* name) {
     const std::lock_guard lock(mutex);
     return devices.at(device).procedure(device, name);
 }
@@ -43,7 +43,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL complain(VkDebugUtilsMessageSeverityFlagBitsEXT, 
     return VK_FALSE;
 }
 
-VkSurfaceTransformFlagBitsKHR transformOf(int quarterTurns) {
+VkSurfaceTransformFlagBitsKHR toTransform(int quarterTurns) {
     constexpr VkSurfaceTransformFlagBitsKHR kTransforms[] = {
         VK_SURFACE_TRANSFORM_IDENTITY_BIT_KHR, VK_SURFACE_TRANSFORM_ROTATE_90_BIT_KHR,
         VK_SURFACE_TRANSFORM_ROTATE_180_BIT_KHR, VK_SURFACE_TRANSFORM_ROTATE_270_BIT_KHR};
@@ -132,7 +132,7 @@ VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities(VkPhysicalDevice device, VkSu
     const std::lock_guard windowLock(window->mutex);
     if (!window->alive) return VK_ERROR_SURFACE_LOST_KHR;
     caps->currentExtent = {static_cast<std::uint32_t>(window->width), static_cast<std::uint32_t>(window->height)};
-    caps->currentTransform = transformOf(window->quarterTurns);
+    caps->currentTransform = toTransform(window->quarterTurns);
     caps->supportedTransforms |= caps->currentTransform;
     return result;
 }
@@ -146,7 +146,7 @@ VKAPI_ATTR VkResult VKAPI_CALL enumerateDevices(VkInstance instance, std::uint32
     return result;
 }
 
-VkInstance ownerOf(VkPhysicalDevice device) {
+VkInstance findOwner(VkPhysicalDevice device) {
     const std::lock_guard lock(mutex);
     return owners.at(device);
 }
@@ -154,7 +154,7 @@ VkInstance ownerOf(VkPhysicalDevice device) {
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device) {
     deviceIsMade();
-    const VkInstance owner = ownerOf(physical);
+    const VkInstance owner = findOwner(physical);
     const std::lock_guard lock(mutex);
     const VkResult result = NACRE_LOADERS(owner, vkCreateDevice)(physical, info, allocator, device);
     if (result == VK_SUCCESS)
@@ -187,7 +187,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createSwapchain(VkDevice device, const VkSwapchai
     if (!window.alive) return VK_ERROR_SURFACE_LOST_KHR;
     SwapchainRecord record{device, &window, info->imageFormat, info->imageExtent, 0, {}};
     for (int turns = 0; turns < 4; ++turns)
-        if (info->preTransform == transformOf(turns)) record.quarterTurns = turns;
+        if (info->preTransform == toTransform(turns)) record.quarterTurns = turns;
     const bool sideways = record.quarterTurns % 2 != 0;
     const VkExtent2D wanted = {static_cast<std::uint32_t>(sideways ? window.height : window.width),
                                static_cast<std::uint32_t>(sideways ? window.width : window.height)};
@@ -237,8 +237,8 @@ VKAPI_ATTR VkResult VKAPI_CALL acquire(VkDevice device, VkSwapchainKHR swapchain
 VKAPI_ATTR VkResult VKAPI_CALL waitForFences(VkDevice device, std::uint32_t count, const VkFence* fences, VkBool32 all,
                                              std::uint64_t timeout) {
     fenceIsAwaited();
-    return reinterpret_cast<PFN_vkWaitForFences>(procedureOf(device, "vkWaitForFences"))(device, count, fences, all,
-                                                                                         timeout);
+    return reinterpret_cast<PFN_vkWaitForFences>(findProcedure(device, "vkWaitForFences"))(device, count, fences, all,
+                                                                                           timeout);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence) {
@@ -248,7 +248,7 @@ VKAPI_ATTR VkResult VKAPI_CALL submit(VkQueue queue, std::uint32_t count, const 
         const std::lock_guard lock(mutex);
         device = queues.at(queue);
     }
-    return reinterpret_cast<PFN_vkQueueSubmit>(procedureOf(device, "vkQueueSubmit"))(queue, count, infos, fence);
+    return reinterpret_cast<PFN_vkQueueSubmit>(findProcedure(device, "vkQueueSubmit"))(queue, count, infos, fence);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL present(VkQueue queue, const VkPresentInfoKHR* info) {
@@ -282,7 +282,7 @@ struct Replacement {
 #define NACRE_REPLACE(name, ours) \
     { #name, reinterpret_cast < PFN_vkVoidFunction>(static_cast <PFN_##name>(ours)) }
 
-PFN_vkVoidFunction replacementOf(const char* name) {
+PFN_vkVoidFunction findReplacement(const char* name) {
     static const Replacement kReplacements[] = {
         NACRE_REPLACE(vkEnumerateInstanceExtensionProperties, enumerateExtensions),
         NACRE_REPLACE(vkCreateInstance, createInstance),
@@ -308,8 +308,8 @@ PFN_vkVoidFunction replacementOf(const char* name) {
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceFunction(VkDevice device, const char* name) {
-    if (const PFN_vkVoidFunction ours = replacementOf(name)) return ours;
-    return procedureOf(device, name);
+    if (const PFN_vkVoidFunction ours = findReplacement(name)) return ours;
+    return findProcedure(device, name);
 }
 
 }  // namespace
@@ -369,7 +369,7 @@ VKAPI_ATTR VkResult VKAPI_CALL vkCreateAndroidSurfaceKHR(VkInstance instance, co
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL vkGetInstanceProcAddr(VkInstance instance, const char* name) {
-    if (const PFN_vkVoidFunction ours = nacre::test::replacementOf(name)) return ours;
+    if (const PFN_vkVoidFunction ours = nacre::test::findReplacement(name)) return ours;
     return nacre::test::loaderFunction(instance, name);
 }
 

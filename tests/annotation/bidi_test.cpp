@@ -31,7 +31,7 @@ TEST(Bidi, ClassesAreThoseOfUnicode) {
         const FriBidiCharType theirs = fribidi_get_bidi_type(c);
         char text[64];
         std::snprintf(text, sizeof text, " %04x:%s", static_cast<unsigned>(c), fribidi_get_bidi_type_name(theirs));
-        if (theirs != judged(bidiClassOf(c))) different += text;
+        if (theirs != judged(findBidiClass(c))) different += text;
     }
     // Signs of Bopomofo and Armenian.
     EXPECT_EQ(different, " 02ea:ON 02eb:ON 058a:ON 058d:ON 058e:ON");
@@ -115,12 +115,13 @@ TEST(Bidi, PanelsTextHasTheFormsOfFriBidi) {
 TEST(Shaping, LettersJoin) {
     const WordPainter painter;
     // Of beh alone and of three in a row: joined, the first two have no tail.
-    const double one = painter.widthOf("\u0628", 100), three = painter.widthOf("\u0628\u0628\u0628", 100);
+    const double one = painter.measureWidth("\u0628", 100), three = painter.measureWidth("\u0628\u0628\u0628", 100);
     EXPECT_LT(three, 2.4 * one);
-    EXPECT_NEAR(painter.widthOf("\u0628\u200c\u0628\u200c\u0628", 100), 3 * one, 1) << "non-joiners keep them apart";
-    EXPECT_LT(painter.widthOf("\u0644\u0627", 100), painter.widthOf("\u0644\u200c\u0627", 100))
+    EXPECT_NEAR(painter.measureWidth("\u0628\u200c\u0628\u200c\u0628", 100), 3 * one, 1)
+        << "non-joiners keep them apart";
+    EXPECT_LT(painter.measureWidth("\u0644\u0627", 100), painter.measureWidth("\u0644\u200c\u0627", 100))
         << "lam and alef are one";
-    EXPECT_NEAR(painter.widthOf("e\u0301", 100), painter.widthOf("e", 100), 1) << "an accent takes no room";
+    EXPECT_NEAR(painter.measureWidth("e\u0301", 100), painter.measureWidth("e", 100), 1) << "an accent takes no room";
 }
 
 TEST(Shaping, IndicSignsChangePlaces) {
@@ -137,8 +138,8 @@ TEST(Shaping, IndicSignsChangePlaces) {
     if (!systemFontWith({U'\u0915'})) GTEST_SKIP() << "no Devanagari font here";
     // Ka and the vowel sign i, which is written before it; and ka, virama, ssa, which are one.
     EXPECT_NE(ink("\u0915\u093f").first, ink("\u0915").first);
-    EXPECT_LT(painter.widthOf("\u0915\u094d\u0937", 100),
-              0.95 * (painter.widthOf("\u0915", 100) + painter.widthOf("\u0937", 100)));
+    EXPECT_LT(painter.measureWidth("\u0915\u094d\u0937", 100),
+              0.95 * (painter.measureWidth("\u0915", 100) + painter.measureWidth("\u0937", 100)));
 }
 
 }  // namespace

@@ -20,11 +20,11 @@ constexpr std::array<float, 4> kBlack{0, 0, 0, 1};
 struct Box {
     double left, top, right, bottom;
 };
-Box boxOf(const TextMark& t) {
-    return {t.at.x, t.at.y - 0.76 * t.size, t.at.x + widthOf(t.text, t.size), t.at.y + 0.24 * t.size};
+Box markBox(const TextMark& t) {
+    return {t.at.x, t.at.y - 0.76 * t.size, t.at.x + measureWidth(t.text, t.size), t.at.y + 0.24 * t.size};
 }
 
-double bottomOf(const Box& box, const glm::dvec2& at) {
+double distanceTo(const Box& box, const glm::dvec2& at) {
     return glm::distance(glm::clamp(at, glm::dvec2(box.left, box.top), glm::dvec2(box.right, box.bottom)), at);
 }
 
@@ -33,14 +33,14 @@ TEST(WordLayout, TheMoleculeStandsBesideTitleLegendAndScaleBar) {
     for (const auto& [width, height, zoom] : {std::tuple{400u, 400u, 1.0}, {600u, 300u, 1.0}, {300u, 500u, 0.9}}) {
         Camera camera;
         camera.zoom = zoom;
-        const View view = viewOf(camera, 10, width, height);
+        const View view = makeView(camera, 10, width, height);
         PlacedWords words;
-        EXPECT_EQ(besideWords(view, words, 14, ball, zoom, widthOf).pixelsPerAngstrom, view.pixelsPerAngstrom);
+        EXPECT_EQ(besideWords(view, words, 14, ball, zoom, measureWidth).pixelsPerAngstrom, view.pixelsPerAngstrom);
         words.title = "A title that is long";
         words.scaleBar = ScaleBar::angstrom;
         words.legends = {{"all", "chain", {}, {}, 0}};
         for (int i = 0; i < 9; ++i) words.legends[0].entries.push_back({"chain " + std::to_string(i), 0xff0000ff});
-        const View beside = besideWords(view, words, 14, ball, zoom, widthOf);
+        const View beside = besideWords(view, words, 14, ball, zoom, measureWidth);
         EXPECT_LE(beside.pixelsPerAngstrom, view.pixelsPerAngstrom * (1 + 1e-9));
         EXPECT_GT(beside.pixelsPerAngstrom, view.pixelsPerAngstrom * 0.6);
         const glm::dvec2 at =
@@ -49,25 +49,25 @@ TEST(WordLayout, TheMoleculeStandsBesideTitleLegendAndScaleBar) {
         EXPECT_GE(std::min(at.x, at.y), radius);
         EXPECT_LE(at.x + radius, width);
         EXPECT_LE(at.y + radius, height);
-        const Marks marks = layOut(words, beside, 14, {}, kWhite, widthOf);
-        for (const TextMark& text : marks.texts) EXPECT_GE(bottomOf(boxOf(text), at), radius) << text.text;
+        const Marks marks = layOut(words, beside, 14, {}, kWhite, measureWidth);
+        for (const TextMark& text : marks.texts) EXPECT_GE(distanceTo(markBox(text), at), radius) << text.text;
         // What goes beyond the usual size is asked for.
         camera.zoom = 2 * zoom;
-        const View large = besideWords(viewOf(camera, 10, width, height), words, 14, ball, 2 * zoom, widthOf);
+        const View large = besideWords(makeView(camera, 10, width, height), words, 14, ball, 2 * zoom, measureWidth);
         EXPECT_GT(large.pixelsPerAngstrom, 1.5 * beside.pixelsPerAngstrom);
     }
     PlacedWords bar;
     bar.scaleBar = ScaleBar::nanometre;  // a corner has room for it
     const View view = square(400);
-    EXPECT_EQ(besideWords(view, bar, 10, ball, 1, widthOf).pixelsPerAngstrom, view.pixelsPerAngstrom);
+    EXPECT_EQ(besideWords(view, bar, 10, ball, 1, measureWidth).pixelsPerAngstrom, view.pixelsPerAngstrom);
 }
 
 TEST(WordLayout, LabelsStandOnTheirAnchorsWhileThereIsRoomAndNeverOverlap) {
     PlacedWords words;
     words.labels = {{{0, 0, 0}, "alone", false, 1}};
-    const Marks one = layOut(words, square(400), 16, {}, kWhite, widthOf);
+    const Marks one = layOut(words, square(400), 16, {}, kWhite, measureWidth);
     ASSERT_EQ(one.texts.size(), 1u);
-    const Box box = boxOf(one.texts[0]);
+    const Box box = markBox(one.texts[0]);
     EXPECT_NEAR((box.left + box.right) / 2, 200, 1e-6);
     EXPECT_NEAR((box.top + box.bottom) / 2, 200, 1e-6);
     EXPECT_TRUE(one.lines.empty());
@@ -77,14 +77,14 @@ TEST(WordLayout, LabelsStandOnTheirAnchorsWhileThereIsRoomAndNeverOverlap) {
         words.labels.push_back({{0.1 * i, 0.05 * i, 0}, "label" + std::to_string(i), true, 0.3});
     words.title = "A title";
     words.scaleBar = ScaleBar::angstrom;
-    const Marks many = layOut(words, square(400), 14, {}, kWhite, widthOf);
+    const Marks many = layOut(words, square(400), 14, {}, kWhite, measureWidth);
     EXPECT_EQ(many.crowded, 0u);
     ASSERT_EQ(many.texts.size(), 22u);
     for (std::size_t i = 0; i < many.texts.size(); ++i) {
-        const Box a = boxOf(many.texts[i]);
+        const Box a = markBox(many.texts[i]);
         EXPECT_TRUE(a.left >= 0 && a.top >= 0 && a.right <= 400 && a.bottom <= 400) << many.texts[i].text;
         for (std::size_t j = 0; j < i; ++j) {
-            const Box b = boxOf(many.texts[j]);
+            const Box b = markBox(many.texts[j]);
             EXPECT_FALSE(a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
                 << many.texts[i].text << " on " << many.texts[j].text;
         }
@@ -92,7 +92,7 @@ TEST(WordLayout, LabelsStandOnTheirAnchorsWhileThereIsRoomAndNeverOverlap) {
     EXPECT_GT(many.discs.size(), 5u);
     // Where there is no room for all, none is set over another.
     for (int i = 0; i < 300; ++i) words.labels.push_back({{0, 0, 0}, "crowd", false, 1});
-    EXPECT_GT(layOut(words, square(400), 14, {}, kWhite, widthOf).crowded, 50u);
+    EXPECT_GT(layOut(words, square(400), 14, {}, kWhite, measureWidth).crowded, 50u);
 }
 
 TEST(WordLayout, LabelsInSpaceAreClipped) {
@@ -101,7 +101,7 @@ TEST(WordLayout, LabelsInSpaceAreClipped) {
     words.labels[0].size = words.labels[1].size = 1;
     const auto shown = [&](const Clip& clip) {
         std::string texts;
-        for (const TextMark& text : layOut(words, square(400), 14, {}, kWhite, widthOf, clip).texts)
+        for (const TextMark& text : layOut(words, square(400), 14, {}, kWhite, measureWidth, clip).texts)
             texts += text.text + " ";
         return texts;
     };
@@ -122,20 +122,20 @@ TEST(WordLayout, LabelsOfGroupsStandBesideTheirAtoms) {
     words.labels = {label};
     const View view = square(400);
     const auto covered = [&](const Marks& marks) {
-        const Box box = boxOf(marks.texts.at(0));
+        const Box box = markBox(marks.texts.at(0));
         std::size_t count = 0;
         for (const glm::dvec3& place : label.named.places) {
             const glm::dvec2 at(200 + place.x * view.pixelsPerAngstrom, 200 - place.y * view.pixelsPerAngstrom);
-            if (bottomOf(box, at) < 0.9 * view.pixelsPerAngstrom) ++count;
+            if (distanceTo(box, at) < 0.9 * view.pixelsPerAngstrom) ++count;
         }
         return count;
     };
-    const Marks beside = layOut(words, view, 14, {}, kWhite, widthOf);
+    const Marks beside = layOut(words, view, 14, {}, kWhite, measureWidth);
     EXPECT_EQ(covered(beside), 0u);
     EXPECT_TRUE(beside.lines.empty()) << "it is near enough";
     // A chain wears its name.
     for (glm::dvec3& place : words.labels[0].named.places) place *= 7.0;
-    const Box box = boxOf(layOut(words, view, 14, {}, kWhite, widthOf).texts.at(0));
+    const Box box = markBox(layOut(words, view, 14, {}, kWhite, measureWidth).texts.at(0));
     EXPECT_NEAR((box.left + box.right) / 2, 200, 1e-6);
 }
 
@@ -175,7 +175,7 @@ PlacedWords twoInARow(Representation& r, bool oneResidue = false) {
     return placeWords(words, m, r);
 }
 
-std::vector<std::string> textsOf(const Marks& marks) {
+std::vector<std::string> listTexts(const Marks& marks) {
     std::vector<std::string> texts;
     for (const TextMark& text : marks.texts) texts.push_back(text.text);
     std::sort(texts.begin(), texts.end());
@@ -190,32 +190,33 @@ TEST(WordLayout, LabelsOfWhatLiesBehindAtomsAreLeftOut) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         Camera camera;
         camera.projection = projection;
-        const View front = viewOf(camera, r.radius, 300, 300);
-        EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), one);
+        const View front = makeView(camera, r.radius, 300, 300);
+        EXPECT_EQ(listTexts(layOut(words, front, 12, {}, kWhite, measureWidth)), one);
         camera.rotationDegrees = {0, 180, 0};
-        EXPECT_EQ(textsOf(layOut(words, viewOf(camera, r.radius, 300, 300), 12, {}, kWhite, widthOf)), Texts{"behind"});
+        EXPECT_EQ(listTexts(layOut(words, makeView(camera, r.radius, 300, 300), 12, {}, kWhite, measureWidth)),
+                  Texts{"behind"});
         camera.rotationDegrees = {0, 60, 0};
-        EXPECT_EQ(textsOf(layOut(words, viewOf(camera, r.radius, 300, 300), 12, {}, kWhite, widthOf)), both);
+        EXPECT_EQ(listTexts(layOut(words, makeView(camera, r.radius, 300, 300), 12, {}, kWhite, measureWidth)), both);
         // What a plane cuts away hides nothing.
         Clip clip;
         clip.near = 0;
-        EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf, clip)), both);
+        EXPECT_EQ(listTexts(layOut(words, front, 12, {}, kWhite, measureWidth, clip)), both);
     }
-    const View front = viewOf(Camera{}, r.radius, 300, 300);
+    const View front = makeView(Camera{}, r.radius, 300, 300);
     Representation same;
-    EXPECT_EQ(textsOf(layOut(twoInARow(same, true), front, 12, {}, kWhite, widthOf)), both);
+    EXPECT_EQ(listTexts(layOut(twoInARow(same, true), front, 12, {}, kWhite, measureWidth)), both);
     words.sight.reset();
-    EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), both);
+    EXPECT_EQ(listTexts(layOut(words, front, 12, {}, kWhite, measureWidth)), both);
     // A stick hides, and so does a mesh; a bond of its own atom does not.
     r.spheres.resize(1);
     r.sphereLooks.resize(1);
     r.cylinders = {{{-5, 0, 0}, 3, {5, 0, 0}, 0}};
     r.cylinderLooks = {{0, 0, 7, 7}};
     words.sight = std::make_shared<const LabelSight>(r);
-    EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), one);
+    EXPECT_EQ(listTexts(layOut(words, front, 12, {}, kWhite, measureWidth)), one);
     r.cylinderLooks = {{0, 0, 1, 1}};
     words.sight = std::make_shared<const LabelSight>(r);
-    EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), both);
+    EXPECT_EQ(listTexts(layOut(words, front, 12, {}, kWhite, measureWidth)), both);
     r.cylinders.clear();
     r.cylinderLooks.clear();
     appendMesh(
@@ -225,7 +226,7 @@ TEST(WordLayout, LabelsOfWhatLiesBehindAtomsAreLeftOut) {
         },
         r);
     words.sight = std::make_shared<const LabelSight>(r);
-    EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), one);
+    EXPECT_EQ(listTexts(layOut(words, front, 12, {}, kWhite, measureWidth)), one);
 }
 
 TEST(WordLayout, LabelsStayWithWhatTheyNameFromPictureToPicture) {
@@ -244,8 +245,8 @@ TEST(WordLayout, LabelsStayWithWhatTheyNameFromPictureToPicture) {
         for (int frame = 0; frame < 120; ++frame) {
             Camera camera;
             camera.rotationDegrees = {0, 3.0 * frame, 0};
-            const View view = viewOf(camera, r.radius, 500, 500);
-            const Marks marks = layOut(words, view, 14, {}, kWhite, widthOf, {}, remembers ? &memory : nullptr);
+            const View view = makeView(camera, r.radius, 500, 500);
+            const Marks marks = layOut(words, view, 14, {}, kWhite, measureWidth, {}, remembers ? &memory : nullptr);
             std::map<std::string, glm::dvec2> now;
             for (const PlacedLabel& label : words.labels) {
                 const glm::dvec3 v = view.rotation * label.at;
@@ -268,7 +269,7 @@ TEST(WordLayout, TheScaleBarIsAsLongAsItSays) {
     for (const auto& [unit, text] : {std::pair(ScaleBar::angstrom, "2 Å"), std::pair(ScaleBar::nanometre, "0.2 nm")}) {
         words.scaleBar = unit;
         const View view = square(800);
-        const Marks marks = layOut(words, view, 20, {}, kWhite, widthOf);
+        const Marks marks = layOut(words, view, 20, {}, kWhite, measureWidth);
         ASSERT_EQ(marks.texts.size(), 1u);
         EXPECT_EQ(marks.texts[0].text, text);
         const LineMark& bar = marks.lines.back();
@@ -277,23 +278,24 @@ TEST(WordLayout, TheScaleBarIsAsLongAsItSays) {
 }
 
 /// Where a mark of one letter stands: its middle, from the middle of the cross, y up.
-glm::dvec2 nameOf(const Marks& marks, const char* name, const glm::dvec2& middle) {
+glm::dvec2 findLetter(const Marks& marks, const char* name, const glm::dvec2& middle) {
     for (const TextMark& text : marks.texts)
         if (text.text == name)
-            return (text.at + glm::dvec2(widthOf(name, text.size) / 2, -0.27 * text.size) - middle) * glm::dvec2(1, -1);
+            return (text.at + glm::dvec2(measureWidth(name, text.size) / 2, -0.27 * text.size) - middle) *
+                   glm::dvec2(1, -1);
     ADD_FAILURE() << name;
     return {};
 }
 
 TEST(WordLayout, TheAxesTurnWithTheView) {
     PlacedWords words;
-    words.axes = crossOf({});
+    words.axes = makeAxes({});
     constexpr double kEm = 20;
     glm::dvec2 middle(0);
     const auto laid = [&](const glm::dvec3& degrees) {
         Camera camera;
         camera.rotationDegrees = degrees;
-        const Marks marks = layOut(words, viewOf(camera, 10, 600, 400), kEm, {}, kWhite, widthOf);
+        const Marks marks = layOut(words, makeView(camera, 10, 600, 400), kEm, {}, kWhite, measureWidth);
         EXPECT_EQ(marks.texts.size(), 3u);
         EXPECT_EQ(marks.shapes.size(), 6u);  // a shaft and a head each
         for (const ShapeMark& shape : marks.shapes)
@@ -308,16 +310,16 @@ TEST(WordLayout, TheAxesTurnWithTheView) {
     EXPECT_EQ(straight.shapes.back().color, kAxisColors[2]) << "z is in front";
     for (const glm::dvec2& corner : straight.shapes.back().corners)
         middle += corner / static_cast<double>(straight.shapes.back().corners.size());
-    EXPECT_GT(nameOf(straight, "x", middle).x, 2 * kEm);
-    EXPECT_NEAR(nameOf(straight, "x", middle).y, 0, 0.3 * kEm);
-    EXPECT_GT(nameOf(straight, "y", middle).y, 2 * kEm);
-    EXPECT_NEAR(nameOf(straight, "y", middle).x, 0, 0.3 * kEm);
-    EXPECT_LT(glm::length(nameOf(straight, "z", middle)), kEm);
+    EXPECT_GT(findLetter(straight, "x", middle).x, 2 * kEm);
+    EXPECT_NEAR(findLetter(straight, "x", middle).y, 0, 0.3 * kEm);
+    EXPECT_GT(findLetter(straight, "y", middle).y, 2 * kEm);
+    EXPECT_NEAR(findLetter(straight, "y", middle).x, 0, 0.3 * kEm);
+    EXPECT_LT(glm::length(findLetter(straight, "z", middle)), kEm);
     // A quarter turn about y, right-handed: z to the right, x away from the viewer.
     const Marks turned = laid({0, 90, 0});
-    EXPECT_GT(nameOf(turned, "z", middle).x, 2 * kEm);
-    EXPECT_GT(nameOf(turned, "y", middle).y, 2 * kEm);
-    EXPECT_LT(glm::length(nameOf(turned, "x", middle)), kEm);
+    EXPECT_GT(findLetter(turned, "z", middle).x, 2 * kEm);
+    EXPECT_GT(findLetter(turned, "y", middle).y, 2 * kEm);
+    EXPECT_LT(glm::length(findLetter(turned, "x", middle)), kEm);
     EXPECT_EQ(turned.shapes.front().color, kAxisColors[0]) << "x is behind";
     // The molecule finds the same room from any side.
     const std::vector<glm::dvec4> ball{{0, 0, 0, 10}};
@@ -325,8 +327,8 @@ TEST(WordLayout, TheAxesTurnWithTheView) {
     for (int i = 0; i < 50; ++i) {
         Camera camera;
         camera.rotationDegrees = {37.0 * i, 61.0 * i, 11.0 * i};
-        const View view = viewOf(camera, 10, 400, 400);
-        const View beside = besideWords(view, words, kEm, ball, 1, widthOf);
+        const View view = makeView(camera, 10, 400, 400);
+        const View beside = besideWords(view, words, kEm, ball, 1, measureWidth);
         EXPECT_NEAR(glm::distance(pan.value_or(beside.pan), beside.pan), 0, 1e-6);
         pan = beside.pan;
     }
@@ -335,7 +337,7 @@ TEST(WordLayout, TheAxesTurnWithTheView) {
 TEST(WordLayout, TheAxesOfACellFollowItsEdges) {
     // A monoclinic cell, beta 120 degrees: c leans back over a.
     const std::array<glm::dvec3, 3> cell{glm::dvec3(5, 0, 0), {0, 9, 0}, {-4, 0, 4 * std::sqrt(3.0)}};
-    const std::vector<PlacedAxis> axes = crossOf(cell);
+    const std::vector<PlacedAxis> axes = makeAxes(cell);
     ASSERT_EQ(axes.size(), 3u);
     EXPECT_EQ(axes[0].name + axes[1].name + axes[2].name, "abc");
     EXPECT_NEAR(glm::dot(axes[0].way, axes[2].way), -0.5, 1e-12);
@@ -346,15 +348,15 @@ TEST(WordLayout, MeasuresJoinTheirAtomsByDashes) {
     PlacedWords words;
     words.measures = {{{{-5, 0, 0}, {5, 0, 0}}, "10.00 Å"}};
     const View view = square(400);
-    const Marks marks = layOut(words, view, 16, {}, kWhite, widthOf);
+    const Marks marks = layOut(words, view, 16, {}, kWhite, measureWidth);
     ASSERT_GT(marks.lines.size(), 5u);
     EXPECT_NEAR(marks.lines.front().points.front().x, 200 - 5 * view.pixelsPerAngstrom, 1e-6);
     for (const LineMark& dash : marks.lines) EXPECT_NEAR(dash.points[0].y, 200, 1e-6);
     ASSERT_EQ(marks.texts.size(), 1u);
-    EXPECT_LT(boxOf(marks.texts[0]).bottom, 200);  // beside the line, not on it
+    EXPECT_LT(markBox(marks.texts[0]).bottom, 200);  // beside the line, not on it
     // Out of the picture it is not said.
     words.measures[0].points = {{500, 0, 0}, {510, 0, 0}};
-    EXPECT_TRUE(layOut(words, view, 16, {}, kWhite, widthOf).texts.empty());
+    EXPECT_TRUE(layOut(words, view, 16, {}, kWhite, measureWidth).texts.empty());
 }
 
 TEST(WordLayout, LegendsNamePartsInWords) {
@@ -362,7 +364,7 @@ TEST(WordLayout, LegendsNamePartsInWords) {
     words.legends = {{"all", "#bec4c8", {{"#bec4c8", packedColor(0xbec4c8)}}, Palette::automatic, 0},
                      {"byres (within 4 of (mainligand))", "element", {{"C", 1}}, Palette::automatic, 0}};
     std::string all;
-    for (const TextMark& text : layOut(words, square(600), 16, {}, kWhite, widthOf).texts) all += text.text + "|";
+    for (const TextMark& text : layOut(words, square(600), 16, {}, kWhite, measureWidth).texts) all += text.text + "|";
     EXPECT_EQ(all, "Element, residues within 4 Å of the ligand|C|");
 }
 
@@ -371,7 +373,7 @@ TEST(WordLayout, LegendsShowKindsAndRamps) {
     words.legends = {
         {"all", "chain", {{"A", packedColor(0xff0000)}, {"B", packedColor(0x00ff00)}}, Palette::automatic, 0},
         {"ligand", "b-factor", {{"10 or less", 1}, {"20", 2}, {"30", 3}}, Palette::viridis, 3}};
-    const Marks marks = layOut(words, square(600), 16, {}, kWhite, widthOf);
+    const Marks marks = layOut(words, square(600), 16, {}, kWhite, measureWidth);
     std::string all;
     for (const TextMark& text : marks.texts) all += text.text + "|";
     EXPECT_EQ(all, "Chain|A|B|B factor (Å²), ligand|30|10 or less|");
@@ -383,14 +385,14 @@ TEST(WordLayout, LegendsShowKindsAndRamps) {
     // Behind it all, a backing.
     ASSERT_EQ(marks.backs.size(), 1u);
     for (const TextMark& text : marks.texts) {
-        const Box box = boxOf(text);
+        const Box box = markBox(text);
         EXPECT_TRUE(box.left > marks.backs[0].low.x && box.right < marks.backs[0].high.x &&
                     box.top > marks.backs[0].low.y && box.bottom < marks.backs[0].high.y && marks.backs[0].high.x < 600)
             << text.text;
     }
     // A list that is too long says so.
     words.legends[0].entries.assign(500, {"X", 7});
-    const Marks cut = layOut(words, square(600), 16, {}, kWhite, widthOf);
+    const Marks cut = layOut(words, square(600), 16, {}, kWhite, measureWidth);
     EXPECT_NE(cut.texts.back().text.size(), 0u);
     bool more = false;
     for (const TextMark& text : cut.texts) more |= text.text.find(" more") != std::string::npos;
@@ -405,7 +407,7 @@ TEST(WordLayout, PaleDiscsOfALegendHaveABorder) {
                       Palette::automatic,
                       0}};
     for (const bool dark : {false, true}) {
-        const Marks marks = layOut(words, square(600), 16, {}, dark ? kBlack : kWhite, widthOf);
+        const Marks marks = layOut(words, square(600), 16, {}, dark ? kBlack : kWhite, measureWidth);
         ASSERT_EQ(marks.discs.size(), 3u);
         EXPECT_EQ(marks.discs[0].ring != 0, !dark);
         EXPECT_EQ(marks.discs[1].ring, 0u);
@@ -421,7 +423,7 @@ TEST(WordLayout, LegendsOfManyClassesLeaveMostOfThePicture) {
             words.legends = {{"all", "chain", {}, {}, 0}};
             for (std::size_t i = 0; i < classes; ++i)
                 words.legends[0].entries.push_back({"chain " + std::to_string(i), 0xff0000ff});
-            const Marks marks = layOut(words, viewOf(Camera{}, 10, width, height), 15, {}, kWhite, widthOf);
+            const Marks marks = layOut(words, makeView(Camera{}, 10, width, height), 15, {}, kWhite, measureWidth);
             double left = width, low = 0;
             for (const BackMark& back : marks.backs)
                 left = std::min(left, back.low.x), low = std::max(low, back.high.y);
@@ -434,7 +436,7 @@ TEST(WordLayout, LegendsOfManyClassesLeaveMostOfThePicture) {
     PlacedWords words;
     words.legends = {{"all", "chain", {}, {}, 0}};
     for (std::size_t i = 0; i < 40; ++i) words.legends[0].entries.push_back({std::to_string(i), 0xff0000ff});
-    const Marks marks = layOut(words, square(600), 15, {}, kWhite, widthOf);
+    const Marks marks = layOut(words, square(600), 15, {}, kWhite, measureWidth);
     EXPECT_EQ(marks.discs.size(), 40u);
     EXPECT_GE(marks.texts.front().size, 0.6 * 15);
 }
@@ -442,10 +444,10 @@ TEST(WordLayout, LegendsOfManyClassesLeaveMostOfThePicture) {
 TEST(WordLayout, InkStandsOutFromTheBackground) {
     PlacedWords words;
     words.title = "T";
-    EXPECT_EQ(layOut(words, square(99), 0, {}, kWhite, widthOf).color, packedColor(0x1c1e22));
-    EXPECT_EQ(layOut(words, square(99), 0, {}, kNothing, widthOf).color, packedColor(0x1c1e22));
-    EXPECT_EQ(layOut(words, square(99), 0, {}, kBlack, widthOf).color, packedColor(0xf4f5f6));
-    const Marks yellow = layOut(words, square(99), 0, std::array<float, 3>{1, 1, 0}, kWhite, widthOf);
+    EXPECT_EQ(layOut(words, square(99), 0, {}, kWhite, measureWidth).color, packedColor(0x1c1e22));
+    EXPECT_EQ(layOut(words, square(99), 0, {}, kNothing, measureWidth).color, packedColor(0x1c1e22));
+    EXPECT_EQ(layOut(words, square(99), 0, {}, kBlack, measureWidth).color, packedColor(0xf4f5f6));
+    const Marks yellow = layOut(words, square(99), 0, std::array<float, 3>{1, 1, 0}, kWhite, measureWidth);
     EXPECT_EQ(yellow.color, packedColor(0xffff00));
     EXPECT_EQ(yellow.halo, packedColor(0x101114));
 }

@@ -11,14 +11,15 @@ namespace nacre::app {
 namespace {
 
 TEST(Measurement, DistancesAnglesTorsions) {
-    EXPECT_DOUBLE_EQ(distanceOf({1, 2, 3}, {4, 6, 3}), 5);
-    EXPECT_NEAR(angleOf({1, 0, 0}, {0, 0, 0}, {0, 2, 0}), 90, 1e-12);
-    EXPECT_NEAR(angleOf({1, 1, 1}, {0, 0, 0}, {-1, -1, 1}), std::acos(-1.0 / 3) * 180 / M_PI, 1e-9);  // tetrahedral
-    EXPECT_NEAR(torsionOf({1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {1, 0, 1}), 0, 1e-12);
-    EXPECT_NEAR(std::abs(torsionOf({1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {-1, 0, 1})), 180, 1e-12);
+    EXPECT_DOUBLE_EQ(measureDistance({1, 2, 3}, {4, 6, 3}), 5);
+    EXPECT_NEAR(measureAngle({1, 0, 0}, {0, 0, 0}, {0, 2, 0}), 90, 1e-12);
+    EXPECT_NEAR(measureAngle({1, 1, 1}, {0, 0, 0}, {-1, -1, 1}), std::acos(-1.0 / 3) * 180 / M_PI,
+                1e-9);  // tetrahedral
+    EXPECT_NEAR(measureTorsion({1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {1, 0, 1}), 0, 1e-12);
+    EXPECT_NEAR(std::abs(measureTorsion({1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {-1, 0, 1})), 180, 1e-12);
     // Looking from b to c along +z with x to the right, y is to the left hand: a at x, d at y. Seen against the
     // direction of sight counter-clockwise is positive in a right-handed frame, so along it +90 is clockwise.
-    EXPECT_NEAR(torsionOf({1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 1}), 90, 1e-12);
+    EXPECT_NEAR(measureTorsion({1, 0, 0}, {0, 0, 0}, {0, 0, 1}, {0, 1, 1}), 90, 1e-12);
 }
 
 TEST(Measurement, TheGlucoseChairHasStaggeredTorsions) {
@@ -30,8 +31,8 @@ TEST(Measurement, TheGlucoseChairHasStaggeredTorsions) {
         ADD_FAILURE() << name;
         return glm::dvec3();
     };
-    const double first = torsionOf(at("C1"), at("C2"), at("C3"), at("C4"));
-    const double second = torsionOf(at("C2"), at("C3"), at("C4"), at("C5"));
+    const double first = measureTorsion(at("C1"), at("C2"), at("C3"), at("C4"));
+    const double second = measureTorsion(at("C2"), at("C3"), at("C4"), at("C5"));
     EXPECT_NEAR(std::abs(first), 57, 8);
     EXPECT_NEAR(std::abs(second), 57, 8);
     EXPECT_LT(first * second, 0);

@@ -25,13 +25,13 @@ PlacedWords someWords() {
     words.labels = {{{1, 2, 0}, "label", false, 1}};
     words.measures = {{{{-5, -3, 0}, {2, -3, 0}, {4, 0, 2}}, "99.9°"}};
     words.scaleBar = ScaleBar::angstrom;
-    words.axes = crossOf({});
+    words.axes = makeAxes({});
     words.legends = {{"all", "b-factor", {{"1", 1}, {"2", 2}, {"3", 3}}, Palette::viridis, 3}};
     return words;
 }
 
 /// Sum of ink, of 1 a black pixel.
-double inkOf(const Picture& picture) {
+double measureInk(const Picture& picture) {
     double sum = 0;
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4) sum += 1.0 - static_cast<double>(picture.rgba[i]);
     return sum;
@@ -39,14 +39,14 @@ double inkOf(const Picture& picture) {
 
 TEST(WordPainter, DrawsTheSameInBandsAsAtOnce) {
     const WordPainter painter;
-    const auto width = [&](const std::string& text, double size) { return painter.widthOf(text, size); };
+    const auto width = [&](const std::string& text, double size) { return painter.measureWidth(text, size); };
     const Marks marks = layOut(someWords(), square(300), 18, {}, kWhite, width);
     Picture whole = filled(300, 1, 1), bands = whole;
     painter.paint(marks, whole.rgba.data(), 300, 0, 300);
     for (std::uint32_t row = 0; row < 300; row += 37)
         painter.paint(marks, bands.rgba.data() + std::size_t{row} * 1200, 300, row, std::min(37u, 300 - row));
     EXPECT_EQ(whole.rgba, bands.rgba);
-    EXPECT_GT(inkOf(whole), 500);
+    EXPECT_GT(measureInk(whole), 500);
 }
 
 TEST(WordPainter, IsSharpAtAnySize) {
@@ -60,7 +60,7 @@ TEST(WordPainter, IsSharpAtAnySize) {
         painter.paint(marks, picture.rgba.data(), 1200, 0, 1200);
         return picture;
     };
-    const double small = inkOf(drawn(100)), large = inkOf(drawn(400));
+    const double small = measureInk(drawn(100)), large = measureInk(drawn(400));
     EXPECT_NEAR(large / small, 16, 0.8);
     std::size_t partly = 0, fully = 0;
     const Picture picture = drawn(400);
@@ -87,14 +87,15 @@ TEST(WordPainter, LeavesRightAlphaWhereNothingWas) {
 
 TEST(WordPainter, KnowsTheSignsOfTheField) {
     const WordPainter painter;
-    const double box = painter.widthOf("\xef\xbf\xbd", 100);  // what stands for a sign that is missing
+    const double box = painter.measureWidth("\xef\xbf\xbd", 100);  // what stands for a sign that is missing
     for (const char* sign : {"α", "Ω", "′", "″", "Å", "°", "−", "→", "²", "₂"}) {
-        EXPECT_GT(painter.widthOf(sign, 100), 15) << sign;
-        EXPECT_LT(painter.widthOf(sign, 100), box + 5) << sign;
+        EXPECT_GT(painter.measureWidth(sign, 100), 15) << sign;
+        EXPECT_LT(painter.measureWidth(sign, 100), box + 5) << sign;
     }
-    EXPECT_NEAR(painter.widthOf("HH", 100), 2 * painter.widthOf("H", 100), 1e-9);
-    EXPECT_LT(painter.widthOf("AV", 100), painter.widthOf("A", 100) + painter.widthOf("V", 100));  // kerning
-    EXPECT_EQ(painter.widthOf("", 100), 0);
+    EXPECT_NEAR(painter.measureWidth("HH", 100), 2 * painter.measureWidth("H", 100), 1e-9);
+    EXPECT_LT(painter.measureWidth("AV", 100),
+              painter.measureWidth("A", 100) + painter.measureWidth("V", 100));  // kerning
+    EXPECT_EQ(painter.measureWidth("", 100), 0);
 }
 
 /// What the built-in font has not comes from another, at an em's size; that is opened once, and only when needed.
@@ -112,19 +113,19 @@ TEST(WordPainter, ForeignScriptsComeFromAnotherFont) {
         return picture.rgba;
     };
     const WordPainter alone(FindFont{});
-    painter.widthOf("Hα′", 40);
+    painter.measureWidth("Hα′", 40);
     EXPECT_TRUE(asked.empty());
     EXPECT_EQ(drawn(alone, "蛋"), drawn(alone, "白")) << "boxes";
     EXPECT_EQ(drawn(alone, "Ab"), drawn(painter, "Ab"));
-    const std::vector<std::string> said = alone.warningsOf({});
+    const std::vector<std::string> said = alone.listWarnings({});
     ASSERT_EQ(said.size(), 1u);
     EXPECT_EQ(said[0], "no installed font has the characters U+767D, U+86CB: the picture shows boxes instead");
-    EXPECT_TRUE(painter.warningsOf({}).empty() || !systemFontWith({U'蛋'}));
+    EXPECT_TRUE(painter.listWarnings({}).empty() || !systemFontWith({U'蛋'}));
     if (!systemFontWith({U'蛋'}) || drawn(painter, "蛋") == drawn(alone, "蛋")) GTEST_SKIP() << "no Chinese font here";
     EXPECT_NE(drawn(painter, "蛋"), drawn(painter, "白"));
     EXPECT_EQ(asked.size(), 1u) << "the font that has one has the other";
-    EXPECT_NEAR(painter.widthOf("蛋白", 40), 80, 1) << "each fills an em";
-    EXPECT_EQ(painter.widthOf("\U0010fffd", 40), alone.widthOf("\U0010fffd", 40)) << "nobody has it";
+    EXPECT_NEAR(painter.measureWidth("蛋白", 40), 80, 1) << "each fills an em";
+    EXPECT_EQ(painter.measureWidth("\U0010fffd", 40), alone.measureWidth("\U0010fffd", 40)) << "nobody has it";
 }
 
 TEST(WordPainter, RightToLeftRunsFromTheRight) {

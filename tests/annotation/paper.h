@@ -10,8 +10,10 @@ namespace nacre::app {
 
 constexpr std::array<float, 4> kWhite{1, 1, 1, 1}, kNothing{0, 0, 0, 0};
 
-inline View square(std::uint32_t side) { return viewOf(Camera{}, 10, side, side); }
+inline View square(std::uint32_t side) { return makeView(Camera{}, 10, side, side); }
 
-inline double widthOf(const std::string& text, double size) { return 0.6 * size * static_cast<double>(text.size()); }
+inline double measureWidth(const std::string& text, double size) {
+    return 0.6 * size * static_cast<double>(text.size());
+}
 
 }  // namespace nacre::app

@@ -26,7 +26,7 @@ struct Dna {
     }
 };
 
-std::string faultOf(const std::function<void()>& call) {
+std::string catchFault(const std::function<void()>& call) {
     try {
         call();
     } catch (const std::exception& error) {
@@ -41,12 +41,12 @@ TEST(Words, LabelsAreDividedWhereASelectionStands) {
     EXPECT_EQ(label.text, "x=y");
     EXPECT_EQ(labelText(label), "chain A and b >= 5=x=y");
     EXPECT_EQ(parseLabel(labelText(label)), label);
-    EXPECT_NE(faultOf([] { parseLabel("chain A"); }).find("SELECTION=TEXT"), std::string::npos);
-    EXPECT_NE(faultOf([] { parseLabel("chain A="); }).find("no text"), std::string::npos);
-    EXPECT_NE(faultOf([] { parseLabel("chian A=x"); }).find("did you mean 'chain'"), std::string::npos);
-    EXPECT_NE(faultOf([] { parseLabel("all={residu}"); }).find("{residue}"), std::string::npos);
-    EXPECT_NE(faultOf([] { parseLabel("all={residu}"); }).find("did you mean 'residue'"), std::string::npos);
-    EXPECT_NE(faultOf([] { parseLabel("all={residue"); }).find("not closed"), std::string::npos);
+    EXPECT_NE(catchFault([] { parseLabel("chain A"); }).find("SELECTION=TEXT"), std::string::npos);
+    EXPECT_NE(catchFault([] { parseLabel("chain A="); }).find("no text"), std::string::npos);
+    EXPECT_NE(catchFault([] { parseLabel("chian A=x"); }).find("did you mean 'chain'"), std::string::npos);
+    EXPECT_NE(catchFault([] { parseLabel("all={residu}"); }).find("{residue}"), std::string::npos);
+    EXPECT_NE(catchFault([] { parseLabel("all={residu}"); }).find("did you mean 'residue'"), std::string::npos);
+    EXPECT_NE(catchFault([] { parseLabel("all={residue"); }).find("not closed"), std::string::npos);
 }
 
 TEST(Words, TheFinestFieldSaysWhatALabelIsFor) {
@@ -89,19 +89,19 @@ TEST(Words, AtomsDrawnAsLinesAreLabelledAndMeasured) {
 
 TEST(Words, WhatCannotBeSaidIsAnError) {
     const Dna dna;
-    EXPECT_EQ(faultOf([&] { dna.placed("resn XYZ=x"); }), "cannot label: resn XYZ: the molecule has no such atoms");
-    EXPECT_NE(faultOf([&] { dna.placed("all={atom}"); }).find("more than the limit of 400"), std::string::npos);
+    EXPECT_EQ(catchFault([&] { dna.placed("resn XYZ=x"); }), "cannot label: resn XYZ: the molecule has no such atoms");
+    EXPECT_NE(catchFault([&] { dna.placed("all={atom}"); }).find("more than the limit of 400"), std::string::npos);
     Words words;
     words.measures.push_back(parseMeasure("resi 3,id 5"));
-    EXPECT_NE(faultOf([&] { placeWords(words, dna.molecule, dna.scene); }).find("where one is needed"),
+    EXPECT_NE(catchFault([&] { placeWords(words, dna.molecule, dna.scene); }).find("where one is needed"),
               std::string::npos);
     words.measures = {parseMeasure("id 5,5")};
-    EXPECT_EQ(faultOf([&] { placeWords(words, dna.molecule, dna.scene); }),
+    EXPECT_EQ(catchFault([&] { placeWords(words, dna.molecule, dna.scene); }),
               "cannot measure: id 5: it is the same atom as the one before");
-    EXPECT_NE(faultOf([] { parseMeasure("id 5"); }).find("two atoms"), std::string::npos);
-    EXPECT_NE(faultOf([] { parseMeasure("1,2,3,4,5"); }).find("two atoms"), std::string::npos);
-    EXPECT_NE(faultOf([] { parseMeasure("1,,3"); }), "");
-    EXPECT_NE(faultOf([] { parseScaleBar("inch"); }).find("angstrom"), std::string::npos);
+    EXPECT_NE(catchFault([] { parseMeasure("id 5"); }).find("two atoms"), std::string::npos);
+    EXPECT_NE(catchFault([] { parseMeasure("1,2,3,4,5"); }).find("two atoms"), std::string::npos);
+    EXPECT_NE(catchFault([] { parseMeasure("1,,3"); }), "");
+    EXPECT_NE(catchFault([] { parseScaleBar("inch"); }).find("angstrom"), std::string::npos);
 }
 
 TEST(Words, MeasuresAreThoseOfTheWindow) {
@@ -124,15 +124,15 @@ TEST(Words, MeasuresAreThoseOfTheWindow) {
 
 TEST(Words, MarkupRaisesAndLowers) {
     using Runs = std::vector<TextRun>;
-    EXPECT_EQ(runsOf("H_2O"), (Runs{{"H", 0}, {"2", -1}, {"O", 0}}));
-    EXPECT_EQ(runsOf("Ca^{2+}"), (Runs{{"Ca", 0}, {"2+", 1}}));
-    EXPECT_EQ(runsOf("\\alpha-helix \\AA"), (Runs{{"α-helix Å", 0}}));
-    EXPECT_EQ(runsOf("C\\alphaH of \\eta x"), (Runs{{"CαH of η x", 0}}));
-    EXPECT_EQ(runsOf("a\\_b\\\\"), (Runs{{"a_b\\", 0}}));
-    EXPECT_EQ(runsOf("x_β"), (Runs{{"x", 0}, {"β", -1}}));
-    EXPECT_NE(faultOf([] { runsOf("a_"); }), "");
-    EXPECT_NE(faultOf([] { runsOf("a_{b"); }), "");
-    EXPECT_NE(faultOf([] { runsOf("\\alhpa"); }).find("'alpha'"), std::string::npos);
+    EXPECT_EQ(parseMarkup("H_2O"), (Runs{{"H", 0}, {"2", -1}, {"O", 0}}));
+    EXPECT_EQ(parseMarkup("Ca^{2+}"), (Runs{{"Ca", 0}, {"2+", 1}}));
+    EXPECT_EQ(parseMarkup("\\alpha-helix \\AA"), (Runs{{"α-helix Å", 0}}));
+    EXPECT_EQ(parseMarkup("C\\alphaH of \\eta x"), (Runs{{"CαH of η x", 0}}));
+    EXPECT_EQ(parseMarkup("a\\_b\\\\"), (Runs{{"a_b\\", 0}}));
+    EXPECT_EQ(parseMarkup("x_β"), (Runs{{"x", 0}, {"β", -1}}));
+    EXPECT_NE(catchFault([] { parseMarkup("a_"); }), "");
+    EXPECT_NE(catchFault([] { parseMarkup("a_{b"); }), "");
+    EXPECT_NE(catchFault([] { parseMarkup("\\alhpa"); }).find("'alpha'"), std::string::npos);
 }
 
 TEST(Words, TravelInASavedView) {

@@ -34,12 +34,12 @@ struct Input {
     Format format{};
 };
 
-Input inputOf(const std::string& path) {
+Input readInput(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     if (!file) throw std::runtime_error("cannot read " + path);
     Input input{std::filesystem::path(path).filename().string(), {std::istreambuf_iterator<char>(file), {}}};
     constexpr std::size_t kMost = std::size_t{1} << 31;
-    if (!compressionOf(input.bytes).empty()) input.bytes = decompress(path, input.bytes, kMost);
+    if (!detectCompression(input.bytes).empty()) input.bytes = decompress(path, input.bytes, kMost);
     const auto binary = detectBinaryFormat(input.bytes);
     input.format = binary ? *binary : detectFormat(path, input.bytes);
     return input;
@@ -94,7 +94,7 @@ int main(int argc, char** argv) try {
     if (paths.empty())
         for (const char* name : kFiles) paths.push_back(test::dataFile(name));
     std::vector<Input> inputs;
-    for (const std::string& path : paths) inputs.push_back(inputOf(path));
+    for (const std::string& path : paths) inputs.push_back(readInput(path));
     // A million atoms of BinaryCIF: the largest mmCIF, written anew.
     for (std::size_t i = 0; i < paths.size(); ++i)
         if (inputs[i].format == Format::mmcif && inputs[i].bytes.size() > 50'000'000)

@@ -68,7 +68,7 @@ struct Stage {
     }
 };
 
-Stage& stageOf(const Subject& subject) {
+Stage& findStage(const Subject& subject) {
     static std::map<std::string, std::unique_ptr<Stage>> stages;
     std::unique_ptr<Stage>& stage = stages[subject.file];
     if (!stage) stage = std::make_unique<Stage>(subject.file);
@@ -76,7 +76,7 @@ Stage& stageOf(const Subject& subject) {
 }
 
 /// Milliseconds of the floor under a bake, the best of five.
-double floorOf(Stage& stage, const occlusion::Bake& bake) {
+double measureFloor(Stage& stage, const occlusion::Bake& bake) {
     if (stage.floorMs > 0) return stage.floorMs;
     const test::OcclusionFloor floor = stage.floor(bake);
     for (int i = 0; i < 5; ++i) {
@@ -90,7 +90,7 @@ double floorOf(Stage& stage, const occlusion::Bake& bake) {
 
 /// Counters: where the time goes, what was asked, and how it compares with the floor.
 void bakeAll(benchmark::State& state, const Subject& subject, OcclusionMaps maps) {
-    Stage& stage = stageOf(subject);
+    Stage& stage = findStage(subject);
     if (maps == OcclusionMaps::automatic) maps = stage.deviceMaps();
     for (auto _ : state) {
         const double start = processorMs();
@@ -112,13 +112,13 @@ void bakeAll(benchmark::State& state, const Subject& subject, OcclusionMaps maps
         state.counters["texel_directions"] = questions;
         state.counters["ns_each"] = ms * 1e6 / questions;
         state.counters["steps_ns_each"] = (stepped - begun) * 1e6 / questions;
-        state.counters["of_floor"] = ms / floorOf(stage, *bake);
+        state.counters["of_floor"] = ms / measureFloor(stage, *bake);
         state.ResumeTiming();
     }
 }
 
 void floorAlone(benchmark::State& state, const Subject& subject) {
-    Stage& stage = stageOf(subject);
+    Stage& stage = findStage(subject);
     const test::OcclusionFloor floor = stage.floor(*stage.bake(subject.directions, stage.deviceMaps()));
     for (auto _ : state) floor.run(static_cast<std::uint32_t>(subject.directions));
 }
@@ -127,7 +127,7 @@ constexpr std::uint32_t kMaps = test::BatchMaps::kMaps;
 
 /// 4HHB's maps as its bake has them.
 struct Batch {
-    Stage& stage = stageOf(kSubjects[1]);
+    Stage& stage = findStage(kSubjects[1]);
     std::vector<glm::dmat3> frames = [] {
         std::vector<glm::dmat3> all = occlusionDirections(128);
         all.resize(kMaps);

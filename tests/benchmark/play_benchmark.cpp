@@ -31,7 +31,7 @@ using namespace nacre;
 constexpr std::uint32_t kWidth = 640, kHeight = 960;
 
 /// A ball of alternating elements as dense as a protein, 10 cubic Å an atom.
-Molecule ballOf(std::size_t atoms) {
+Molecule makeBall(std::size_t atoms) {
     Molecule molecule;
     molecule.chains.push_back({"A", 1});
     molecule.subchains.emplace_back("A");
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     const int frames = argc > 2 ? std::atoi(argv[2]) : 60;
     const std::string path =
         (std::filesystem::temp_directory_path() / ("nacre-play-" + std::to_string(getpid()) + ".dcd")).string();
-    const auto molecule = std::make_shared<const Molecule>(named ? readMoleculeFile(argv[1]) : ballOf(atoms));
+    const auto molecule = std::make_shared<const Molecule>(named ? readMoleculeFile(argv[1]) : makeBall(atoms));
     writeTrajectory(path, *molecule, frames, named ? 0.1f : 0.5f);
     {
         const auto motion = std::make_shared<Motion>(openTrajectory(path), *molecule, MotionOptions{});
@@ -106,7 +106,7 @@ int main(int argc, char** argv) {
         const auto moving = std::make_shared<app::MovingPicture>(*molecule, picture);
         Renderer renderer{DeviceOptions{}};
         RenderSettings settings;
-        settings.view = viewOf(Camera{}, moving->radius(), kWidth, kHeight);
+        settings.view = makeView(Camera{}, moving->radius(), kWidth, kHeight);
         settings.occlusion.directions = 0;
         settings.supersample = 1;
         renderer.setScene(moving->moved(*molecule));

@@ -38,7 +38,7 @@ constexpr Shapes kShapes[] = {{"off", PlateShape::none, "octagon", ImpostorShape
                               {"square", PlateShape::square, "square", ImpostorShape::square},
                               {"octagon", PlateShape::octagon, "square", ImpostorShape::square}};
 
-RenderSettings settingsOf(const View& view, const Shapes& shapes) {
+RenderSettings makeSettings(const View& view, const Shapes& shapes) {
     RenderSettings settings;
     settings.view = view;
     settings.supersample = 1;
@@ -60,14 +60,14 @@ Json counted(Renderer& renderer, RenderSettings settings, const Shapes& shapes) 
     return row;
 }
 
-Json shapesOf(Renderer& renderer, const View& view) {
+Json measureShapes(Renderer& renderer, const View& view) {
     constexpr int kRounds = 5;
     Json rows = Json::array();
-    for (const Shapes& shapes : kShapes) rows.push_back(counted(renderer, settingsOf(view, shapes), shapes));
+    for (const Shapes& shapes : kShapes) rows.push_back(counted(renderer, makeSettings(view, shapes), shapes));
     // In turns, so that the machine's moods meet all of them; the first round warms up.
     for (int round = 0; round <= kRounds; ++round)
         for (std::size_t i = 0; i < std::size(kShapes); ++i) {
-            const double ms = renderer.drawFrame(settingsOf(view, kShapes[i]));
+            const double ms = renderer.drawFrame(makeSettings(view, kShapes[i]));
             if (round == 1 || (round > 1 && ms < rows[i]["ms"])) rows[i]["ms"] = ms;
         }
     return rows;
@@ -91,7 +91,7 @@ int main(int argc, char** argv) try {
         if (std::sscanf(size.c_str(), "%ux%u", &width, &height) != 2) throw std::runtime_error(size + " is no WxH");
         report.push_back({{"size", {width, height}},
                           {"atoms", scene.drawnAtoms},
-                          {"shapes", shapesOf(renderer, viewOf(Camera(), scene.radius, width, height))}});
+                          {"shapes", measureShapes(renderer, makeView(Camera(), scene.radius, width, height))}});
     }
     std::puts(report.dump(1).c_str());
     return 0;

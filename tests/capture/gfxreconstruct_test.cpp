@@ -11,16 +11,16 @@ namespace nacre::test {
 namespace {
 
 /// Runs a command of the shell in the folder. @returns its output; a failure fails the test
-std::string outputOf(const TemporaryFolder& folder, const std::string& command) {
+std::string captureOutput(const TemporaryFolder& folder, const std::string& command) {
     const TemporaryFolder logs;
     const int status =
         std::system(("cd '" + folder.path() + "' && " + command + " >'" + (logs / "out") + "' 2>&1").c_str());
-    EXPECT_EQ(status, 0) << command << ": " << contentOf(logs / "out");
-    return contentOf(logs / "out");
+    EXPECT_EQ(status, 0) << command << ": " << readContents(logs / "out");
+    return readContents(logs / "out");
 }
 
 /// What each submission holds: the outermost label of its one command buffer.
-std::vector<std::string> submissionsOf(const std::string& jsonLines) {
+std::vector<std::string> listSubmissions(const std::string& jsonLines) {
     std::vector<std::string> submissions;
     std::string label;
     int depth = 0;
@@ -44,14 +44,14 @@ std::vector<std::string> submissionsOf(const std::string& jsonLines) {
 
 TEST(Gfxreconstruct, ARenderReplaysAndEachFrameIsOneSubmission) {
     const TemporaryFolder folder;
-    outputOf(folder,
-             "VK_INSTANCE_LAYERS=VK_LAYER_LUNARG_gfxreconstruct GFXRECON_CAPTURE_FILE=a.gfxr "
-             "GFXRECON_CAPTURE_FILE_TIMESTAMP=false '" NACRE_PROGRAM
-             "' render sample:glucose -o a.png --size 96x80 --occlusion 40 --layers l.exr");
-    const std::string replay = outputOf(folder, "gfxrecon-replay --validate a.gfxr");
+    captureOutput(folder,
+                  "VK_INSTANCE_LAYERS=VK_LAYER_LUNARG_gfxreconstruct GFXRECON_CAPTURE_FILE=a.gfxr "
+                  "GFXRECON_CAPTURE_FILE_TIMESTAMP=false '" NACRE_PROGRAM
+                  "' render sample:glucose -o a.png --size 96x80 --occlusion 40 --layers l.exr");
+    const std::string replay = captureOutput(folder, "gfxrecon-replay --validate a.gfxr");
     for (const char* word : {"ERROR", "WARNING", "FATAL", "Validation"})
         EXPECT_EQ(replay.find(word), std::string::npos) << replay;
-    const auto submissions = submissionsOf(outputOf(folder, "gfxrecon-convert --output stdout a.gfxr"));
+    const auto submissions = listSubmissions(captureOutput(folder, "gfxrecon-convert --output stdout a.gfxr"));
     EXPECT_EQ(submissions, (std::vector<std::string>{"white", "occlusion finish", "occlusion", "occlusion", "occlusion",
                                                      "occlusion finish", "screen", "screen"}));
 }

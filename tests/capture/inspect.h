@@ -16,12 +16,12 @@ inline nlohmann::json inspect(const std::string& capture, const std::string& mor
     const TemporaryFolder logs;
     const std::string command = "'" NACRE_SOURCE_DIR "/tools/inspect' '" + capture + "' --json " + more + " >'" +
                                 (logs / "out") + "' 2>'" + (logs / "err") + "'";
-    if (std::system(command.c_str()) != 0) throw std::runtime_error("tools/inspect: " + contentOf(logs / "err"));
-    return nlohmann::json::parse(contentOf(logs / "out"));
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("tools/inspect: " + readContents(logs / "err"));
+    return nlohmann::json::parse(readContents(logs / "out"));
 }
 
 /// The names of passes in a list of them, in order.
-inline std::vector<std::string> namesOf(const nlohmann::json& list) {
+inline std::vector<std::string> listNames(const nlohmann::json& list) {
     std::vector<std::string> names;
     for (const nlohmann::json& one : list) names.push_back(one.value("name", one.value("kind", "")));
     return names;

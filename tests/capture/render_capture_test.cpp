@@ -23,7 +23,7 @@ using Names = std::vector<std::string>;
 const std::string kPicture = "render sample:glucose -o a.png --size 96x80 --occlusion 40 --background transparent ";
 const std::string kRender = kPicture + "--supersample 1 ";
 
-std::vector<std::uint8_t> bytesOf(const std::string& path) {
+std::vector<std::uint8_t> readPixels(const std::string& path) {
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     const auto in = OIIO::ImageInput::open(path, &config);
@@ -35,13 +35,13 @@ std::vector<std::uint8_t> bytesOf(const std::string& path) {
 
 /// The bake's submissions, then the screen's.
 void expectBakeAndScreen(const nlohmann::json& submissions, const Names& screen) {
-    EXPECT_EQ(namesOf(submissions),
+    EXPECT_EQ(listNames(submissions),
               (Names{"occlusion finish", "occlusion", "occlusion", "occlusion", "occlusion finish", "screen"}));
     for (const nlohmann::json& submission : submissions)
         if (submission["name"] == "occlusion") {
-            EXPECT_EQ(namesOf(submission["steps"]), (Names{"depth maps by tiles", "occlusion accumulation"}));
+            EXPECT_EQ(listNames(submission["steps"]), (Names{"depth maps by tiles", "occlusion accumulation"}));
         }
-    EXPECT_EQ(namesOf(submissions.back()["steps"]), screen);
+    EXPECT_EQ(listNames(submissions.back()["steps"]), screen);
 }
 
 /// The paper's frame: one render pass, of which only colour reaches memory.
@@ -57,7 +57,7 @@ void expectOneRenderPass(const nlohmann::json& pass) {
     EXPECT_EQ(pass["subpasses"][0]["uses"], (nlohmann::json{"writes screen: depth"}));
     EXPECT_EQ(pass["subpasses"][2]["uses"],
               (nlohmann::json{"reads screen: encoded depth as input", "tests screen: depth", "writes screen: colour"}));
-    ASSERT_EQ(namesOf(pass["attachments"]), (Names{"screen: depth", "screen: encoded depth", "screen: colour"}));
+    ASSERT_EQ(listNames(pass["attachments"]), (Names{"screen: depth", "screen: encoded depth", "screen: colour"}));
     for (const nlohmann::json& attachment : pass["attachments"]) {
         EXPECT_EQ(attachment["load"], "clear") << attachment;
         EXPECT_EQ(attachment["store"], attachment["name"] == "screen: colour" ? "store" : "don't care") << attachment;
@@ -76,14 +76,14 @@ TEST(RenderCapture, ShowsTheBakeAndOneRenderPassAndReplaysToThePicture) {
     expectBakeAndScreen(listing["submissions"], {"render pass", "read back"});
     expectOneRenderPass(listing["submissions"].back()["steps"][0]);
 
-    const std::vector<std::uint8_t> drawn = bytesOf(folder / "a.png");
+    const std::vector<std::uint8_t> drawn = readPixels(folder / "a.png");
     ASSERT_EQ(drawn.size(), 96u * 80 * 4);
     EXPECT_GT(std::count_if(drawn.begin(), drawn.end(), [](std::uint8_t b) { return b > 0; }), 1000);
-    EXPECT_EQ(bytesOf(folder / "replayed.png"), drawn);
+    EXPECT_EQ(readPixels(folder / "replayed.png"), drawn);
 
     // Capturing changes no pixel.
     ASSERT_EQ(nacreIn(folder, kRender).code, 0);
-    EXPECT_EQ(bytesOf(folder / "a.png"), drawn);
+    EXPECT_EQ(readPixels(folder / "a.png"), drawn);
 }
 
 TEST(RenderCapture, EveryResourceOfEveryPathHasAName) {
@@ -101,10 +101,10 @@ TEST(RenderCapture, TheFrameIsRenderDocsWhereItStartedTheProgram) {
     const std::string command = "renderdoccmd capture --wait-for-exit -d '" + folder.path() + "' -c '" +
                                 (folder / "started") + "' '" NACRE_PROGRAM "' " + kRender + " >'" + (folder / "log") +
                                 "' 2>&1";
-    ASSERT_EQ(std::system(command.c_str()), 0) << contentOf(folder / "log");
+    ASSERT_EQ(std::system(command.c_str()), 0) << readContents(folder / "log");
     // By the path that software devices take.
     expectBakeAndScreen(inspect(folder / "started_capture.rdc")["submissions"], {"nearest primitive, shaded"});
-    EXPECT_NE(contentOf(folder / "log").find("captured to " + (folder / "started_capture.rdc")), std::string::npos);
+    EXPECT_NE(readContents(folder / "log").find("captured to " + (folder / "started_capture.rdc")), std::string::npos);
 }
 
 TEST(RenderCapture, RenderDocListensOnThisMachineAlone) {
@@ -116,7 +116,7 @@ TEST(RenderCapture, RenderDocListensOnThisMachineAlone) {
                                 "sleep 0.02; done) >log 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0);
     std::set<std::string> held, listening;  // inodes; addresses
-    std::istringstream log(contentOf(folder / "log"));
+    std::istringstream log(readContents(folder / "log"));
     std::vector<std::vector<std::string>> rows;
     for (std::string line; std::getline(log, line);) {
         if (line.starts_with("socket:[")) held.insert(line.substr(8));
@@ -136,7 +136,7 @@ TEST(RenderCapture, SaysWhyItCannot) {
         const std::string command = "cd '" + folder.path() + "' && " + environment + " '" NACRE_PROGRAM "' " + kRender +
                                     "--capture a.rdc " + more + " >/dev/null 2>log";
         EXPECT_NE(std::system(command.c_str()), 0);
-        const std::string said = contentOf(folder / "log");
+        const std::string said = readContents(folder / "log");
         EXPECT_TRUE(said.starts_with("nacre: error: ")) << said;
         EXPECT_NE(said.find(why), std::string::npos) << said;
         EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
@@ -151,7 +151,7 @@ TEST(RenderCapture, SaysWhyItCannot) {
 TEST(RenderCapture, ACutFileIsTold) {
     const TemporaryFolder folder;
     ASSERT_EQ(nacreIn(folder, kRender + "--capture a.rdc").code, 0);
-    const std::string whole = contentOf(folder / "a.rdc");
+    const std::string whole = readContents(folder / "a.rdc");
     EXPECT_TRUE(app::isWholeCapture(folder / "a.rdc"));
     for (std::size_t n = 0; n < whole.size(); n += n < 200 ? 1 : 9973) {
         std::ofstream(folder / "cut.rdc", std::ios::binary).write(whole.data(), static_cast<std::streamsize>(n));

@@ -28,10 +28,10 @@ TEST(ViewCapture, F12CapturesTheNextFrame) {
 
     const nlohmann::json listing = inspect(session.folder() / "glucose.rdc");
     EXPECT_EQ(listing["unnamed"], nlohmann::json::array());
-    ASSERT_EQ(namesOf(listing["submissions"]), std::vector<std::string>{"screen"});
+    ASSERT_EQ(listNames(listing["submissions"]), std::vector<std::string>{"screen"});
     const nlohmann::json& pass = listing["submissions"][0]["steps"][0];
     ASSERT_EQ(pass["subpasses"].size(), 3u);
-    EXPECT_EQ(namesOf(pass["subpasses"][2]["passes"]), (std::vector<std::string>{"impostor colour", "overlay"}));
+    EXPECT_EQ(listNames(pass["subpasses"][2]["passes"]), (std::vector<std::string>{"impostor colour", "overlay"}));
     EXPECT_EQ(pass["attachments"][0]["store"], "don't care");
     EXPECT_EQ(pass["attachments"][1]["store"], "don't care");
     EXPECT_EQ(pass["attachments"][2]["store"], "store");

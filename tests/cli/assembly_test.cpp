@@ -39,7 +39,7 @@ protected:
         const Outcome outcome =
             nacreIn(folder, "render two.pdb -o a.png --occlusion off --size 64x64 --stats s.json " + options);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return nlohmann::json::parse(contentOf(folder / "s.json"));
+        return nlohmann::json::parse(readContents(folder / "s.json"));
     }
     const TemporaryFolder folder;
 };

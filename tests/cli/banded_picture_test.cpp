@@ -38,7 +38,7 @@ TEST(BandedPicture, IsThePictureThatIsDrawnAtOnce) {
 
     const WordPainter painter;
     Marks marks = painter.layOut(prepared.words, view, options.words.size, options.words.color, options.background);
-    EXPECT_EQ(painter.warningsOf(marks), said);
+    EXPECT_EQ(painter.listWarnings(marks), said);
     double share = 0;
     // Bands of 64 rows, in parts of 128 columns.
     BandedPicture banded(renderer, prepared.settings, [&](double done) { share = done; }, {301 * 100, 170});

@@ -21,7 +21,7 @@ inline void writeJobs(const TemporaryFolder& folder, const std::vector<std::stri
 }
 
 /// The report, by the job's line.
-inline std::map<int, nlohmann::json> reportOf(const std::string& out) {
+inline std::map<int, nlohmann::json> parseReport(const std::string& out) {
     std::map<int, nlohmann::json> report;
     std::istringstream lines(out);
     for (std::string line; std::getline(lines, line);) {

@@ -15,9 +15,9 @@
 namespace nacre::app {
 namespace {
 
-using test::contentOf;
 using test::job;
-using test::reportOf;
+using test::parseReport;
+using test::readContents;
 using test::TemporaryFolder;
 
 // A pipe of jobs that stays open: a run that reads it cannot be through before it is stopped, however slow the test is.
@@ -52,7 +52,7 @@ TEST(StoppedBatch, IsGoneOnWithAfterItWasStopped) {
     const auto pictures = [&] {
         std::vector<std::string> all;
         for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
-            if (entry.path().filename().string()[0] == 'p') all.push_back(contentOf(entry.path().string()));
+            if (entry.path().filename().string()[0] == 'p') all.push_back(readContents(entry.path().string()));
         return all;
     };
     test::RunOptions options;
@@ -66,7 +66,7 @@ TEST(StoppedBatch, IsGoneOnWithAfterItWasStopped) {
     options.once = true;
     const test::MeasuredRun stopped = run(second.path, options);
     EXPECT_EQ(stopped.code, 1) << stopped.signal;
-    const auto told = reportOf(stopped.out);
+    const auto told = parseReport(stopped.out);
     const auto done = static_cast<std::size_t>(
         std::count_if(told.begin(), told.end(), [](const auto& line) { return line.second.at("status") == "done"; }));
     EXPECT_EQ(pictures().size(), before + done) << "what was begun is whole";

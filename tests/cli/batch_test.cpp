@@ -16,11 +16,11 @@
 namespace nacre::app {
 namespace {
 
-using test::contentOf;
 using test::job;
 using test::nacreIn;
 using test::Outcome;
-using test::reportOf;
+using test::parseReport;
+using test::readContents;
 using test::TemporaryFolder;
 using Json = nlohmann::json;
 using test::writeJobs;
@@ -36,7 +36,7 @@ TEST(Batch, DrawsWhatRenderDraws) {
                job("sample:glucose", "d.png", R"("rules": [{"color-by": "all=red"}], "layers": "d.exr")")});
     const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 3") + kSmall);
     ASSERT_EQ(batch.code, 0) << batch.err << batch.out;
-    const auto report = reportOf(batch.out);
+    const auto report = parseReport(batch.out);
     ASSERT_EQ(report.size(), 4u);
     const std::pair<int, const char*> alone[] = {
         {1, "render sample:dna -o one.png --color chain --rotate 0,90,0"},
@@ -51,11 +51,11 @@ TEST(Batch, DrawsWhatRenderDraws) {
         const bool sized = std::string(command).find("--size") != std::string::npos;
         const std::string rest = sized ? " --occlusion 4 --occlusion-detail 8" : kSmall;
         ASSERT_EQ(nacreIn(folder, command + rest).code, 0) << command;
-        const std::string same = contentOf(folder / ("one" + output.substr(1)));
-        EXPECT_EQ(contentOf(folder / output), same) << command;
+        const std::string same = readContents(folder / ("one" + output.substr(1)));
+        EXPECT_EQ(readContents(folder / output), same) << command;
         EXPECT_EQ(told["bytes"].get<std::size_t>(), same.size());
     }
-    EXPECT_EQ(contentOf(folder / "d.exr"), contentOf(folder / "one.exr"));
+    EXPECT_EQ(readContents(folder / "d.exr"), readContents(folder / "one.exr"));
 }
 
 TEST(Batch, TakesSeveralInputsAndWhatFitsThem) {
@@ -64,7 +64,7 @@ TEST(Batch, TakesSeveralInputsAndWhatFitsThem) {
                        R"( "rotate": [0, 30, 0], "output": "a.png"})",
                        job("sample:dna", "b.png", R"("fit": "all")")});
     const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl") + kSmall);
-    const auto report = reportOf(batch.out);
+    const auto report = parseReport(batch.out);
     EXPECT_EQ(report.at(1)["status"], "done") << report.at(1);
     EXPECT_NE(report.at(2)["error"].get<std::string>().find("expected two values"), std::string::npos);
     ASSERT_EQ(nacreIn(folder, std::string("render a=sample:dna b=sample:dna --fit '/b and name P' '/a and name P' "
@@ -72,7 +72,7 @@ TEST(Batch, TakesSeveralInputsAndWhatFitsThem) {
                                   kSmall)
                   .code,
               0);
-    EXPECT_EQ(contentOf(folder / "a.png"), contentOf(folder / "one.png"));
+    EXPECT_EQ(readContents(folder / "a.png"), readContents(folder / "one.png"));
 }
 
 TEST(Batch, AFailedJobStopsNoOther) {
@@ -106,7 +106,7 @@ TEST(Batch, AFailedJobStopsNoOther) {
     const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 2") + kSmall);
     EXPECT_EQ(batch.code, 1);
     EXPECT_NE(batch.err.find("nacre: error: batch: jobs.jsonl: not all jobs are done"), std::string::npos) << batch.err;
-    const auto report = reportOf(batch.out);
+    const auto report = parseReport(batch.out);
     ASSERT_EQ(report.size(), lines.size());
     for (std::size_t i = 0; i < std::size(wrong); ++i) {
         const Json& told = report.at(static_cast<int>(i) + 1);
@@ -130,8 +130,8 @@ TEST(Batch, OptionsOfTheCommandLineHoldForAllAndJobsPrevail) {
             nacreIn(folder, std::string("render sample:glucose -o ") + color + ".png --background " + color + kSmall)
                 .code,
             0);
-    EXPECT_EQ(contentOf(folder / "a.png"), contentOf(folder / "red.png"));
-    EXPECT_EQ(contentOf(folder / "b.png"), contentOf(folder / "blue.png"));
+    EXPECT_EQ(readContents(folder / "a.png"), readContents(folder / "red.png"));
+    EXPECT_EQ(readContents(folder / "b.png"), readContents(folder / "blue.png"));
     EXPECT_EQ(nacreIn(folder, "batch jobs.jsonl --background nocolour").code, 2);
     EXPECT_EQ(nacreIn(folder, "batch jobs.jsonl --jobs 0").code, 2);
     EXPECT_EQ(nacreIn(folder, "batch").code, 2);
@@ -143,7 +143,7 @@ TEST(Batch, GoesOnAfterAJobThatIsNestedTooDeep) {
     writeJobs(folder, {R"({"input": "sample:glucose", "output": )" + deep + "}", job("sample:glucose", "b.png")});
     const Outcome outcome = nacreIn(folder, std::string("batch jobs.jsonl") + kSmall);
     EXPECT_EQ(outcome.code, 1) << outcome.err;
-    auto report = reportOf(outcome.out);
+    auto report = parseReport(outcome.out);
     EXPECT_EQ(report.at(1)["error"], "it is nested more than 64 levels deep");
     EXPECT_EQ(report.at(2)["status"], "done");
 }
@@ -158,16 +158,16 @@ TEST(Batch, ResumesWhereFilesAreMissing) {
     const std::string command = std::string("batch jobs.jsonl --resume") + kSmall;
     const Outcome first = nacreIn(folder, command);
     ASSERT_EQ(first.code, 0) << first.err;
-    auto report = reportOf(first.out);
+    auto report = parseReport(first.out);
     EXPECT_EQ(report.at(1)["status"], "skipped");
     EXPECT_EQ(report.at(2)["status"], "done");
     EXPECT_EQ(report.at(3)["status"], "done");
-    EXPECT_EQ(contentOf(folder / "a.png"), "kept");
-    EXPECT_EQ(contentOf(folder / "b.png"), contentOf(folder / "c.png"));
+    EXPECT_EQ(readContents(folder / "a.png"), "kept");
+    EXPECT_EQ(readContents(folder / "b.png"), readContents(folder / "c.png"));
     // All is there: no device is asked for.
     const Outcome second = nacreIn(folder, command, "", "export VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
     EXPECT_EQ(second.code, 0) << second.err;
-    for (const auto& [line, told] : reportOf(second.out)) EXPECT_EQ(told["status"], "skipped") << line;
+    for (const auto& [line, told] : parseReport(second.out)) EXPECT_EQ(told["status"], "skipped") << line;
 }
 
 TEST(Batch, RefusesASecondJobOfTheSameOutput) {
@@ -175,8 +175,8 @@ TEST(Batch, RefusesASecondJobOfTheSameOutput) {
     writeJobs(folder, {job("sample:glucose", "a.png"), job("sample:dna", "a.png")});
     const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 1") + kSmall);
     EXPECT_EQ(batch.code, 1);
-    EXPECT_EQ(reportOf(batch.out).at(1)["status"], "done");
-    EXPECT_EQ(reportOf(batch.out).at(2)["status"], "failed");
+    EXPECT_EQ(parseReport(batch.out).at(1)["status"], "done");
+    EXPECT_EQ(parseReport(batch.out).at(2)["status"], "failed");
 }
 
 TEST(Batch, RefusesASecondJobOfTheSameFileByWhateverName) {
@@ -191,7 +191,7 @@ TEST(Batch, RefusesASecondJobOfTheSameFileByWhateverName) {
                job("sample:glucose", "d.png", R"("layers": "./l.exr")"), job("sample:glucose", "b.png")});
     const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 1") + kSmall);
     EXPECT_EQ(batch.code, 1);
-    auto report = reportOf(batch.out);
+    auto report = parseReport(batch.out);
     for (const int line : {1, 6, 8}) EXPECT_EQ(report.at(line)["status"], "done") << report.at(line);
     for (const int line : {2, 3, 4, 5, 7}) {
         EXPECT_EQ(report.at(line)["status"], "failed") << line;
@@ -248,9 +248,9 @@ TEST(Batch, NoJobTakesAwayWhatIsRead) {
                        job("sample:glucose", "h.png", R"("stats": "jobs.jsonl")"),
                        job("sample:glucose", "i.png", R"("stats": "s.json")"), job("odd.png", "j.png"),
                        job("sample:glucose", "odd.png")});
-    const std::string jobs = contentOf(folder / "jobs.jsonl");
+    const std::string jobs = readContents(folder / "jobs.jsonl");
     const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 1") + kSmall);
-    const auto report = reportOf(batch.out);
+    const auto report = parseReport(batch.out);
     for (const int line : {1, 2, 5, 9, 10}) EXPECT_EQ(report.at(line)["status"], "done") << report.at(line);
     const auto refused = [&](int line, const std::string& why) {
         EXPECT_NE(report.at(line).value("error", "").find(why), std::string::npos) << report.at(line);
@@ -258,12 +258,13 @@ TEST(Batch, NoJobTakesAwayWhatIsRead) {
     for (const int line : {3, 4, 6, 7, 8}) refused(line, R"("stats": )");
     refused(4, "the existing file is not a stats file: late.xyz");
     refused(11, R"("output": an earlier job reads this file: odd.png)");
-    for (const char* name : names) EXPECT_EQ(contentOf(folder / name), molecule) << name;
-    EXPECT_EQ(contentOf(folder / "v.json"), R"({"input": "seen.xyz"})");
-    EXPECT_EQ(contentOf(folder / "jobs.jsonl"), jobs);
+    for (const char* name : names) EXPECT_EQ(readContents(folder / name), molecule) << name;
+    EXPECT_EQ(readContents(folder / "v.json"), R"({"input": "seen.xyz"})");
+    EXPECT_EQ(readContents(folder / "jobs.jsonl"), jobs);
     // Stats of a run before are replaced.
     writeJobs(folder, {job("early.xyz", "a.png", R"("stats": "s.json")")});
-    EXPECT_EQ(reportOf(nacreIn(folder, std::string("batch jobs.jsonl --jobs 1") + kSmall).out).at(1)["status"], "done");
+    EXPECT_EQ(parseReport(nacreIn(folder, std::string("batch jobs.jsonl --jobs 1") + kSmall).out).at(1)["status"],
+              "done");
 }
 
 TEST(Batch, TellsOfEachJobWhatRenderSays) {
@@ -275,7 +276,7 @@ TEST(Batch, TellsOfEachJobWhatRenderSays) {
                        R"({"input": ["a=sample:dna", "b=sample:dna"], "fit": ["/b", "/a"], "output": "b.png"})"});
     const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl -q") + kSmall);
     EXPECT_EQ(batch.err, "");
-    const auto report = reportOf(batch.out);
+    const auto report = parseReport(batch.out);
     ASSERT_EQ(report.at(1)["warnings"].size(), 1u) << report.at(1);
     EXPECT_EQ(report.at(1)["warnings"][0],
               "v.json has this file opened, which is not in its folder: " + elsewhere / "m.xyz");
@@ -286,7 +287,7 @@ TEST(Batch, TellsOfEachJobWhatRenderSays) {
 TEST(Batch, TakesNoMoreMemoryForMoreJobs) {
     if (std::getenv("NACRE_SANITIZED")) GTEST_SKIP() << "sanitizers keep freed memory";
     const TemporaryFolder folder;
-    const auto peakOf = [&](int jobs) {
+    const auto measurePeak = [&](int jobs) {
         std::vector<std::string> lines;
         for (int i = 0; i < jobs; ++i) {
             const char* sizes[] = {"16x16", "24x16", "20x30"};
@@ -301,7 +302,7 @@ TEST(Batch, TakesNoMoreMemoryForMoreJobs) {
         EXPECT_EQ(run.code, 0) << run.err;
         return run.peakBytes;
     };
-    const std::int64_t few = peakOf(100), many = peakOf(400);
+    const std::int64_t few = measurePeak(100), many = measurePeak(400);
     EXPECT_LT((many - few) / 300, 4096) << few << " bytes, then " << many;
 }
 

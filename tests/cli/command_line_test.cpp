@@ -192,7 +192,7 @@ TEST(CommandLine, AModuleOfAnotherBuildIsToldNotCalled) {
     const TemporaryFolder folder;
     const std::filesystem::path built = std::filesystem::path(NACRE_PROGRAM).parent_path();
     std::filesystem::copy_file(NACRE_PROGRAM, folder / "nacre");
-    std::string module = test::contentOf((built / "nacre_images.so").string());
+    std::string module = test::readContents((built / "nacre_images.so").string());
     // What it is known by is a text of 64 digits; that of another build has others.
     std::size_t at = 0;
     for (std::size_t run = 0; at < module.size() && (run < 64 || module[at] != '\0'); ++at)
@@ -202,7 +202,7 @@ TEST(CommandLine, AModuleOfAnotherBuildIsToldNotCalled) {
     std::ofstream(folder / "nacre_images.so", std::ios::binary) << module;
     Outcome outcome =
         nacreIn(folder, "--version", "", "./nacre render sample:glucose -o a.tif --size 16x16 --occlusion off 2>err");
-    outcome.err = test::contentOf(folder / "err");
+    outcome.err = test::readContents(folder / "err");
     EXPECT_EQ(outcome.code, 1);
     expectOneErrorLine(outcome);
     EXPECT_NE(outcome.err.find("nacre_images.so belongs to another build of nacre"), std::string::npos) << outcome.err;
@@ -293,9 +293,9 @@ TEST(CommandLine, RenderWritesWholeFilesAndTheStats) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out + outcome.err, "");
     EXPECT_EQ(folder.count(), 3u);
-    EXPECT_EQ(test::contentOf(folder / "a.png").substr(1, 3), "PNG");
-    EXPECT_EQ(test::contentOf(folder / "l.exr").substr(0, 4), "\x76\x2f\x31\x01");
-    const auto stats = nlohmann::json::parse(test::contentOf(folder / "s.json"));
+    EXPECT_EQ(test::readContents(folder / "a.png").substr(1, 3), "PNG");
+    EXPECT_EQ(test::readContents(folder / "l.exr").substr(0, 4), "\x76\x2f\x31\x01");
+    const auto stats = nlohmann::json::parse(test::readContents(folder / "s.json"));
     EXPECT_EQ(stats["view"]["width"], 64);
     EXPECT_EQ(stats["view"]["rotation"].dump(), "[[1.0,0.0,0.0],[0.0,0.0,1.0],[0.0,-1.0,0.0]]");
     EXPECT_NEAR(stats["view"]["pixels_per_angstrom"].get<double>(),
@@ -333,8 +333,8 @@ TEST(CommandLine, TheSameCommandGivesTheSameBytes) {
                                             "' render sample:dna --size 96x64 --occlusion 8 --cache off -o " +
                                             name + (type == "exr" ? " --layers l.exr" : "") + " --visibility " + path;
                 ASSERT_EQ(std::system(command.c_str()), 0);
-                pictures.push_back(test::contentOf(folder / name));
-                if (type == "exr") layers.push_back(test::contentOf(folder / "l.exr"));
+                pictures.push_back(test::readContents(folder / name));
+                if (type == "exr") layers.push_back(test::readContents(folder / "l.exr"));
             }
             EXPECT_GT(pictures[0].size(), 1000u);
             for (int i : {1, 2}) {
@@ -348,7 +348,7 @@ TEST(CommandLine, AFailedRunKeepsTheOldPicture) {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.png") << "old";
     EXPECT_EQ(nacreIn(folder, "render none.pdb -o a.png").code, 1);
-    EXPECT_EQ(test::contentOf(folder / "a.png"), "old");
+    EXPECT_EQ(test::readContents(folder / "a.png"), "old");
     EXPECT_EQ(folder.count(), 1u);
 }
 
@@ -363,7 +363,7 @@ TEST(CommandLine, AFileThatDoesNotFitIsAnErrorAndLeavesNothing) {
     const int status = std::system(command.c_str());
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 1);
-    EXPECT_NE(test::contentOf(logs / "err").find("cannot write file: a.tif"), std::string::npos);
+    EXPECT_NE(test::readContents(logs / "err").find("cannot write file: a.tif"), std::string::npos);
     EXPECT_EQ(folder.count(), 0u);
 }
 
@@ -371,7 +371,7 @@ TEST(CommandLine, TheInputIsNeverOverwritten) {
     const TemporaryFolder folder;
     std::ofstream(folder / "in.json") << "{}";
     EXPECT_EQ(nacreIn(folder, "render in.json -o a.png --stats ./in.json").code, 2);
-    EXPECT_EQ(test::contentOf(folder / "in.json"), "{}");
+    EXPECT_EQ(test::readContents(folder / "in.json"), "{}");
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ void expectPictureOrOneLine(const MeasuredRun& run, const std::string& file, con
     if (run.code == 0) {
         EXPECT_EQ(run.err, "");
         EXPECT_EQ(folder.count(), 1u);
-        EXPECT_EQ(test::contentOf(folder / "a.png").substr(0, 4), "\x89PNG");
+        EXPECT_EQ(test::readContents(folder / "a.png").substr(0, 4), "\x89PNG");
         return;
     }
     EXPECT_EQ(run.code, 1) << run.err;
@@ -84,7 +84,7 @@ TEST(DataFiles, DamagedOnesEndInAPictureOrOneLineWithinBounds) {
     int refused = 0;
     for (const test::WrittenFile& file : oneOfEachKind("dna")) {
         const std::string path = damaged / std::filesystem::path(file.path).filename();
-        std::string text = test::contentOf(file.path);
+        std::string text = test::readContents(file.path);
         text.resize(text.size() * 2 / 3);
         std::ofstream(path, std::ios::binary) << text;
         expectBoundedEnd(path);
@@ -160,7 +160,7 @@ TEST(DataFiles, GoodOnesBecomePictures) {
         SCOPED_TRACE(how.dump());
         if (how["status"] == "done") {
             ++pictures;
-            EXPECT_EQ(test::contentOf(drawn.output(name)).substr(0, 4), "\x89PNG");
+            EXPECT_EQ(test::readContents(drawn.output(name)).substr(0, 4), "\x89PNG");
             continue;
         }
         // Refused only for a format that `--format` does not know either.

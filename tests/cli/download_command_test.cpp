@@ -21,7 +21,7 @@ using test::TemporaryFolder;
 class DownloadCommand : public testing::Test {
 protected:
     DownloadCommand() {
-        std::string cif = test::contentOf(NACRE_SOURCE_DIR "/tests/fuzz/seeds/water.cif");
+        std::string cif = test::readContents(NACRE_SOURCE_DIR "/tests/fuzz/seeds/water.cif");
         for (int i = 3; i <= kAtoms; ++i)
             cif += "HETATM " + std::to_string(i) + " O O HOH A " + std::to_string(i) + " " + std::to_string(3 * i) +
                    " 0 0\n";

@@ -127,26 +127,26 @@ TEST(Info, ChargesAndBox) {
 }
 
 TEST(Info, BoxesThatRepeatAlongSomeAxes) {
-    const auto textOf = [](const char* pbc) {
+    const auto describeBox = [](const char* pbc) {
         const auto json = infoJson(
             readMolecule("a.xyz", std::string("1\nLattice=\"4 0 0 0 5 0 0 0 30\" pbc=\"") + pbc + "\"\nC 0 0 0\n"));
         EXPECT_EQ(json["box_periodic"].size(), 3u);
         return infoText("a.xyz", json);
     };
-    EXPECT_NE(textOf("T T F").find("Å, which repeats along a and b\n"), std::string::npos);
-    EXPECT_NE(textOf("F F F").find("Å, which does not repeat\n"), std::string::npos);
-    EXPECT_EQ(textOf("T T T").find("repeat"), std::string::npos);
+    EXPECT_NE(describeBox("T T F").find("Å, which repeats along a and b\n"), std::string::npos);
+    EXPECT_NE(describeBox("F F F").find("Å, which does not repeat\n"), std::string::npos);
+    EXPECT_EQ(describeBox("T T T").find("repeat"), std::string::npos);
 }
 
 // A reader in a loop needs no second form, nor a look at what is there.
 TEST(Info, EveryMoleculeHasTheSameKeys) {
-    const auto keysOf = [](const nlohmann::ordered_json& json) {
+    const auto listKeys = [](const nlohmann::ordered_json& json) {
         std::vector<std::string> keys;
         for (const auto& [key, value] : json.items()) keys.push_back(key);
         return keys;
     };
     for (const char* sample : {"dna", "glucose", "buckyball"})
-        EXPECT_EQ(keysOf(infoJson(sampleMolecule(sample))), keysOf(infoJson({}))) << sample;
+        EXPECT_EQ(listKeys(infoJson(sampleMolecule(sample))), listKeys(infoJson({}))) << sample;
 }
 
 // A Kekulé structure, as it is drawn: two thirds of its bonds are single.
@@ -203,7 +203,7 @@ Molecule twoCarbons() {
     return molecule;
 }
 
-Interaction contactOf(const Molecule& molecule) {
+Interaction makeContact(const Molecule& molecule) {
     Interaction contact;
     contact.kind = InteractionKind::waterBridge;
     contact.a = {{1}, molecule.atoms[1].position};
@@ -217,7 +217,7 @@ Interaction contactOf(const Molecule& molecule) {
 
 TEST(Info, InteractionsAsJsonCsvAndText) {
     const Molecule molecule = twoCarbons();
-    const std::vector<Interaction> found = {contactOf(molecule)};
+    const std::vector<Interaction> found = {makeContact(molecule)};
     EXPECT_EQ(interactionList(molecule, found).dump(),
               R"([{"kind":"water-bridge","a":{"chain":"A","model":1,"residue":"LIG","number":0,"insertion":"B",)"
               R"("atoms":["C1"],"ids":[2],"other_copy":false},"b":{"chain":"A","model":1,"residue":"ALA","number":-3,)"
@@ -236,7 +236,7 @@ TEST(Info, InteractionsAsJsonCsvAndText) {
 TEST(Info, InteractionsOfWhatIsNotThereAreRefused) {
     ContactOptions contacts;
     contacts.of = parseSelection("resn XYZ");
-    EXPECT_THROW(interactionsOf(twoCarbons(), contacts), Error);
+    EXPECT_THROW(listInteractions(twoCarbons(), contacts), Error);
 }
 
 TEST(Info, InteractionsBetweenCopiesAreThoseOfAnAssembly) {
@@ -246,7 +246,7 @@ TEST(Info, InteractionsBetweenCopiesAreThoseOfAnAssembly) {
     contacts.of = parseSelection("protein");
     contacts.kinds = {true};  // hydrogen bonds
     const auto isBetween = [](const Interaction& contact) { return contact.a.image || contact.b.image; };
-    const auto alone = interactionsOf(molecule, contacts), all = interactionsOf(molecule, contacts, "1");
+    const auto alone = listInteractions(molecule, contacts), all = listInteractions(molecule, contacts, "1");
     EXPECT_EQ(std::count_if(alone.begin(), alone.end(), isBetween), 0);
     const std::vector<glm::dmat4x3> copies = placeAssembly(molecule, "1").transforms;
     std::size_t between = 0;
@@ -270,7 +270,7 @@ TEST(Info, InteractionsBetweenCopiesAreThoseOfAnAssembly) {
     }
     EXPECT_GT(between, 3u);
     EXPECT_EQ(all.size(), alone.size() + between);
-    EXPECT_THROW(interactionsOf(molecule, contacts, "99"), Error);
+    EXPECT_THROW(listInteractions(molecule, contacts, "99"), Error);
 }
 
 /// The sample's DNA as two models, in the second of which the strands are apart.

@@ -9,9 +9,9 @@
 namespace nacre::app {
 namespace {
 
-using test::contentOf;
 using test::nacreIn;
 using test::Outcome;
+using test::readContents;
 using test::TemporaryFolder;
 
 TEST(OcclusionMemory, IsKeptToAndSaid) {
@@ -21,7 +21,7 @@ TEST(OcclusionMemory, IsKeptToAndSaid) {
             folder, "render sample:dna -o a.png --size 64x64 --occlusion 16 --stats s.json --occlusion-memory " +
                         std::to_string(megabytes));
         ASSERT_EQ(outcome.code, 0) << outcome.err;
-        const auto occlusion = nlohmann::json::parse(contentOf(folder / "s.json"))["occlusion"];
+        const auto occlusion = nlohmann::json::parse(readContents(folder / "s.json"))["occlusion"];
         EXPECT_LE(occlusion["bytes"].get<std::uint64_t>(), std::uint64_t(megabytes) << 20);
         const std::string patch = std::to_string(occlusion["patch_texels"].get<int>());
         EXPECT_NE(outcome.err.find(patch + " x " + patch + " texels per atom"), std::string::npos) << outcome.err;
@@ -47,7 +47,7 @@ TEST(OcclusionDetail, BoundsPatchesAndDepthMaps) {
     const auto bakeWith = [&](const std::string& detail) {
         const std::string command = "render sample:dna -o a.png --size 64x64 --occlusion 4 --stats s.json";
         EXPECT_EQ(nacreIn(folder, command + detail).code, 0);
-        return nlohmann::json::parse(contentOf(folder / "s.json"))["occlusion"];
+        return nlohmann::json::parse(readContents(folder / "s.json"))["occlusion"];
     };
     const auto full = bakeWith(""), coarse = bakeWith(" --occlusion-detail 12");
     EXPECT_EQ(full["patch_texels"], 32);

@@ -13,9 +13,9 @@ namespace nacre {
 namespace {
 
 namespace fs = std::filesystem;
-using test::contentOf;
 using test::nacreIn;
 using test::Outcome;
+using test::readContents;
 using test::TemporaryFolder;
 
 constexpr const char* kAtom = "ATOM      1  C   GLY A   1       0.000   0.000   0.000  1.00  0.00           C\n";
@@ -40,7 +40,7 @@ TEST(Outputs, ADashIsStandardOutput) {
 }
 
 /// Width, height and dots a metre of a PNG.
-std::array<std::uint32_t, 3> paperOf(const std::string& png) {
+std::array<std::uint32_t, 3> readPaper(const std::string& png) {
     const auto word = [&](std::size_t at) {
         std::uint32_t value = 0;
         for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(png.at(at + i));
@@ -55,7 +55,7 @@ TEST(Outputs, PaperBecomesPixels) {
     const auto drawn = [&](const std::string& options) {
         const Outcome outcome = nacreIn(folder, "render sample:glucose -o - --occlusion off " + options);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return paperOf(outcome.out);
+        return readPaper(outcome.out);
     };
     using Paper = std::array<std::uint32_t, 3>;
     EXPECT_EQ(drawn("--width 8mm"), (Paper{94, 94, 11811}));  // at 300 dots per inch
@@ -97,8 +97,8 @@ TEST(Outputs, NothingThatIsReadIsReplaced) {
         EXPECT_EQ(outcome.code, 2) << arguments;
         EXPECT_NE(outcome.err.find("are the same file"), std::string::npos) << arguments << ": " << outcome.err;
     }
-    EXPECT_EQ(contentOf(folder / "m.pdb"), kAtom);
-    EXPECT_EQ(contentOf(folder / "v.json"), R"({"input": "m.pdb"})");
+    EXPECT_EQ(readContents(folder / "m.pdb"), kAtom);
+    EXPECT_EQ(readContents(folder / "v.json"), R"({"input": "m.pdb"})");
     EXPECT_EQ(folder.count(), 4u);
 }
 
@@ -175,20 +175,20 @@ TEST(Outputs, QuietKeepsWarningsBackAndErrorsNot) {
 TEST(Outputs, OneCameraIsForAllModelsUnlessAsked) {
     const TemporaryFolder folder;
     put(folder / "two.xyz", "2\n\nHe 0 0 0\nNe 2 0 0\n2\n\nHe 10 0 0\nNe 12 0 0\n");
-    const auto centerOf = [&](const std::string& options, const std::string& input = "two.xyz") {
+    const auto measureCenter = [&](const std::string& options, const std::string& input = "two.xyz") {
         const Outcome drawn = nacreIn(folder, "render " + input + " -o a.png --stats s.json " + options + kTiny,
                                       input == "-" ? "<two.xyz" : "");
         EXPECT_EQ(drawn.code, 0) << drawn.err;
-        return nlohmann::json::parse(contentOf(folder / "s.json"))["view"]["center"].dump();
+        return nlohmann::json::parse(readContents(folder / "s.json"))["view"]["center"].dump();
     };
     for (const char* options : {"", "--model 2", "--model all", "--model 2 --camera all"})
-        EXPECT_EQ(centerOf(options), "[6.0,0.0,0.0]") << options;
-    EXPECT_EQ(centerOf("--format xyz --model 2", "-"), "[6.0,0.0,0.0]");
-    EXPECT_EQ(centerOf("--camera model"), "[1.0,0.0,0.0]");
-    EXPECT_EQ(centerOf("--model 2 --camera model"), "[11.0,0.0,0.0]");
+        EXPECT_EQ(measureCenter(options), "[6.0,0.0,0.0]") << options;
+    EXPECT_EQ(measureCenter("--format xyz --model 2", "-"), "[6.0,0.0,0.0]");
+    EXPECT_EQ(measureCenter("--camera model"), "[1.0,0.0,0.0]");
+    EXPECT_EQ(measureCenter("--model 2 --camera model"), "[11.0,0.0,0.0]");
     // A view keeps what was asked for.
     put(folder / "view.json", R"({"input": "two.xyz", "model": 2, "camera": "model", "occlusion-models": "all"})");
-    EXPECT_EQ(centerOf("--view view.json", ""), "[11.0,0.0,0.0]");
+    EXPECT_EQ(measureCenter("--view view.json", ""), "[11.0,0.0,0.0]");
     EXPECT_NE(nacreIn(folder, std::string("render two.xyz -o a.png --camera both") + kTiny).code, 0);
 }
 

@@ -26,12 +26,12 @@ PlanOptions encodedOn(const std::string& caps) {
     options.picture.device.visibility = Visibility::encoded;
     return options;
 }
-Json jsonOf(const PlanOptions& options) { return Json::parse(planJson(planReport(options))); }
+Json toJson(const PlanOptions& options) { return Json::parse(planJson(planReport(options))); }
 
 constexpr std::uint64_t kPixels = 1170ull * 2532;
 
 TEST(Plan, MaliIsDrawnInRasterOrder) {
-    const Json json = jsonOf(phone("mali"));
+    const Json json = toJson(phone("mali"));
     EXPECT_EQ(json["visibility"], "raster-order");
     ASSERT_EQ(json["render_passes"].size(), 1u);
     EXPECT_EQ(json["memory_bytes"]["loaded"], 0);
@@ -40,8 +40,8 @@ TEST(Plan, MaliIsDrawnInRasterOrder) {
 }
 
 TEST(Plan, TellsWhatSamplesInMotionCost) {
-    EXPECT_EQ(jsonOf(phone("mali"))["motion"]["samples"], 1);
-    const Json suggested = jsonOf(phone("apple-moltenvk"));
+    EXPECT_EQ(toJson(phone("mali"))["motion"]["samples"], 1);
+    const Json suggested = toJson(phone("apple-moltenvk"));
     EXPECT_EQ(suggested["motion"]["samples"], 4);
     ASSERT_EQ(suggested["costs"].size(), 1u);
     EXPECT_EQ(suggested["costs"][0], Json({{"option", "msaa 4"},
@@ -53,7 +53,7 @@ TEST(Plan, TellsWhatSamplesInMotionCost) {
                                            {"tile_bytes_per_pixel", 12}}));
     PlanOptions asked = phone("apple-moltenvk");
     asked.picture.device.multisampling = Multisampling::four;
-    const Json apple = jsonOf(asked);
+    const Json apple = toJson(asked);
     EXPECT_EQ(apple["samples"], 4);
     for (const Json& a : apple["render_passes"][0]["attachments"]) {
         EXPECT_EQ(a["store"], a["name"] == "colour" ? "store" : "dont_care");
@@ -61,11 +61,11 @@ TEST(Plan, TellsWhatSamplesInMotionCost) {
     }
     EXPECT_EQ(apple["memory_bytes"]["stored"], kPixels * 4);
     asked.picture.device.multisampling = Multisampling::off;
-    EXPECT_EQ(jsonOf(asked)["motion"]["samples"], 1);
-    EXPECT_TRUE(jsonOf(asked).at("costs").empty());
+    EXPECT_EQ(toJson(asked)["motion"]["samples"], 1);
+    EXPECT_TRUE(toJson(asked).at("costs").empty());
     asked.picture.device.multisampling = Multisampling::automatic;
     asked.picture.effects.contours.width = 2;
-    EXPECT_EQ(jsonOf(asked)["motion"]["samples"], 1);
+    EXPECT_EQ(toJson(asked)["motion"]["samples"], 1);
     asked.picture.device.multisampling = Multisampling::four;
     EXPECT_THROW(planReport(asked), Error);
     asked = phone("adreno");
@@ -84,7 +84,7 @@ TEST(Plan, FramesAtRestKeepTheColourAndTheSumOnTheTileWhereTheyFit) {
          {Expected{"mali", 1, 8, 12, 20}, Expected{"mali-late", 1, 8, 12, 20}, Expected{"adreno", 1, 8, 12, 24},
           Expected{"turnip", 1, 8, 12, 20}, Expected{"mali-old", 2, 12, 16, 12}, Expected{"powervr", 2, 12, 16, 12},
           Expected{"apple-moltenvk", 3, 20, 16, 8}, Expected{"adreno-no-subpass", 3, 20, 16, 8}}) {
-        const Json rest = jsonOf(phone(e.caps))["rest"];
+        const Json rest = toJson(phone(e.caps))["rest"];
         EXPECT_EQ(rest["render_passes"], e.renderPasses) << e.caps;
         EXPECT_EQ(rest["memory_bytes"]["loaded"], kPixels * static_cast<unsigned>(e.loaded)) << e.caps;
         EXPECT_EQ(rest["memory_bytes"]["stored"], kPixels * static_cast<unsigned>(e.stored)) << e.caps;
@@ -95,11 +95,11 @@ TEST(Plan, FramesAtRestKeepTheColourAndTheSumOnTheTileWhereTheyFit) {
               std::string::npos);
     PlanOptions apart = phone("mali");
     apart.merge = false;
-    EXPECT_EQ(jsonOf(apart)["rest"]["memory_bytes"], jsonOf(apart)["rest"]["unmerged_memory_bytes"]);
+    EXPECT_EQ(toJson(apart)["rest"]["memory_bytes"], toJson(apart)["rest"]["unmerged_memory_bytes"]);
 }
 
 TEST(Plan, OfMaliIsOneRenderPassWhoseTrafficIsTheColourAlone) {
-    const Json json = jsonOf(encodedOn("mali"));
+    const Json json = toJson(encodedOn("mali"));
     ASSERT_EQ(json["render_passes"].size(), 1u);
     const Json& pass = json["render_passes"][0];
     ASSERT_EQ(pass["subpasses"].size(), 3u);
@@ -121,9 +121,9 @@ TEST(Plan, OfMaliIsOneRenderPassWhoseTrafficIsTheColourAlone) {
 
 TEST(Plan, CountsTheGeometryOfASceneThatIsGiven) {
     PlanOptions options = encodedOn("mali");
-    EXPECT_TRUE(jsonOf(options).at("geometry").is_null());
+    EXPECT_TRUE(toJson(options).at("geometry").is_null());
     options.picture.input.path = "sample:dna";
-    const Json mali = jsonOf(options)["geometry"];
+    const Json mali = toJson(options)["geometry"];
     const std::uint64_t spheres = mali["passes"][0]["triangles"].get<std::uint64_t>() / 18;  // domes of three octagons
     EXPECT_GT(spheres, 400u);
     EXPECT_EQ(mali["vertices"], spheres * (24 + 9 + 9));  // and indexed pyramids, twice
@@ -131,12 +131,12 @@ TEST(Plan, CountsTheGeometryOfASceneThatIsGiven) {
     EXPECT_EQ(mali["memory_bytes"]["stored"], mali["varying_bytes"]);
     EXPECT_NE(planText(planReport(options)).find("through memory: written once, read once"), std::string::npos);
     options.picture.camera.zoom = 0.1;  // squares, where corners cost more than fragments
-    EXPECT_EQ(jsonOf(options)["geometry"]["vertices"], spheres * (4 + 4 + 4));
+    EXPECT_EQ(toJson(options)["geometry"]["vertices"], spheres * (4 + 4 + 4));
     options.picture.camera.zoom = 1000;  // nearly all is off the picture
-    EXPECT_LT(jsonOf(options)["geometry"]["vertices"], spheres * (24 + 9 + 9));
+    EXPECT_LT(toJson(options)["geometry"]["vertices"], spheres * (24 + 9 + 9));
     options.picture.camera.zoom = 0.1;
     options.caps = "adreno";
-    const Json adreno = jsonOf(options)["geometry"];
+    const Json adreno = toJson(options)["geometry"];
     EXPECT_EQ(adreno["memory_bytes"]["stored"], 0);
     EXPECT_EQ(adreno["vertices"], spheres * (8 + 4 + 4));  // octagons as plates, squares as impostors
 }
@@ -165,7 +165,7 @@ TEST(Plan, TellsHowVertexOutputsFitMalisMemory) {
     EXPECT_EQ(json["memory_bytes"]["loaded"], kPixels * 8);  // depth and encoded depth
     EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * 12);
     options.caps = "mali-late";
-    const Json late = jsonOf(options);
+    const Json late = toJson(options);
     EXPECT_EQ(late["render_passes"].size(), 1u);
     EXPECT_TRUE(late["vertex_bytes"]["most"].is_null());
 }
@@ -173,7 +173,7 @@ TEST(Plan, TellsHowVertexOutputsFitMalisMemory) {
 TEST(Plan, AShadowIsAMapThatLeavesTheTileAndNothingElseDoes) {
     PlanOptions options = encodedOn("mali");
     options.picture.effects.shadow.strength = 0.5;
-    const Json json = jsonOf(options);
+    const Json json = toJson(options);
     ASSERT_EQ(json["render_passes"].size(), 2u);
     EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["writes"], Json({"shadow map"}));
     EXPECT_EQ(json["render_passes"][1]["subpasses"][2]["reads"],
@@ -189,7 +189,7 @@ TEST(Plan, LinesAndHalosStayOnTheTileWhateverThePath) {
         PlanOptions options = phone(caps);
         options.picture.effects.halos.width = 5;
         options.picture.effects.contours = {1, 1.5, 3};
-        const Json json = jsonOf(options);
+        const Json json = toJson(options);
         ASSERT_EQ(json["render_passes"].size(), 1u) << caps;
         EXPECT_EQ(json["render_passes"][0]["subpasses"][1]["writes"], Json({"lines and halos"}));
         EXPECT_EQ(json["memory_bytes"]["loaded"], 0) << caps;
@@ -200,14 +200,14 @@ TEST(Plan, LinesAndHalosStayOnTheTileWhateverThePath) {
 
 TEST(Plan, TellsWhatEachOptionOfTheLookCosts) {
     PlanOptions options = encodedOn("mali");
-    EXPECT_TRUE(jsonOf(options).at("costs").empty());
+    EXPECT_TRUE(toJson(options).at("costs").empty());
     Effects& effects = options.picture.effects;
     effects.contours = {1, 1.5, 3};
     effects.halos.width = 5;
     effects.fog.range = Fog::Range::automatic;
     effects.shadow.strength = 0.5;
     effects.clip.near = 0;
-    const Json costs = jsonOf(options)["costs"];
+    const Json costs = toJson(options)["costs"];
     std::map<std::string, Json> of;
     for (const Json& cost : costs) of[cost["option"]] = cost;
     ASSERT_EQ(of.size(), 6u);
@@ -227,14 +227,14 @@ TEST(Plan, TellsWhatEachOptionOfTheLookCosts) {
     }
     EXPECT_NE(planText(planReport(options)).find("--fog                none: a few instructions"), std::string::npos);
     options.picture.lighting = false;  // then nothing is shadowed
-    EXPECT_EQ(jsonOf(options)["costs"].size(), 5u);
+    EXPECT_EQ(toJson(options)["costs"].size(), 5u);
 }
 
 TEST(Plan, TellsThatDepthOfFieldIsAnotherFrame) {
     PlanOptions options = encodedOn("mali");
-    const Json before = jsonOf(options);
+    const Json before = toJson(options);
     options.picture.effects.depthOfField.strength = 0.05;
-    const Json json = jsonOf(options);
+    const Json json = toJson(options);
     EXPECT_EQ(json["memory_bytes"], before["memory_bytes"]);  // the first frame is what it was
     ASSERT_EQ(json["costs"].size(), 1u);
     const Json& cost = json["costs"][0];
@@ -253,9 +253,9 @@ TEST(Plan, TranslucentLayersLeaveTheTileAndTheOpaqueFrameStaysOnIt) {
     PlanOptions options = encodedOn("mali");
     options.picture.input.path = "sample:glucose";
     options.picture.look.style = Style::surface;
-    const Json opaque = jsonOf(options);
+    const Json opaque = toJson(options);
     options.picture.look.surfaceOpacity = 0.5;
-    const Json json = jsonOf(options);
+    const Json json = toJson(options);
     ASSERT_EQ(json["render_passes"].size(), 3u);
     for (std::size_t i : {0, 1}) EXPECT_EQ(json["render_passes"][i]["subpasses"].size(), 1u);
     const Json& last = json["render_passes"][2];
@@ -273,19 +273,19 @@ TEST(Plan, TranslucentLayersLeaveTheTileAndTheOpaqueFrameStaysOnIt) {
     EXPECT_EQ(json["costs"][0]["option"], "surface-opacity");
     EXPECT_EQ(json["costs"][0]["loaded"], kPixels * 12);
     EXPECT_EQ(json["costs"][0]["stored"], kPixels * 12);
-    const auto passOf = [](const Json& plan, const std::string& name) {
+    const auto countTriangles = [](const Json& plan, const std::string& name) {
         for (const Json& pass : plan["geometry"]["passes"])
             if (pass["name"] == name) return pass["triangles"].get<std::uint64_t>();
         return std::uint64_t{0};
     };
-    EXPECT_GT(passOf(json, "translucent layer 1"), 0u);
-    EXPECT_EQ(passOf(json, "translucent layer 1"), passOf(opaque, "impostor colour"));
-    EXPECT_EQ(passOf(json, "impostor colour"), 0u);
-    EXPECT_EQ(passOf(json, "translucent colour 1"), 0u);
+    EXPECT_GT(countTriangles(json, "translucent layer 1"), 0u);
+    EXPECT_EQ(countTriangles(json, "translucent layer 1"), countTriangles(opaque, "impostor colour"));
+    EXPECT_EQ(countTriangles(json, "impostor colour"), 0u);
+    EXPECT_EQ(countTriangles(json, "translucent colour 1"), 0u);
 }
 
 TEST(Plan, OfAppleIsOneSubpassWithoutInputAttachment) {
-    const Json json = jsonOf(phone("apple-moltenvk"));
+    const Json json = toJson(phone("apple-moltenvk"));
     ASSERT_EQ(json["render_passes"].size(), 1u);
     ASSERT_EQ(json["render_passes"][0]["subpasses"].size(), 1u);
     EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["input_attachments"], Json::array());
@@ -297,7 +297,7 @@ TEST(Plan, OfAppleIsOneSubpassWithoutInputAttachment) {
 TEST(Plan, EncodedOnAppleLeavesTheTileOnce) {
     PlanOptions options = phone("apple-moltenvk");
     options.picture.device.visibility = Visibility::encoded;
-    const Json json = jsonOf(options);
+    const Json json = toJson(options);
     ASSERT_EQ(json["render_passes"].size(), 2u);
     for (const Json& pass : json["render_passes"]) {
         EXPECT_EQ(pass["subpasses"].size(), 1u);
@@ -309,17 +309,17 @@ TEST(Plan, EncodedOnAppleLeavesTheTileOnce) {
 TEST(Plan, UnmergedPrintsThePlanThatMergedIsComparedWith) {
     PlanOptions options = encodedOn("mali");
     options.merge = false;
-    const Json json = jsonOf(options);
+    const Json json = toJson(options);
     EXPECT_EQ(json["render_passes"].size(), 3u);
     EXPECT_EQ(json["memory_bytes"]["loaded"].get<std::uint64_t>() + json["memory_bytes"]["stored"].get<std::uint64_t>(),
-              jsonOf(encodedOn("mali"))["memory_bytes"]["unmerged"]);
+              toJson(encodedOn("mali"))["memory_bytes"]["unmerged"]);
 }
 
 TEST(Plan, SaysOfEveryPassWhatProfilersAsk) {
     for (const Visibility path : {Visibility::encoded, Visibility::fragdepth, Visibility::deferred}) {
         PlanOptions options = encodedOn("mali");
         options.picture.device.visibility = path;
-        const Json passes = jsonOf(options)["passes"];
+        const Json passes = toJson(options)["passes"];
         ASSERT_GE(passes.size(), 2u);
         for (const Json& pass : passes) {
             EXPECT_FALSE(pass["depth_test_why"].get<std::string>().empty());
@@ -350,18 +350,18 @@ TEST(Plan, TextNamesEveryPassAndImage) {
 }
 
 /// What tools/plan_dot makes of `nacre plan OPTIONS`.
-std::string dotOf(const std::string& options) {
+std::string makeDot(const std::string& options) {
     const test::TemporaryFolder folder;
     const std::string drawn = folder / "plan.dot";
     const std::string command =
         "'" NACRE_PROGRAM "' plan " + options + " --json | '" NACRE_SOURCE_DIR "/tools/plan_dot' >'" + drawn + "'";
     EXPECT_EQ(std::system(command.c_str()), 0) << options;
-    return test::contentOf(drawn);
+    return test::readContents(drawn);
 }
 
 TEST(Plan, DotHasABoxForEveryRenderPassAndBalances) {
-    const std::string merged = dotOf("--caps mali-old --size 1170x2532");
-    const std::string dot = dotOf("--caps mali-old --size 1170x2532 --merge off");
+    const std::string merged = makeDot("--caps mali-old --size 1170x2532");
+    const std::string dot = makeDot("--caps mali-old --size 1170x2532 --merge off");
     EXPECT_EQ(dot.rfind("digraph plan {", 0), 0u);
     EXPECT_NE(merged.find("cluster0"), std::string::npos);
     EXPECT_EQ(merged.find("cluster1"), std::string::npos);
@@ -375,7 +375,7 @@ TEST(Plan, DotHasABoxForEveryRenderPassAndBalances) {
 TEST(Plan, OfTilesTellsTheComputePassAndWhatItHandsOn) {
     PlanOptions options = phone("");
     options.picture.device.visibility = Visibility::tiles;
-    const Json json = jsonOf(options);
+    const Json json = toJson(options);
     ASSERT_EQ(json["compute_passes"].size(), 1u);
     EXPECT_EQ(json["compute_passes"][0], (Json{{"name", "nearest primitive, shaded"},
                                                {"reads", {"occlusion atlas"}},
@@ -390,7 +390,7 @@ TEST(Plan, OfTilesTellsTheComputePassAndWhatItHandsOn) {
     const std::string text = planText(planReport(options));
     for (const char* word : {"compute: nearest primitive, shaded", "visibility tiles"})
         EXPECT_NE(text.find(word), std::string::npos) << text;
-    const std::string dot = dotOf("--visibility tiles --supersample auto");
+    const std::string dot = makeDot("--visibility tiles --supersample auto");
     for (const char* line : {R"(label="primitive numbers\nloads 8.4 MB, stores 4.2 MB")",
                              R"("compute nearest primitive, shaded" -> "memory primitive numbers" [label="write")",
                              R"("memory occlusion atlas" -> "compute edge samples" [label="texture")"})
@@ -401,7 +401,7 @@ TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
     PlanOptions options = phone("");
     options.picture.device.visibility = Visibility::tiles;
     options.edges = true;
-    const Json json = jsonOf(options);
+    const Json json = toJson(options);
     EXPECT_EQ(json["samples"], 1);
     ASSERT_EQ(json["compute_passes"].size(), 3u);
     EXPECT_EQ(json["compute_passes"][1], (Json{{"name", "edge pixels"},
@@ -413,18 +413,18 @@ TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
     EXPECT_EQ(json["render_passes"].size(), 0u);
     EXPECT_EQ(planText(planReport(options)).find("the mean of"), std::string::npos);
     options.picture.effects.halos.width = 6;
-    const Json halos = jsonOf(options);
+    const Json halos = toJson(options);
     EXPECT_EQ(halos["visibility"], "tiles");
     ASSERT_EQ(halos["compute_passes"].size(), 1u);
     EXPECT_EQ(halos["compute_passes"][0]["name"], "nearest primitive, lines and halos, shaded");
     EXPECT_EQ(halos["samples"], 16);
     EXPECT_EQ(halos["costs"][0]["visibility"], "tiles");
-    EXPECT_EQ(jsonOf(options)["costs"][0]["samples"], 16);
+    EXPECT_EQ(toJson(options)["costs"][0]["samples"], 16);
     EXPECT_NE(planText(planReport(options)).find("pixels of a picture where colours change are the mean of 16 samples"),
               std::string::npos);
     options.picture.effects.halos.width = 0;
     options.picture.device.visibility = Visibility::encoded;
-    EXPECT_EQ(jsonOf(options)["samples"], 16);
+    EXPECT_EQ(toJson(options)["samples"], 16);
 }
 
 TEST(Plan, RefusesWhatTheDeviceCannotDo) {
@@ -432,7 +432,7 @@ TEST(Plan, RefusesWhatTheDeviceCannotDo) {
     options.picture.device.encoded = EncodedDepth::r32f;
     EXPECT_THROW(planReport(options), Error);
     options.picture.device.encoded = EncodedDepth::rgba8;
-    EXPECT_EQ(jsonOf(options)["tile_bytes_per_pixel"], 8);
+    EXPECT_EQ(toJson(options)["tile_bytes_per_pixel"], 8);
     options = phone("powervr");
     options.picture.device.visibility = Visibility::rasterOrder;
     EXPECT_THROW(planReport(options), Error);  // the user's, not the graph's

@@ -123,8 +123,8 @@ TEST(Threads, HowManyThereAreChangesNoByte) {
                               options);
         ASSERT_EQ(run.code, 0) << run.err;
     }
-    EXPECT_EQ(test::contentOf(folder / "1.png"), test::contentOf(folder / "2.png"));
-    EXPECT_EQ(test::contentOf(folder / "1.exr"), test::contentOf(folder / "2.exr"));
+    EXPECT_EQ(test::readContents(folder / "1.png"), test::readContents(folder / "2.png"));
+    EXPECT_EQ(test::readContents(folder / "1.exr"), test::readContents(folder / "2.exr"));
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 namespace nacre {
 namespace {
 
-using test::contentOf;
 using test::nacreIn;
+using test::readContents;
 using test::TemporaryFolder;
 
 constexpr const char* kView = R"({"input": "sample:glucose", "style": "licorice", "color": "chain",
@@ -29,7 +29,7 @@ constexpr const char* kOptions =
 std::string rendered(const TemporaryFolder& folder, const std::string& arguments) {
     const test::Outcome outcome = nacreIn(folder, "render " + arguments + " -o a.png --size 160x120");
     EXPECT_EQ(outcome.code, 0) << arguments << ": " << outcome.err;
-    return contentOf(folder / "a.png");
+    return readContents(folder / "a.png");
 }
 
 TEST(SavedView, IsTheOptionsThatItStandsFor) {
@@ -41,7 +41,7 @@ TEST(SavedView, IsTheOptionsThatItStandsFor) {
     EXPECT_NE(rendered(folder, "sample:dna --view v.json"), picture);
     // An INPUT takes the place of the view's.
     rendered(folder, "sample:glucose --view v.json --stats s.json");
-    EXPECT_NE(contentOf(folder / "s.json").find("\"read\": 24"), std::string::npos);
+    EXPECT_NE(readContents(folder / "s.json").find("\"read\": 24"), std::string::npos);
 }
 
 TEST(SavedView, OptionsPrevailWhereverTheyStand) {
@@ -98,7 +98,7 @@ TEST(SavedView, NamesMapsFromItsFolderAndTellsOfOthers) {
     const test::Outcome alone =
         nacreIn(folder, "render outside.cube --map-level 0.5 -o a.png --size 32x32 --occlusion off --stats s.json");
     EXPECT_EQ(alone.code, 0) << alone.err;
-    EXPECT_NE(contentOf(folder / "s.json").find("\"read\": 0"), std::string::npos);
+    EXPECT_NE(readContents(folder / "s.json").find("\"read\": 0"), std::string::npos);
     EXPECT_NE(nacreIn(folder, "render sample:glucose --map-level 0.5 -o a.png --size 32x32").err.find("without --map"),
               std::string::npos);
 }
@@ -120,18 +120,18 @@ TEST(SavedView, FindsItsFileBesideItByItsHash) {
     put("oxygen.pdb", "O");
     EXPECT_NE(app::fileHash(folder / "oxygen.pdb"), carbon);
     ASSERT_EQ(nacreIn(folder, "render carbon.pdb -o c.png --size 16x16 --occlusion off").code, 0);
-    const std::string picture = contentOf(folder / "c.png");
+    const std::string picture = readContents(folder / "c.png");
 
     view("/nowhere/at/all/carbon.pdb", carbon);
     test::Outcome outcome = draw();
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(contentOf(folder / "a.png"), picture);
+    EXPECT_EQ(readContents(folder / "a.png"), picture);
     EXPECT_NE(outcome.err.find("this one has the same content: carbon.pdb"), std::string::npos) << outcome.err;
 
     view("elsewhere/other-name.pdb", carbon);  // by another name, beside one as long
     outcome = draw();
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(contentOf(folder / "a.png"), picture);
+    EXPECT_EQ(readContents(folder / "a.png"), picture);
 
     view("/nowhere/at/all/oxygen.pdb", carbon + "0");  // the name alone is not enough
     outcome = draw();

@@ -17,9 +17,9 @@
 namespace nacre::app {
 namespace {
 
-using test::contentOf;
 using test::nacreIn;
 using test::Outcome;
+using test::readContents;
 using test::TemporaryFolder;
 
 const std::string kBeside = " -o a.png --size 64x64 --occlusion off --cache off --zoom 1";
@@ -35,7 +35,7 @@ TEST(SeveralInputs, AMapAmongThemIsThatOfTheStructure) {
     const auto drawn = [&](const std::string& inputs) {
         const Outcome outcome = nacreIn(folder, "render " + inputs + kBeside);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return contentOf(folder / "a.png");
+        return readContents(folder / "a.png");
     };
     const std::string named = drawn("sample:dna --map m.dx");
     EXPECT_NE(named, drawn("sample:dna"));
@@ -61,14 +61,15 @@ TEST(SeveralInputs, AreOnePicture) {
     const TemporaryFolder folder;
     const Outcome both = nacreIn(folder, "render sample:glucose a=sample:buckyball --stats s.json" + kBeside);
     ASSERT_EQ(both.code, 0) << both.err;
-    EXPECT_NE(contentOf(folder / "s.json").find("\"read\": 84"), std::string::npos) << contentOf(folder / "s.json");
-    const std::string together = contentOf(folder / "a.png");
+    EXPECT_NE(readContents(folder / "s.json").find("\"read\": 84"), std::string::npos)
+        << readContents(folder / "s.json");
+    const std::string together = readContents(folder / "a.png");
     ASSERT_EQ(
         nacreIn(folder, "render sample:glucose a=sample:buckyball --hide /a --style ball-and-stick" + kBeside).code, 0);
-    const std::string hidden = contentOf(folder / "a.png");
+    const std::string hidden = readContents(folder / "a.png");
     EXPECT_NE(hidden, together);
     ASSERT_EQ(nacreIn(folder, "render sample:glucose --style ball-and-stick" + kBeside).code, 0);
-    EXPECT_EQ(contentOf(folder / "a.png"), hidden) << "what is named is what is hidden";
+    EXPECT_EQ(readContents(folder / "a.png"), hidden) << "what is named is what is hidden";
 }
 
 TEST(SeveralInputs, StandInASavedView) {
@@ -84,16 +85,16 @@ TEST(SeveralInputs, StandInASavedView) {
     const Outcome refused = nacreIn(folder, "render --view there/both.json" + kBeside);
     EXPECT_EQ(refused.code, 1) << "a fit is tried, and has too few pairs";
     EXPECT_NE(refused.err.find("cannot fit: /w and elem O+H"), std::string::npos) << refused.err;
-    std::string text = contentOf(folder / "there/both.json");
+    std::string text = readContents(folder / "there/both.json");
     text.replace(text.find("\"fits\""), text.find("\"style\"") - text.find("\"fits\""), "");
     std::ofstream(folder / "there/both.json") << text;
     ASSERT_EQ(nacreIn(folder, "render --view there/both.json" + kBeside).code, 0);
-    const std::string byView = contentOf(folder / "a.png");
+    const std::string byView = readContents(folder / "a.png");
     // The same by words; the colours that keep molecules apart lie below those of the view.
     ASSERT_EQ(nacreIn(folder, "render g=sample:glucose w=there/water.xyz" + look + kBeside).code, 0);
-    EXPECT_EQ(contentOf(folder / "a.png"), byView);
+    EXPECT_EQ(readContents(folder / "a.png"), byView);
     ASSERT_EQ(nacreIn(folder, "render g=sample:glucose" + look + kBeside).code, 0);
-    EXPECT_NE(contentOf(folder / "a.png"), byView);
+    EXPECT_NE(readContents(folder / "a.png"), byView);
     for (const char* bad : {R"({"input": "a", "further-inputs": [{"name": "b"}]})", R"({"further-inputs": {}})",
                             R"({"name": "a b"})", R"({"further-inputs": [{"input": "b", "name": "x/y"}]})",
                             R"({"fits": [["all"]]})", R"({"further-inputs": [{"input": "b", "format": "pdb"}]})"})
@@ -104,13 +105,13 @@ TEST(SeveralInputs, AreColouredApartUnlessAsked) {
     const TemporaryFolder folder;
     const std::string two = "render sample:buckyball b=sample:buckyball";
     ASSERT_EQ(nacreIn(folder, two + " --hide /buckyball" + kBeside).code, 0);
-    const std::string apart = contentOf(folder / "a.png");
+    const std::string apart = readContents(folder / "a.png");
     ASSERT_EQ(nacreIn(folder, two + " --hide /b" + kBeside).code, 0);
-    EXPECT_NE(contentOf(folder / "a.png"), apart) << "the second has carbons of its own colour";
+    EXPECT_NE(readContents(folder / "a.png"), apart) << "the second has carbons of its own colour";
     ASSERT_EQ(nacreIn(folder, two + " --hide /buckyball --color white" + kBeside).code, 0);
-    const std::string white = contentOf(folder / "a.png");
+    const std::string white = readContents(folder / "a.png");
     ASSERT_EQ(nacreIn(folder, two + " --hide /b --color white" + kBeside).code, 0);
-    EXPECT_EQ(contentOf(folder / "a.png"), white);
+    EXPECT_EQ(readContents(folder / "a.png"), white);
 }
 
 /// A chain of eight atoms, turned, shifted, and with every second residue bent by a tenth of an Å.
@@ -167,10 +168,10 @@ TEST(SeveralInputs, AreLaidOntoEachOther) {
     const Outcome same = nacreIn(folder, "render a.pdb b.pdb --fit /b /a --style spacefill --color white" + kBeside);
     ASSERT_EQ(same.code, 0) << same.err;
     EXPECT_EQ(same.err, "nacre: fit of /b onto /a (chain A on A): 8 pairs of atoms, RMSD 0.000 Å\n");
-    const std::string together = contentOf(folder / "a.png");
+    const std::string together = readContents(folder / "a.png");
     ASSERT_EQ(nacreIn(folder, "render a.pdb --style spacefill --color white" + kBeside).code, 0);
     // Both are where the first is; they differ by what a PDB file rounds.
-    EXPECT_NEAR(static_cast<double>(contentOf(folder / "a.png").size()), static_cast<double>(together.size()), 200);
+    EXPECT_NEAR(static_cast<double>(readContents(folder / "a.png").size()), static_cast<double>(together.size()), 200);
     std::ofstream(folder / "c.pdb") << turned(0.7, 0.5);
     const Outcome bent = nacreIn(folder, "render --fit /c /a a.pdb c.pdb --fit 'name CA and /a' /c" + kBeside);
     ASSERT_EQ(bent.code, 0) << bent.err;

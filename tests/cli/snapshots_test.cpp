@@ -19,7 +19,7 @@ using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
 
-std::string snapshotOf(const std::string& color, int linger, int transition) {
+std::string makeSnapshot(const std::string& color, int linger, int transition) {
     return R"({"metadata": {"linger_duration_ms": )" + std::to_string(linger) + R"(, "transition_duration_ms": )" +
            std::to_string(transition) + R"(}, "root": {"kind": "root", "children": [{"kind": "primitives", "params":
         {"color": ")" +
@@ -29,7 +29,7 @@ std::string snapshotOf(const std::string& color, int linger, int transition) {
 
 void putSnapshots(const TemporaryFolder& folder) {
     std::ofstream(folder / "s.mvsj") << R"({"kind": "multiple", "metadata": {}, "snapshots": [)"
-                                     << snapshotOf("red", 300, 200) << "," << snapshotOf("blue", 500, 400) << "]}";
+                                     << makeSnapshot("red", 300, 200) << "," << makeSnapshot("blue", 500, 400) << "]}";
 }
 
 constexpr const char* kTinyPicture = " --size 32x32 --occlusion off";
@@ -39,13 +39,13 @@ TEST(Snapshots, AllOfThemArePicturesOfTheirOwn) {
     putSnapshots(folder);
     const Outcome all = nacreIn(folder, std::string("render s.mvsj --snapshot all -o a.png") + kTinyPicture);
     ASSERT_EQ(all.code, 0) << all.err;
-    const std::string first = test::contentOf(folder / "a-1.png"), second = test::contentOf(folder / "a-2.png");
+    const std::string first = test::readContents(folder / "a-1.png"), second = test::readContents(folder / "a-2.png");
     EXPECT_FALSE(first.empty());
     EXPECT_NE(first, second);
     ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj --snapshot 2 -o b.png") + kTinyPicture).code, 0);
-    EXPECT_EQ(test::contentOf(folder / "b.png"), second);
+    EXPECT_EQ(test::readContents(folder / "b.png"), second);
     ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj -o c.png") + kTinyPicture).code, 0);
-    EXPECT_EQ(test::contentOf(folder / "c.png"), first);
+    EXPECT_EQ(test::readContents(folder / "c.png"), first);
     const Outcome missing = nacreIn(folder, std::string("render s.mvsj --snapshot 3 -o d.png") + kTinyPicture);
     EXPECT_EQ(missing.code, 1);
     EXPECT_NE(missing.err.find("there is no snapshot 3; it has 2"), std::string::npos) << missing.err;
@@ -58,7 +58,7 @@ TEST(Snapshots, AMovieRestsAtEachAndGoesOverIntoTheNext) {
     const Outcome movie = nacreIn(folder, std::string("movie s.mvsj -o frames/ --fps 10") + kTinyPicture);
     ASSERT_EQ(movie.code, 0) << movie.err;
     const auto frame = [&](int number) {
-        return test::contentOf(
+        return test::readContents(
             folder / (std::string("frames/frame_000") + (number < 10 ? "0" : "") + std::to_string(number) + ".png"));
     };
     EXPECT_FALSE(frame(10).empty());
@@ -81,7 +81,7 @@ TEST(Snapshots, AnAnimationPlaysWhileItsSnapshotRests) {
     const Outcome movie = nacreIn(folder, std::string("movie s.mvsj -o frames/ --fps 10") + kTinyPicture);
     ASSERT_EQ(movie.code, 0) << movie.err;
     const auto frame = [&](int number) {
-        return test::contentOf(folder / ("frames/frame_0000" + std::to_string(number) + ".png"));
+        return test::readContents(folder / ("frames/frame_0000" + std::to_string(number) + ".png"));
     };
     EXPECT_FALSE(frame(4).empty());
     EXPECT_TRUE(frame(5).empty());
@@ -89,7 +89,7 @@ TEST(Snapshots, AnAnimationPlaysWhileItsSnapshotRests) {
     EXPECT_NE(frame(3), frame(4));
     // The first frame is the scene as a picture shows it.
     ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj -o a.png") + kTinyPicture).code, 0);
-    EXPECT_EQ(test::contentOf(folder / "a.png"), frame(1));
+    EXPECT_EQ(test::readContents(folder / "a.png"), frame(1));
 }
 
 TEST(Snapshots, AnimationsLengthenTheRestOfTheirSnapshot) {

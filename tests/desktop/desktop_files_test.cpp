@@ -17,7 +17,7 @@ using test::FakePrograms;
 using test::TemporaryFolder;
 using test::Variable;
 
-Picture pictureOf(float red, PixelSize size = RecentFiles::kPicture) {
+Picture makePicture(float red, PixelSize size = RecentFiles::kPicture) {
     Picture picture;
     picture.width = size.width;
     picture.height = size.height;
@@ -31,8 +31,8 @@ TEST(RecentFiles, TheLatestComeFirstAndHaveTheirPictures) {
     const std::string path = folder / "state/recent.json";
     RecentFiles files(path);
     EXPECT_TRUE(files.files().empty());
-    for (int i = 0; i < 10; ++i) files.add("/some/" + std::to_string(i) + ".pdb", std::to_string(i), pictureOf(0));
-    files.add("/some/5.pdb", "5", pictureOf(1));
+    for (int i = 0; i < 10; ++i) files.add("/some/" + std::to_string(i) + ".pdb", std::to_string(i), makePicture(0));
+    files.add("/some/5.pdb", "5", makePicture(1));
     files.add("pdb:1bna", "pdb:1bna", {});
     const RecentFiles again(path);
     ASSERT_EQ(again.files().size(), RecentFiles::kMost);
@@ -48,13 +48,13 @@ TEST(RecentFiles, TheLatestComeFirstAndHaveTheirPictures) {
 TEST(RecentFiles, KeepTheBannerOfTheStartScreenAtItsSize) {
     const TemporaryFolder folder;
     const std::string path = folder / "samples.json";
-    RecentFiles(path).add("sample:dna", "DNA", pictureOf(1, RecentFiles::kBanner));
+    RecentFiles(path).add("sample:dna", "DNA", makePicture(1, RecentFiles::kBanner));
     const RecentFiles again(path);
     ASSERT_EQ(again.files().size(), 1u);
     EXPECT_EQ(again.files()[0].width, RecentFiles::kBanner.width);
     EXPECT_EQ(again.files()[0].height, RecentFiles::kBanner.height);
     EXPECT_EQ(again.files()[0].pixels[5], 0xffff00ffu);
-    RecentFiles(path).add("sample:dna", "DNA", pictureOf(1, {100, 100}));  // of another version
+    RecentFiles(path).add("sample:dna", "DNA", makePicture(1, {100, 100}));  // of another version
     EXPECT_EQ(RecentFiles(path).files()[0].width, 0u);
 }
 
@@ -110,13 +110,13 @@ TEST(Processes, APictureIsCopiedByWhateverIsThere) {
         EXPECT_TRUE(copyPng(programs / "a.png"));
         EXPECT_FALSE(std::filesystem::exists(programs / "late")) << "that process was waited for";
     }
-    EXPECT_EQ(test::contentOf(programs / "xclip.taken"), "a picture");
-    EXPECT_EQ(test::contentOf(programs / "xclip.asked"), "-selection\nclipboard\n-t\nimage/png\n-i\n");
+    EXPECT_EQ(test::readContents(programs / "xclip.taken"), "a picture");
+    EXPECT_EQ(test::readContents(programs / "xclip.asked"), "-selection\nclipboard\n-t\nimage/png\n-i\n");
     EXPECT_FALSE(std::filesystem::exists(programs / "wl-copy.taken"));
     const Variable wayland("WAYLAND_DISPLAY", "wayland-0");
     EXPECT_TRUE(copyPng(programs / "a.png"));
-    EXPECT_EQ(test::contentOf(programs / "wl-copy.taken"), "a picture");
-    EXPECT_EQ(test::contentOf(programs / "wl-copy.asked"), "--type\nimage/png\n");
+    EXPECT_EQ(test::readContents(programs / "wl-copy.taken"), "a picture");
+    EXPECT_EQ(test::readContents(programs / "wl-copy.asked"), "--type\nimage/png\n");
     programs.add("wl-copy", "exit 1");
     programs.add("xclip", "exit 1");
     EXPECT_FALSE(copyPng(programs / "a.png"));

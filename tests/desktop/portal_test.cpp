@@ -109,7 +109,7 @@ void askToSave(FileDialog& dialog, const FileDialog::Chosen& chosen) {
 }
 
 using Paths = std::vector<std::string>;
-Paths answerOf(const Ask& ask) {
+Paths awaitAnswer(const Ask& ask) {
     std::promise<Paths> chosen;
     std::future<Paths> answer = chosen.get_future();
     FileDialog dialog;
@@ -122,7 +122,7 @@ Paths dialogWithZenity() {
     const FakePrograms programs;
     programs.add("zenity", "echo /tmp/by-zenity.pdb");
     const Variable desktop("XDG_CURRENT_DESKTOP", "GNOME");
-    return answerOf(askToOpen);
+    return awaitAnswer(askToOpen);
 }
 
 TEST(FileDialog, AsksTheProgramOfTheDesktop) {
@@ -132,8 +132,8 @@ TEST(FileDialog, AsksTheProgramOfTheDesktop) {
         programs.addAsked(name, "echo '/home/me/two words.pdb'; echo /b.pdb");
     ASSERT_TRUE(FileDialog::available());
     const auto asked = [&](const char* program, const Ask& ask) {
-        EXPECT_EQ(answerOf(ask), (Paths{"/home/me/two words.pdb", "/b.pdb"}));
-        const std::string words = test::contentOf(programs / (program + std::string(".asked")));
+        EXPECT_EQ(awaitAnswer(ask), (Paths{"/home/me/two words.pdb", "/b.pdb"}));
+        const std::string words = test::readContents(programs / (program + std::string(".asked")));
         for (const char* name : {"zenity", "kdialog"})
             std::filesystem::remove(programs / (name + std::string(".asked")));
         return words;

@@ -19,7 +19,7 @@
 namespace nacre::app {
 namespace {
 
-using test::contentOf;
+using test::readContents;
 using test::TemporaryFolder;
 
 struct Recording {
@@ -59,7 +59,7 @@ TEST(Recorder, MakesTheFilmThatMovieMakes) {
                       "movie sample:glucose -o own.gif --spin y --seconds 0.4 --fps 10 --size 40x30 "
                       "--occlusion 2 --cache off");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(contentOf(r.wish.path), contentOf(r.folder / "own.gif"));
+    EXPECT_EQ(readContents(r.wish.path), readContents(r.folder / "own.gif"));
 }
 
 TEST(Recorder, GoesThroughKeptViews) {
@@ -86,7 +86,7 @@ TEST(Recorder, KeepsWhatIsWholeWhenItIsStopped) {
     const RecordingState state = r.wait([](const RecordingState& s) { return !s.running; });
     EXPECT_FALSE(state.failed);
     EXPECT_NE(state.message.find("of 6000 frames are in it"), std::string::npos) << state.message;
-    EXPECT_EQ(contentOf(r.wish.path).substr(0, 4), "GIF8");
+    EXPECT_EQ(readContents(r.wish.path).substr(0, 4), "GIF8");
 }
 
 TEST(Recorder, StopsWhereInterruptsAreIgnored) {
@@ -102,7 +102,7 @@ TEST(Recorder, StopsWhereInterruptsAreIgnored) {
     r.recorder.finish();
     EXPECT_FALSE(r.recorder.state().running);
     EXPECT_FALSE(r.recorder.state().failed);
-    EXPECT_EQ(contentOf(r.wish.path).substr(0, 4), "GIF8");
+    EXPECT_EQ(readContents(r.wish.path).substr(0, 4), "GIF8");
 }
 
 TEST(Recorder, EndsAProgramThatDoesNotStop) {
@@ -159,7 +159,7 @@ TEST(Recorder, RecordsWhenItsProgramIsGoneFromDisk) {
     std::filesystem::copy_file("/proc/self/exe", program);
     const std::string command =
         "'" + program + "' --gtest_also_run_disabled_tests --gtest_filter='Recorder.DISABLED_*'";
-    EXPECT_EQ(std::system((command + " >'" + (folder / "log") + "' 2>&1").c_str()), 0) << contentOf(folder / "log");
+    EXPECT_EQ(std::system((command + " >'" + (folder / "log") + "' 2>&1").c_str()), 0) << readContents(folder / "log");
     EXPECT_FALSE(std::filesystem::exists(program));
 }
 

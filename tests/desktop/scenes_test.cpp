@@ -55,7 +55,7 @@ TEST(Window, ADroppedSceneIsShownAndSaved) {
             if (entry.path().extension() == ".mvsj" && entry.path().filename() != "s.mvsj") saved = entry.path();
         return !saved.empty();
     })) << session.errors();
-    const nlohmann::json scene = nlohmann::json::parse(contentOf(saved));
+    const nlohmann::json scene = nlohmann::json::parse(readContents(saved));
     const nlohmann::json& nodes = scene["root"]["children"];
     ASSERT_EQ(nodes.size(), 3u);
     EXPECT_EQ(nodes[0]["kind"], "download");

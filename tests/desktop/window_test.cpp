@@ -56,7 +56,7 @@ std::string saveView(XSession& session) {
     return saved;
 }
 
-std::string sizeOf(const WindowPicture& p) { return std::to_string(p.width) + "x" + std::to_string(p.height); }
+std::string formatSize(const WindowPicture& p) { return std::to_string(p.width) + "x" + std::to_string(p.height); }
 
 struct Difference {
     int differing = 0, largest = 0, coloured = 0;
@@ -66,7 +66,7 @@ struct Difference {
     bool small() const { return differing <= coloured / 200 && mean < 1; }
 };
 
-Difference differenceOf(const WindowPicture& shown, const Image& image) {
+Difference measureDifference(const WindowPicture& shown, const Image& image) {
     Difference d;
     if (image.width != shown.width || image.height != shown.height) return {1 << 30, 255, 0, 255};
     for (std::size_t i = 0; i < shown.rgb.size(); ++i) {
@@ -83,7 +83,7 @@ Difference differenceOf(const WindowPicture& shown, const Image& image) {
 
 /// Renders what the window shows, without the window, and compares. The window's refinement takes 2 x 2 samples.
 void expectAsRendered(XSession& session, const std::string& view) {
-    const std::string size = sizeOf(session.picture());
+    const std::string size = formatSize(session.picture());
     const Outcome outcome =
         nacreIn(session.folder(), "render --view '" + view + "' -o render.png --supersample 2 --size " + size);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -91,7 +91,7 @@ void expectAsRendered(XSession& session, const std::string& view) {
     Difference d;
     // On a busy machine the refinement may be late; what counts is the picture that stays.
     for (int i = 0; i < 20; ++i) {
-        d = differenceOf(session.picture(), image);
+        d = measureDifference(session.picture(), image);
         if (d.small()) break;
         session.sleep(0.5);
     }
@@ -100,7 +100,7 @@ void expectAsRendered(XSession& session, const std::string& view) {
                            << d.mean;
 }
 
-nlohmann::json readJson(const std::string& path) { return nlohmann::json::parse(contentOf(path)); }
+nlohmann::json readJson(const std::string& path) { return nlohmann::json::parse(readContents(path)); }
 
 TEST(Window, ShowsAndSavesWhatRenderDrawsAndThenRests) {
     XSession session("sample:dna ball=sample:buckyball --size 300x360");
@@ -126,7 +126,7 @@ TEST(Window, ShowsAndSavesWhatRenderDrawsAndThenRests) {
     EXPECT_GT(start["before_device"].get<double>(), 0);
     EXPECT_GT(start["first_picture"].get<double>(),
               start["before_device"].get<double>() + start["device"].get<double>());
-    EXPECT_GT(contentOf(session.folder() / "cache/nacre/pipelines.bin").size(), 40u);
+    EXPECT_GT(readContents(session.folder() / "cache/nacre/pipelines.bin").size(), 40u);
 }
 
 TEST(Window, AsksBeforeItDownloadsWhatAViewNames) {
@@ -202,7 +202,7 @@ TEST(Window, ClickPicksTheAtomThatIsSeen) {
         const std::string view = saveView(session);
         const Outcome outcome =
             nacreIn(session.folder(), "render --view '" + view + "' -o r.png --layers l.exr --occlusion 1 --size " +
-                                          sizeOf(session.picture()));
+                                          formatSize(session.picture()));
         ASSERT_EQ(outcome.code, 0) << outcome.err;
         const Image layers = readImage(session.folder() / "l.exr");
         std::vector<int> expected;
@@ -254,7 +254,7 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     session.settle();
     // A view that is saved beside its molecule goes where both go, to whoever has neither its folder nor its name.
     const std::string saved = saveView(session);
-    EXPECT_EQ(nlohmann::json::parse(contentOf(saved))["input"], "two words.xyz");
+    EXPECT_EQ(nlohmann::json::parse(readContents(saved))["input"], "two words.xyz");
     const TemporaryFolder elsewhere;
     std::filesystem::copy(saved, elsewhere / "v.json");
     std::filesystem::copy(session.folder() / "two words.xyz", elsewhere / "renamed.xyz");
@@ -263,7 +263,7 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
                                                      ".png --size 40x40 --occlusion off");
         EXPECT_EQ(drawn.code, 0) << drawn.err;
     }
-    EXPECT_TRUE(contentOf(elsewhere / "v.png") == contentOf(elsewhere / "r.png"));
+    EXPECT_TRUE(readContents(elsewhere / "v.png") == readContents(elsewhere / "r.png"));
     session.sleep(4.3);  // until the message of the saved view is gone
     session.settle();
     const WindowPicture before = session.picture();
@@ -286,7 +286,7 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     EXPECT_TRUE(session.waitForTitle("salt.xyz + two words.xyz")) << session.title();
     EXPECT_EQ(session.quit(), 0) << session.errors();
     // The next window without INPUT goes on there.
-    EXPECT_NE(contentOf(session.folder() / "state/nacre/view.json").find("two words.xyz"), std::string::npos);
+    EXPECT_NE(readContents(session.folder() / "state/nacre/view.json").find("two words.xyz"), std::string::npos);
 }
 
 TEST(Window, ASavedViewOpensFromTheCommandLineAndByADrop) {
@@ -314,7 +314,7 @@ TEST(Window, ASavedViewOpensFromTheCommandLineAndByADrop) {
     EXPECT_TRUE(session.waitForTitle("salt.xyz")) << session.title();
     expectAsRendered(session, view);
     EXPECT_EQ(session.quit(), 0) << session.errors();
-    EXPECT_NE(contentOf(session.folder() / "state/nacre/recent.json").find("v.view.json"), std::string::npos);
+    EXPECT_NE(readContents(session.folder() / "state/nacre/recent.json").find("v.view.json"), std::string::npos);
 }
 
 TEST(Window, AnEntryThatCannotBeDownloadedIsAnErrorInTheWindow) {
@@ -330,7 +330,7 @@ TEST(Window, ALogOutKeepsWhatClosingKeeps) {
         XSession session((folder / "salt.xyz") + " --size 300x200");
         EXPECT_EQ(session.end(signal), signal) << session.errors();
         for (const char* kept : {"view.json", "recent.json"})
-            EXPECT_NE(contentOf(session.folder() / (std::string("state/nacre/") + kept)).find("salt.xyz"),
+            EXPECT_NE(readContents(session.folder() / (std::string("state/nacre/") + kept)).find("salt.xyz"),
                       std::string::npos)
                 << kept;
     }

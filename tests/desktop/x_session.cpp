@@ -65,7 +65,7 @@ struct XSession::X {
 
     Atom atom(const char* name) const { return XInternAtom(display, name, False); }
 
-    std::vector<Window> windowsOf(const char* property) const {
+    std::vector<Window> listWindows(const char* property) const {
         Atom type = 0;
         int format = 0;
         unsigned long count = 0, left = 0;
@@ -116,7 +116,7 @@ Desktop::Desktop() {
     manager = start("exec env DISPLAY=" + name + " openbox >/dev/null 2>&1");
     XSession::X x{display};
     const double end = now() + 60;
-    while (x.windowsOf("_NET_SUPPORTING_WM_CHECK").empty() && now() < end)
+    while (x.listWindows("_NET_SUPPORTING_WM_CHECK").empty() && now() < end)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
@@ -147,7 +147,7 @@ void XSession::startNacre(const std::string& arguments) {
 void XSession::findWindow() {
     const double end = now() + 60;
     while (now() < end) {
-        for (const Window window : x_->windowsOf("_NET_CLIENT_LIST")) {
+        for (const Window window : x_->listWindows("_NET_CLIENT_LIST")) {
             XClassHint hint{};
             if (!XGetClassHint(x_->display, window, &hint)) continue;
             const bool ours = std::string(hint.res_name) == "nacre";

@@ -60,8 +60,8 @@ public:
     int quit();
     /// Sends a signal and waits. @returns the one that nacre ended by, or the negative of its exit status
     int end(int signal);
-    std::string errors() const { return contentOf(folder_ / "log"); }
-    nlohmann::json stats() const { return nlohmann::json::parse(contentOf(folder_ / "stats.json")); }
+    std::string errors() const { return readContents(folder_ / "log"); }
+    nlohmann::json stats() const { return nlohmann::json::parse(readContents(folder_ / "stats.json")); }
 
     struct X;
 

@@ -80,8 +80,8 @@ TEST(AllowedHosts, ProxiesHaveExceptions) {
         EXPECT_TRUE(isWithoutProxy("files.rcsb.org", list)) << list;
     for (const char* list : {"", ",", ".", "evilrcsb.org", "csb.org", "www.rcsb.org", "files.rcsb.org.evil", "**"})
         EXPECT_FALSE(isWithoutProxy("files.rcsb.org", list)) << list;
-    EXPECT_EQ(hostOf("HTTPS://x/"), "");
-    EXPECT_EQ(hostOf("https://Files.rcsb.org:443/x:y"), "files.rcsb.org");
+    EXPECT_EQ(parseHost("HTTPS://x/"), "");
+    EXPECT_EQ(parseHost("https://Files.rcsb.org:443/x:y"), "files.rcsb.org");
 }
 
 }  // namespace

@@ -37,10 +37,10 @@ protected:
         server_->serve("1bna.bcif.gz", test::gzipBytes(dnaAsBcif()));
         server_->serve("3bna.bcif.gz", dnaAsBcif());
         server_->serve("A2BC19.bcif", dnaAsBcif());
-        const std::string water = test::contentOf(NACRE_SOURCE_DIR "/tests/fuzz/seeds/water.cif");
+        const std::string water = test::readContents(NACRE_SOURCE_DIR "/tests/fuzz/seeds/water.cif");
         server_->serve("2cif.cif.gz", test::gzipBytes(water));
         server_->serve("P12345.cif", water);
-        const std::string sdf = test::contentOf(NACRE_SOURCE_DIR "/tests/fuzz/seeds/water.sdf");
+        const std::string sdf = test::readContents(NACRE_SOURCE_DIR "/tests/fuzz/seeds/water.sdf");
         server_->serve("compound_cid_962_record_SDF_record_type=3d", sdf);
         server_->serve("compound_name_water%20%2F%3F_record_SDF_record_type=3d", sdf);
         server_->serve("compound_cid_7_record_SDF_record_type=2d", sdf);

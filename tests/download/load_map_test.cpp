@@ -71,7 +71,7 @@ protected:
         picture.input.cache = folder_.path();
         picture.maps.files = {name};
         loadMaps(picture);
-        return mapOf(name, {});
+        return loadMap(name, {});
     }
     std::size_t requestsFor(const std::string& part) const {
         const auto all = server_->requests();

@@ -271,7 +271,7 @@ TEST(AutomaticFog, EndsWithWhatIsSeenOfAClosedShell) {
 nlohmann::json viewOfStats(const TemporaryFolder& folder, const std::string& arguments) {
     const test::Outcome outcome = nacreIn(folder, "render " + arguments + " -o a.png --size 160x120 --stats s.json");
     EXPECT_EQ(outcome.code, 0) << arguments << ": " << outcome.err;
-    return nlohmann::json::parse(test::contentOf(folder / "s.json"))["view"];
+    return nlohmann::json::parse(test::readContents(folder / "s.json"))["view"];
 }
 
 TEST(Camera, ViewsAreWrittenByTheCommandLineAndStatsAreViews) {

@@ -23,7 +23,7 @@ RepresentationOptions takenLook(const Molecule& molecule, const PictureDescripti
     return look;
 }
 
-Molecule protein(int residues) { return test::chainOf(residues, -57, -47); }
+Molecule protein(int residues) { return test::buildChain(residues, -57, -47); }
 
 TEST(DefaultLook, ProteinsAreCartoonsByChain) {
     const RepresentationOptions look = takenLook(protein(10), {});

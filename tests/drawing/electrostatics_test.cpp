@@ -19,13 +19,13 @@
 namespace nacre::app {
 namespace {
 
-Molecule pqrOf(const std::string& atoms) {
+Molecule makePqr(const std::string& atoms) {
     ReadOptions reading;
     reading.format = Format::pqr;
     return readMolecule("ions.pqr", atoms, reading);
 }
 
-std::string failureOf(const Molecule& molecule, const InputOptions& input = {}) {
+std::string catchError(const Molecule& molecule, const InputOptions& input = {}) {
     try {
         electrostaticPotential(molecule, input);
     } catch (const Error& error) {
@@ -53,7 +53,7 @@ private:
 
 // Debye and Hückel: an ion of charge z and radius b, that other ions approach up to a, in water.
 TEST(Electrostatics, OfAnIonIsThatOfDebyeAndHueckel) {
-    const Molecule ion = pqrOf("ATOM 1 NA NA 1 1.0 2.0 3.0 1.0 2.0\nEND\n");
+    const Molecule ion = makePqr("ATOM 1 NA NA 1 1.0 2.0 3.0 1.0 2.0\nEND\n");
     const std::shared_ptr<const DensityMap> map = electrostaticPotential(ion, {});
     constexpr double kBjerrum = 7.135, kDebye = 7.86, kExclusion = 4;  // Å
     for (const double r : {4.5, 6.0, 8.0, 10.0}) {
@@ -65,7 +65,7 @@ TEST(Electrostatics, OfAnIonIsThatOfDebyeAndHueckel) {
 }
 
 TEST(Electrostatics, ColourSurfacesRedWhereNegative) {
-    const Molecule ions = pqrOf("ATOM 1 CL CL 1 -4 0 0 -1.0 2.0\nATOM 2 NA NA 2 4 0 0 1.0 2.0\nEND\n");
+    const Molecule ions = makePqr("ATOM 1 CL CL 1 -4 0 0 -1.0 2.0\nATOM 2 NA NA 2 4 0 0 1.0 2.0\nEND\n");
     PictureDescription picture;
     picture.size = {64, 48};
     picture.occlusion.directions = 0;
@@ -77,7 +77,7 @@ TEST(Electrostatics, ColourSurfacesRedWhereNegative) {
     std::size_t red = 0, blue = 0;
     for (const MeshVertex& vertex : scene.meshVertices) {
         const std::uint32_t color = scene.meshLooks[vertex.look].color;
-        const bool left = positionOf(vertex, scene.triangles.front().step()).x + scene.center.x < 0;
+        const bool left = decodePosition(vertex, scene.triangles.front().step()).x + scene.center.x < 0;
         const bool reddish = (color & 255) > (color >> 16 & 255);
         (reddish ? red : blue) += 1;
         EXPECT_EQ(reddish, left);
@@ -105,26 +105,26 @@ TEST(Electrostatics, SaysWhatFailed) {
     const Molecule dna = sampleMolecule("dna");
     OwnPrograms programs;
     programs.add("pdb2pqr", "echo 'a line'\necho 'CRITICAL: no such residue' >&2\nexit 3");
-    EXPECT_EQ(failureOf(dna), "cannot calculate the electrostatic potential: pdb2pqr: CRITICAL: no such residue");
+    EXPECT_EQ(catchError(dna), "cannot calculate the electrostatic potential: pdb2pqr: CRITICAL: no such residue");
     programs.add("pdb2pqr", "kill -9 $$");
-    EXPECT_EQ(failureOf(dna), "cannot calculate the electrostatic potential: pdb2pqr was ended by signal 9");
+    EXPECT_EQ(catchError(dna), "cannot calculate the electrostatic potential: pdb2pqr was ended by signal 9");
     programs.add("apbs", "echo 'grid too large'");
-    const Molecule ion = pqrOf("ATOM 1 NA NA 1 0 0 0 1.0 2.5\nEND\n");
-    EXPECT_EQ(failureOf(ion), "cannot calculate the electrostatic potential: apbs: grid too large");
+    const Molecule ion = makePqr("ATOM 1 NA NA 1 0 0 0 1.0 2.5\nEND\n");
+    EXPECT_EQ(catchError(ion), "cannot calculate the electrostatic potential: apbs: grid too large");
     InputOptions small;
     small.memoryMegabytes = 30;
-    EXPECT_NE(failureOf(ion, small).find("apbs needs 17 MB for the coarsest grid"), std::string::npos)
-        << failureOf(ion, small);
+    EXPECT_NE(catchError(ion, small).find("apbs needs 17 MB for the coarsest grid"), std::string::npos)
+        << catchError(ion, small);
     programs.none();
     remove((programs.folder() / "pdb2pqr").c_str());
-    EXPECT_NE(failureOf(dna).find("the program pdb2pqr is not installed"), std::string::npos) << failureOf(dna);
+    EXPECT_NE(catchError(dna).find("the program pdb2pqr is not installed"), std::string::npos) << catchError(dna);
 }
 
 // Insertion codes, long names and numbers have no place there.
 TEST(Electrostatics, HandsTheModelOverAsAPdbFile) {
     OwnPrograms programs;
     programs.add("pdb2pqr", "cp \"$3\" \"" + programs.folder() / "seen.pdb" + "\"; exit 1");
-    failureOf(sampleMolecule("dna"));
+    catchError(sampleMolecule("dna"));
     const Molecule seen = readMoleculeFile(programs.folder() / "seen.pdb");
     const Molecule dna = sampleMolecule("dna");
     ASSERT_EQ(seen.atoms.size(), dna.atoms.size());

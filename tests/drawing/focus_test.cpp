@@ -54,7 +54,7 @@ TEST_F(FocusTest, GoesWithTheCamera) {
     // From the eye through the middle of the picture, which moves nearer to the axis of the eye towards it.
     set("pan", "-10,0");
     set("projection", "perspective");
-    const double eye = viewOf(picture.camera, 12, 256, 256).eyeDistance;
+    const double eye = makeView(picture.camera, 12, 256, 256).eyeDistance;
     expectFocus({1 + 10 * (eye - 1) / eye, 2, 4});
 }
 
@@ -62,7 +62,7 @@ TEST_F(FocusTest, IsWhereALensIsSharp) {
     const auto depth = [&] {
         RenderSettings settings;
         settings.effects = picture.effects;
-        settings.view = viewOf(picture.camera, 12, 256, 256);
+        settings.view = makeView(picture.camera, 12, 256, 256);
         focusLens(molecule, picture, kCenter, settings);
         return settings.effects.depthOfField.focus;
     };

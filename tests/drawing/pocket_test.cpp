@@ -15,7 +15,7 @@
 namespace nacre::app {
 namespace {
 
-PictureDescription pictureOf(std::initializer_list<std::pair<const char*, const char*>> options) {
+PictureDescription describePicture(std::initializer_list<std::pair<const char*, const char*>> options) {
     PictureDescription picture;
     picture.input.path = "sample:dna";
     picture.input.cache = "off";
@@ -26,7 +26,7 @@ PictureDescription pictureOf(std::initializer_list<std::pair<const char*, const 
 TEST(Pocket, IsSticksInAFaintCartoonWithLabelsAndContacts) {
     const Molecule molecule = sampleMolecule("dna");
     Drawing drawing;
-    drawing.prepare(molecule, pictureOf({{"pocket", "chain A and resi 4"}}));
+    drawing.prepare(molecule, describePicture({{"pocket", "chain A and resi 4"}}));
     const Representation& scene = drawing.scene();
     EXPECT_FALSE(scene.triangles.empty());
     EXPECT_FALSE(scene.spheres.empty());
@@ -41,7 +41,7 @@ TEST(Pocket, IsSticksInAFaintCartoonWithLabelsAndContacts) {
 }
 
 TEST(Pocket, OfTheLigandIsThatOfTheMainOne) {
-    const PictureDescription ligand = pictureOf({{"pocket", "ligand"}});
+    const PictureDescription ligand = describePicture({{"pocket", "ligand"}});
     ASSERT_TRUE(ligand.aim.zoomTo && ligand.look.contacts.of);
     EXPECT_EQ(ligand.aim.zoomTo->text, "mainligand");
     EXPECT_EQ(ligand.look.contacts.of->text, "mainligand");
@@ -50,28 +50,28 @@ TEST(Pocket, OfTheLigandIsThatOfTheMainOne) {
 }
 
 TEST(Pocket, OptionsOverrideIt) {
-    const PictureDescription plain = pictureOf({{"pocket", "resi 4"}});
+    const PictureDescription plain = describePicture({{"pocket", "resi 4"}});
     EXPECT_EQ(plain.look.cartoonOpacity, 0.3);
     ASSERT_TRUE(plain.aim.zoomTo);
     EXPECT_EQ(plain.aim.zoomTo->text, "resi 4");
-    const PictureDescription other = pictureOf(
+    const PictureDescription other = describePicture(
         {{"show", "resi 4=spacefill"}, {"pocket", "resi 4"}, {"cartoon-opacity", "1"}, {"interaction-kinds", "metal"}});
     EXPECT_EQ(other.look.cartoonOpacity, 1);
     EXPECT_EQ(other.look.rules.back().style, Style::spacefill);  // rules that were given come last
     EXPECT_FALSE(other.look.contacts.kinds[0]);
-    EXPECT_THROW(pictureOf({{"pocket", "resi"}}), Error);
+    EXPECT_THROW(describePicture({{"pocket", "resi"}}), Error);
 }
 
 TEST(Pocket, DistancesOfContactsAreLabels) {
     const Molecule molecule = sampleMolecule("dna");
     Drawing drawing;
-    drawing.prepare(molecule, pictureOf({{"style", "licorice"},
-                                         {"interactions", "chain A,chain B"},
-                                         {"interaction-kinds", "hydrogen-bond"},
-                                         {"interaction-labels", "distance"}}));
+    drawing.prepare(molecule, describePicture({{"style", "licorice"},
+                                               {"interactions", "chain A,chain B"},
+                                               {"interaction-kinds", "hydrogen-bond"},
+                                               {"interaction-labels", "distance"}}));
     ASSERT_EQ(drawing.words.labels.size(), drawing.scene().contacts.size());
     EXPECT_EQ(drawing.words.labels.front().text, "3.0");
-    drawing.prepare(molecule, pictureOf({{"style", "licorice"}, {"interaction-labels", "distance"}}));
+    drawing.prepare(molecule, describePicture({{"style", "licorice"}, {"interaction-labels", "distance"}}));
     ASSERT_FALSE(drawing.warnings.empty());  // it needs interactions
 }
 
@@ -89,7 +89,7 @@ TEST(AddedHydrogens, AreDrawnAndDoNotMove) {
     EXPECT_EQ(hydrogens(), 2 * (4 * 11 + 4 * 11 + 2 * 11 + 2 * 12) + 2 + 2);
     Drawing drawing;
     const Molecule molecule = readLocally(input, std::uint64_t{1} << 30);
-    drawing.prepare(molecule, pictureOf({{"style", "licorice"}}));
+    drawing.prepare(molecule, describePicture({{"style", "licorice"}}));
     EXPECT_EQ(drawing.scene().drawnAtoms, molecule.atoms.size());
     input.trajectory.path = "md.xtc";
     EXPECT_THROW(readLocally(input, std::uint64_t{1} << 30), Error);

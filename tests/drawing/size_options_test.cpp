@@ -44,14 +44,14 @@ TEST(Sizes, AreRadiiInAngstrom) {
     EXPECT_FLOAT_EQ(thickest(sizedScene(dna, {{"style", "backbone"}, {"tube-radius", "0.7"}}).cylinders), 0.7f);
     const Values balls{{"style", "ball-and-stick"}, {"bond-orders", "off"}, {"bond-radius", "0.05"}};
     EXPECT_FLOAT_EQ(thickest(sizedScene(glucose, balls).cylinders), 0.05f);
-    const auto ballOf = [&](const char* scale) {
+    const auto ballSize = [&](const char* scale) {
         return sizedScene(glucose, {{"style", "ball-and-stick"}, {"ball-scale", scale}}).spheres.front().radius;
     };
-    EXPECT_FLOAT_EQ(ballOf("0.5"), 2 * ballOf("0.25"));
-    const auto reachOf = [&](const char* scale) {
+    EXPECT_FLOAT_EQ(ballSize("0.5"), 2 * ballSize("0.25"));
+    const auto measureReach = [&](const char* scale) {
         return sizedScene(dna, {{"style", "cartoon"}, {"bases", "none"}, {"cartoon-scale", scale}}).radius;
     };
-    EXPECT_GT(reachOf("3"), reachOf("1") + 0.5);
+    EXPECT_GT(measureReach("3"), measureReach("1") + 0.5);
 }
 
 TEST(Sizes, RimsFollowThePictureTheCameraOrThePaper) {
@@ -93,12 +93,12 @@ TEST(Sizes, InPointsAreTheSameOnPaperWhateverTheResolution) {
                 2 * static_cast<double>(thickest(drawing.scene().cylinders)) * drawing.settings.view.pixelsPerAngstrom;
             EXPECT_NEAR(pixels * 72 / std::stod(dpi), 2, 1e-5) << option << dpi;
         }
-    const auto lineOf = [&](const char* dpi) {
+    const auto lineRadius = [&](const char* dpi) {
         return thickest(
             sizedScene(dna, {{"style", "line"}, {"line-width", "1pt"}, {"width", "20mm"}, {"dpi", dpi}}).wires);
     };
-    EXPECT_NEAR(2 * lineOf("300"), 300.0 / 72, 1e-4);
-    EXPECT_NEAR(2 * lineOf("600"), 600.0 / 72, 1e-4);
+    EXPECT_NEAR(2 * lineRadius("300"), 300.0 / 72, 1e-4);
+    EXPECT_NEAR(2 * lineRadius("600"), 600.0 / 72, 1e-4);
     EXPECT_THROW(sizedPicture({{"stick-radius", "2pt"}}), UsageError);  // which scale?
 }
 
@@ -154,11 +154,11 @@ TEST(Gaps, AreDashedBetweenTheEndsOfTheChain) {
 }
 
 TEST(Gaps, NeedAChainThatGoesOn) {
-    const auto dashesOf = [](const Molecule& molecule, Values options = {{"style", "cartoon"}, {"bases", "none"}}) {
+    const auto countDashes = [](const Molecule& molecule, Values options = {{"style", "cartoon"}, {"bases", "none"}}) {
         return sizedScene(molecule, options).cylinders.size();
     };
     const Molecule gapped = gappedDna();
-    const std::size_t dashes = dashesOf(gapped);
+    const std::size_t dashes = countDashes(gapped);
     const auto from = [](Molecule& molecule, int number, const auto& change) {
         for (Residue& residue : molecule.residues)
             if (residue.chain == 0 && residue.number >= number) change(residue);
@@ -166,24 +166,24 @@ TEST(Gaps, NeedAChainThatGoesOn) {
     // The numbers of mmCIF count; the author's may jump back.
     Molecule jumping = gapped;
     from(jumping, 7, [](Residue& residue) { residue.number -= 6; });
-    EXPECT_EQ(dashesOf(jumping), dashes);
+    EXPECT_EQ(countDashes(jumping), dashes);
     // A cleaved chain whose ends are far apart, and two chains of one name.
     Molecule cleaved = gapped;
     from(cleaved, 7, [](Residue& residue) { residue.labelNumber = residue.number -= 2; });
-    EXPECT_EQ(dashesOf(cleaved), 0u);
+    EXPECT_EQ(countDashes(cleaved), 0u);
     Molecule two = gapped;
     two.subchains.push_back("C");
     from(two, 7, [&](Residue& residue) { residue.subchain = static_cast<std::uint32_t>(two.subchains.size() - 1); });
-    EXPECT_EQ(dashesOf(two), 0u);
+    EXPECT_EQ(countDashes(two), 0u);
     // A bond that is too long between neighbours by number.
     Molecule stretched = sampleMolecule("dna");
     for (Atom& atom : stretched.atoms) {
         const Residue& residue = stretched.residues[atom.residue];
         if (residue.chain == 0 && residue.number >= 7) atom.position += glm::vec3(2, 2, 2);
     }
-    EXPECT_GT(dashesOf(stretched), 0u);
+    EXPECT_GT(countDashes(stretched), 0u);
     // Where residues are hidden the chain is whole.
-    EXPECT_EQ(dashesOf(sampleMolecule("dna"), {{"style", "cartoon"}, {"bases", "none"}, {"hide", "resi 5-6"}}), 0u);
+    EXPECT_EQ(countDashes(sampleMolecule("dna"), {{"style", "cartoon"}, {"bases", "none"}, {"hide", "resi 5-6"}}), 0u);
 }
 
 TEST(Gaps, AreDashedInEachCopy) {
@@ -217,7 +217,7 @@ TEST(SurfaceForms, AreLinesAndDotsOnTheSurface) {
     const auto away = [&](const glm::vec3& p) {
         float least = 1e9f;
         for (const MeshVertex& v : solid.meshVertices)
-            least = std::min(least, glm::distance(p, positionOf(v, solid.triangles.front().step())));
+            least = std::min(least, glm::distance(p, decodePosition(v, solid.triangles.front().step())));
         return least;
     };
     for (const char* form : {"mesh", "dots"}) {

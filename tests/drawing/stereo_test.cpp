@@ -116,7 +116,7 @@ TEST_F(StereoTest, AnEyeSeesAsACameraThatStandsThere) {
 }
 
 /// Mean column of an atom's pixels; negative: there are few.
-double columnOf(const LayerPicture& layers, std::uint32_t id) {
+double meanColumn(const LayerPicture& layers, std::uint32_t id) {
     double sum = 0;
     int count = 0;
     for (std::size_t i = 0; i < layers.id.size(); ++i)
@@ -150,8 +150,8 @@ TEST_F(StereoTest, DisparityIsThatOfParallelEyes) {
             const double distance = 10 - 2 * i;
             const double wanted =
                 0.8 * view.eyeDistance * view.pixelsPerAngstrom * (1 / std::stod(screen) - 1 / distance);
-            ASSERT_GT(columnOf(left, id), 0);
-            const double disparity = columnOf(right, id) - columnOf(left, id);
+            ASSERT_GT(meanColumn(left, id), 0);
+            const double disparity = meanColumn(right, id) - meanColumn(left, id);
             EXPECT_NEAR(disparity, wanted, 0.35) << "at " << distance << ", screen at " << screen;
             if (distance < std::stod(screen)) {
                 EXPECT_LT(disparity, -5);  // crossed: in front of the screen
@@ -163,9 +163,9 @@ TEST_F(StereoTest, DisparityIsThatOfParallelEyes) {
 TEST_F(StereoTest, ALabelHasTheDepthOfItsAtom) {
     prepare({});
     std::size_t front = 0;  // the atom that is nearest to the viewer
-    const auto heightOf = [&](std::size_t i) { return molecule.atoms[i].position.z; };
+    const auto atomHeight = [&](std::size_t i) { return molecule.atoms[i].position.z; };
     for (std::size_t i = 0; i < molecule.atoms.size(); ++i)
-        if (heightOf(i) > heightOf(front)) front = i;
+        if (atomHeight(i) > atomHeight(front)) front = i;
     const std::string text = "id " + std::to_string(front + 1) + "=X";
     const StereoOptions label{
         {"label", text.c_str()}, {"text-size", "12"}, {"eye-distance", "8"}, {"style", "licorice"}};

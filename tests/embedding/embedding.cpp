@@ -34,7 +34,7 @@ int main(int count, char** arguments) try {
 
     const std::string before = drivers();
     nacre::RenderSettings settings;
-    settings.view = nacre::viewOf(nacre::Camera{}, scene.radius, 400, 300);
+    settings.view = nacre::makeView(nacre::Camera{}, scene.radius, 400, 300);
     settings.supersample = 2;
     settings.background = {0, 0, 0, 1};
     nacre::Renderer renderer{nacre::DeviceOptions{}};

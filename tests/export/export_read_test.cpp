@@ -35,11 +35,11 @@ constexpr Exported kKinds[] = {
     {"mixed", "sample:dna --style cartoon --show 'chain A=ball-and-stick' --scale 0.1"},
 };
 
-std::string outputOf(const std::string& command, int& code) {
+std::string captureOutput(const std::string& command, int& code) {
     const test::TemporaryFolder folder;
     const int status = std::system((command + " >'" + (folder / "out") + "' 2>&1").c_str());
     code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return test::contentOf(folder / "out");
+    return test::readContents(folder / "out");
 }
 
 TEST(ExportRead, TheValidatorOfGltfFindsNothing) {
@@ -57,15 +57,15 @@ TEST(ExportRead, TheValidatorOfGltfFindsNothing) {
         names += " " + name;
     }
     int code = -1;
-    const std::string said = outputOf(validate + names, code);
+    const std::string said = captureOutput(validate + names, code);
     EXPECT_EQ(code, 0) << said;
     for (const Exported& kind : kKinds)
         EXPECT_NE(said.find(std::string(kind.name) + ".glb: 0 errors, 0 warnings"), std::string::npos) << said;
     // It reads what is in the buffers: indices of no vertex are found.
-    std::string file = test::contentOf(folder / "balls.glb");
+    std::string file = test::readContents(folder / "balls.glb");
     std::fill(file.end() - 8, file.end(), '\x7f');
     std::ofstream(folder / "spoilt.glb", std::ios::binary) << file;
-    EXPECT_NE(outputOf(validate + " spoilt.glb", code), "");
+    EXPECT_NE(captureOutput(validate + " spoilt.glb", code), "");
     EXPECT_EQ(code, 1);
 }
 
@@ -81,10 +81,10 @@ TEST(ExportRead, UsdzPackagesKeepTheRulesOfUsdchecker) {
         const test::Outcome outcome =
             test::nacreIn(folder, "export " + options + " --sides 8 --stats s.json -o a.usdz");
         ASSERT_EQ(outcome.code, 0) << kind.name << ": " << outcome.err;
-        const std::string said = outputOf(check + "'" + (folder / "a.usdz") + "'", code);
+        const std::string said = captureOutput(check + "'" + (folder / "a.usdz") + "'", code);
         ASSERT_EQ(code, 0) << kind.name << ": " << said;
         const auto read = nlohmann::json::parse(said);
-        const auto parts = nlohmann::json::parse(test::contentOf(folder / "s.json"))["parts"];
+        const auto parts = nlohmann::json::parse(test::readContents(folder / "s.json"))["parts"];
         EXPECT_EQ(read["metersPerUnit"], 0.01);
         EXPECT_EQ(read["scale"][0], std::string(kind.name) == "mixed" ? 0.1 : 1.0);
         ASSERT_EQ(read["parts"].size(), parts.size()) << kind.name;
@@ -107,9 +107,9 @@ TEST(ExportRead, UsdzPackagesKeepTheRulesOfUsdchecker) {
                                "zipfile.ZipFile('b.usdz', 'w', zipfile.ZIP_";
     const std::string write = "); [b.writestr(n, a.read(n)) for n in a.namelist()]; b.close()\"";
     for (const char* how : {"DEFLATED", "STORED"}) {
-        outputOf(repack + how + write, code);
+        captureOutput(repack + how + write, code);
         ASSERT_EQ(code, 0);
-        const std::string said = outputOf(check + "'" + (folder / "b.usdz") + "'", code);
+        const std::string said = captureOutput(check + "'" + (folder / "b.usdz") + "'", code);
         EXPECT_EQ(code, 1) << said;
         EXPECT_NE(said.find(how[0] == 'D' ? "is compressed" : "begins at byte"), std::string::npos) << said;
     }
@@ -124,7 +124,7 @@ double numberIn(const std::string& report, const std::string& words) {
 /// @param volume  what it encloses @param options  of ADMesh
 void expectClosed(const std::string& file, const std::string& what, double volume, const std::string& options = "") {
     int code = -1;
-    const std::string report = outputOf("admesh --exact --normal-directions " + options + " '" + file + "'", code);
+    const std::string report = captureOutput("admesh --exact --normal-directions " + options + " '" + file + "'", code);
     ASSERT_EQ(code, 0) << what << ": " << report;
     EXPECT_GT(numberIn(report, "Number of facets"), 100) << what << ": " << report;
     for (const char* fault :
@@ -157,7 +157,7 @@ void writeStl(const std::string& path, const std::vector<glm::vec3>& places, con
 void objAsStl(const std::string& from, const std::string& to) {
     std::vector<glm::vec3> places;
     std::vector<glm::uvec3> faces;
-    std::istringstream obj(test::contentOf(from));
+    std::istringstream obj(test::readContents(from));
     for (std::string line; std::getline(obj, line);) {
         std::istringstream words(line);
         std::string kind;
@@ -183,14 +183,14 @@ TEST(ExportRead, AdmeshFindsNoOpenEdge) {
                 test::nacreIn(folder, "export " + std::string(options) + " --stats s.json -o " + std::string(name));
             ASSERT_EQ(outcome.code, 0) << outcome.err;
             double volume = 0;
-            const auto stats = nlohmann::json::parse(test::contentOf(folder / "s.json"));
+            const auto stats = nlohmann::json::parse(test::readContents(folder / "s.json"));
             for (const auto& part : stats["parts"]) volume += part["volume"].get<double>();
             std::string file = folder / name;
             std::string ofAdmesh;
             if (file.ends_with(".ply")) {
                 const std::string ply = std::exchange(file, folder / "of_ply.stl");
                 int code = -1;
-                const std::string said = outputOf("assimp export '" + ply + "' '" + file + "' -fstlb", code);
+                const std::string said = captureOutput("assimp export '" + ply + "' '" + file + "' -fstlb", code);
                 ASSERT_EQ(code, 0) << said;
                 ofAdmesh = "--normal-values";  // Assimp writes the mean of its corners' normals
             }

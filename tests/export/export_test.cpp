@@ -152,7 +152,7 @@ TEST(Export, AGlbHasChainsColoursAndInstances) {
 }
 
 /// Colours of the first mesh of a file: linear, with alpha.
-std::vector<std::array<double, 4>> colorsOf(const std::string& file) {
+std::vector<std::array<double, 4>> readColors(const std::string& file) {
     const nlohmann::json json = glbJson(file);
     const nlohmann::json& accessor =
         json["accessors"][json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].get<std::size_t>()];
@@ -178,7 +178,7 @@ double bounced(double visibility, double albedo) {
 
 TEST(Export, OcclusionDarkensColoursAndIsAnAttribute) {
     const Molecule glucose = sampleMolecule("glucose");
-    const auto bright = colorsOf(glbFile(exported(glucose, Style::spacefill), {"glucose", 1}));
+    const auto bright = readColors(glbFile(exported(glucose, Style::spacefill), {"glucose", 1}));
     BakedOcclusion baked;  // everything as open as 51 of 255
     baked.sphereEdge = baked.around = baked.along = 4;
     baked.width = baked.sphereRows = baked.cylinderRows = 64;
@@ -195,7 +195,7 @@ TEST(Export, OcclusionDarkensColoursAndIsAnAttribute) {
                       json["accessors"][attributes["POSITION"].get<int>()]["count"]);
         }
         if (style != Style::spacefill) continue;
-        const auto dark = colorsOf(file);
+        const auto dark = readColors(file);
         ASSERT_EQ(dark.size(), bright.size());
         for (std::size_t v = 0; v < dark.size(); ++v)
             for (std::size_t c = 0; c < 3; ++c) {
@@ -213,7 +213,7 @@ TEST(Export, WhatIsTranslucentIsBlended) {
         look.surfaceOpacity = opacity;
         const Representation scene = represent(glucose, drawnAtoms(glucose), look);
         const std::string file = glbFile(exportScene(glucose, scene, {}), {"glucose", 1});
-        for (const auto& color : colorsOf(file)) ASSERT_NEAR(color[3], opacity, 1.0 / 65535);
+        for (const auto& color : readColors(file)) ASSERT_NEAR(color[3], opacity, 1.0 / 65535);
         EXPECT_EQ(glbJson(file)["materials"][0].value("alphaMode", "OPAQUE"), opacity < 1 ? "BLEND" : "OPAQUE");
     }
     look.style = Style::ballAndStick;
@@ -325,8 +325,8 @@ TEST(Export, TheProgramWritesThemAndRefusesTheRest) {
         const test::Outcome outcome =
             test::nacreIn(folder, "export sample:dna --style cartoon --stats s.json -o " + std::string(name));
         ASSERT_EQ(outcome.code, 0) << outcome.err;
-        const auto stats = nlohmann::json::parse(test::contentOf(folder / "s.json"));
-        EXPECT_EQ(stats["bytes"], test::contentOf(folder / name).size());
+        const auto stats = nlohmann::json::parse(test::readContents(folder / "s.json"));
+        EXPECT_EQ(stats["bytes"], test::readContents(folder / name).size());
         EXPECT_GT(stats["parts"][0]["volume"], 10);
     }
     EXPECT_EQ(test::nacreIn(folder, "export sample:dna -o a.png").code, 2);

@@ -29,13 +29,13 @@ struct Hook<Tag, VkResult(VKAPI_PTR*)(Arguments...)> {
                                   Tag::fails == Fails::runsOutOrLost || Tag::fails == Fails::lost);
         if (told && *told < 0) return *told;
         const VkResult result = next(arguments...);
-        if (result >= 0 && Tag::kind) made(Tag::kind, countOf(arguments...));
+        if (result >= 0 && Tag::kind) made(Tag::kind, countObjects(arguments...));
         return result == VK_SUCCESS && told ? *told : result;
     }
 
 private:
     /// The second argument of calls that make several pipelines counts them; all others make one object.
-    static std::int64_t countOf(Arguments... arguments) {
+    static std::int64_t countObjects(Arguments... arguments) {
         if constexpr (std::string_view(Tag::name).ends_with("Pipelines"))
             return static_cast<std::int64_t>(std::get<2>(std::tuple(arguments...)));
         else

@@ -76,7 +76,7 @@ TEST_F(MemoryFaults, NoMemoryFromEveryAllocationOn) {
 }
 
 TEST_F(MemoryFaults, EveryPipelineInTurnCannotBeMade) {
-    const auto countOf = [&](const char* function) {
+    const auto countCalls = [&](const char* function) {
         return std::count_if(calls_.begin(), calls_.end(), [&](const auto& call) { return call.function == function; });
     };
     std::optional<Renderer> renderer;
@@ -92,7 +92,7 @@ TEST_F(MemoryFaults, EveryPipelineInTurnCannotBeMade) {
         int made = 1;
         while (failsAt(function, 2)) ASSERT_LT(++made, 1000);
         EXPECT_GT(made, 2);
-        EXPECT_EQ(made, countOf(function)) << function;
+        EXPECT_EQ(made, countCalls(function)) << function;
     }
     renderer.reset();
     expectNothingLeft();

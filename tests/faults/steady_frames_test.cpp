@@ -20,7 +20,7 @@ TEST(SteadyFrames, MakeNeitherBuffersNorImagesNorMemory) {
             for (int i = 0; i < frames; ++i) {
                 camera.rotationDegrees.y += 5;
                 camera.zoom *= 1.01;
-                s.view = viewOf(camera, r.radius, 64, 64);
+                s.view = makeView(camera, r.radius, 64, 64);
                 renderer.drawFrame(s);
             }
         };

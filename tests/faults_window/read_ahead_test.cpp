@@ -20,7 +20,7 @@ struct File {
 /// A viewer whose file is read when it is let.
 class SlowRead {
 public:
-    explicit SlowRead(const File& file) : path_(file.path), session_(host(), sources(), viewOf(file), {}, {}) {
+    explicit SlowRead(const File& file) : path_(file.path), session_(host(), sources(), makeView(file), {}, {}) {
         session_.open(now_);
         viewer().frames().resize({64, 64}, 1, now_);
         for (int i = 0; i < 5; ++i) step();
@@ -57,7 +57,7 @@ private:
             return sampleMolecule(v.input.path.substr(7));
         }};
     }
-    static app::PictureDescription viewOf(const File& file) {
+    static app::PictureDescription makeView(const File& file) {
         app::PictureDescription view;
         view.input.path = file.input;
         view.look.style = file.style;
@@ -115,7 +115,7 @@ TEST(ReadAheadOf, AnyQualityOfFrames) {
     RenderSettings s = settings(like, 64, Projection::orthographic);
     s.occlusion.directions = 0;
     renderer.present(s, {});
-    s.view = viewOf({}, like.radius, renderer.windowSize().width, renderer.windowSize().height);
+    s.view = makeView({}, like.radius, renderer.windowSize().width, renderer.windowSize().height);
     EXPECT_EQ(renderer.present(s, {}), FrameOutcome::shown);
     using Quality = WindowFrame::Quality;
     for (const Quality quality : {Quality::live, Quality::refined, Quality::kept}) {

@@ -62,7 +62,7 @@ public:
     /// What the viewer shows, small.
     std::vector<float> picture() {
         RenderSettings s = viewer().frames().settings();
-        s.view = viewOf(viewer().view().camera, viewer().document()->drawing.radius(), 64, 64);
+        s.view = makeView(viewer().view().camera, viewer().document()->drawing.radius(), 64, 64);
         return session_.renderer()->render(s).rgba;
     }
 

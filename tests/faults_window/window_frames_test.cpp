@@ -46,7 +46,7 @@ TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
         const PixelSize size = renderer.windowSize();
         ASSERT_GT(size.width, 96u);
         Camera camera;
-        s.view = viewOf(camera, r.radius, size.width, size.height);
+        s.view = makeView(camera, r.radius, size.width, size.height);
         EXPECT_EQ(renderer.present(s, {}), FrameOutcome::shown);
         renderer.setScene(r);
         s.occlusion.directions = 4;
@@ -92,7 +92,7 @@ TEST(WindowFrames, TwoEyesByEveryPathAreValid) {
         const PixelSize size = renderer.windowSize();
         Camera camera;
         camera.projection = Projection::perspective;
-        s.view = viewOf(camera, r.radius, size.width, size.height);
+        s.view = makeView(camera, r.radius, size.width, size.height);
         const Overlay overlay = triangle();
         for (const bool beside : {true, false}) {
             View middle = s.view;
@@ -126,7 +126,7 @@ TEST(WindowFrames, RestThroughALensTakesNoPassMore) {
     RenderSettings s = settings(r, 96, Projection::perspective);
     renderer.present(s, {});
     Camera camera;
-    s.view = viewOf(camera, r.radius, renderer.windowSize().width, renderer.windowSize().height);
+    s.view = makeView(camera, r.radius, renderer.windowSize().width, renderer.windowSize().height);
     s.effects.depthOfField.strength = 0.1;
     EXPECT_EQ(renderer.present(s, {}), FrameOutcome::shown);
     for (std::uint32_t i = 0; i < 64; ++i)
@@ -145,7 +145,7 @@ TEST(WindowFrames, FourSamplesInMotionAreValidUnderAnOverlayAndAtAnySize) {
         RenderSettings s = settings(r, 96, Projection::orthographic);
         renderer.present(s, {});
         Camera camera;
-        s.view = viewOf(camera, r.radius, renderer.windowSize().width, renderer.windowSize().height);
+        s.view = makeView(camera, r.radius, renderer.windowSize().width, renderer.windowSize().height);
         for (const double contours : {0.0, 2.0})  // which have one sample
             for (const WindowFrame& frame :
                  {WindowFrame{}, WindowFrame{Quality::live, 1, 1, 0, &overlay},

@@ -19,7 +19,7 @@ namespace nacre::app {
 namespace {
 
 namespace fs = std::filesystem;
-using test::contentOf;
+using test::readContents;
 using test::TemporaryFolder;
 
 void put(const std::string& path, const std::string& content = "old") { std::ofstream(path) << content; }
@@ -72,7 +72,7 @@ TEST(OutputFile, ALinkThatTakesTheTemporaryFilesPlaceIsNotFollowed) {
     fs::remove(file.temporary());
     fs::create_symlink(elsewhere / "mine", file.temporary());
     EXPECT_THROW(writeText(file, "new"), Error);
-    EXPECT_EQ(contentOf(elsewhere / "mine"), "old");
+    EXPECT_EQ(readContents(elsewhere / "mine"), "old");
 }
 
 TEST(OutputFile, SweepsWhatCrashesLeftAndNothingElse) {

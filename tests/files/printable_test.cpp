@@ -36,12 +36,12 @@ TEST(Printable, ShowsWhatATerminalWouldObey) {
 
 TEST(CodePoints, GoToUtf16AndBack) {
     const std::string text = "a\u00e9\u4e2d\U0001f9ec";
-    EXPECT_EQ(utf16Of(text), u"a\u00e9\u4e2d\U0001f9ec");
-    EXPECT_EQ(utf8Of(utf16Of(text)), text);
+    EXPECT_EQ(toUtf16(text), u"a\u00e9\u4e2d\U0001f9ec");
+    EXPECT_EQ(toUtf8(toUtf16(text)), text);
     EXPECT_EQ(codePoints(text), (std::vector<char32_t>{'a', 0xe9, 0x4e2d, 0x1f9ec}));
-    EXPECT_EQ(utf16Of("\xff z"), u"\ufffd z");
+    EXPECT_EQ(toUtf16("\xff z"), u"\ufffd z");
     const char16_t halves[] = {0xdc00, u'x', 0xd83e, 0};  // of pairs
-    EXPECT_EQ(utf8Of(halves), "\ufffdx\ufffd");
+    EXPECT_EQ(toUtf8(halves), "\ufffdx\ufffd");
 }
 
 TEST(Printable, ShowsBytesThatAreNoText) {

@@ -77,7 +77,7 @@ constexpr Drawn kParts[] = {
     {"sample", Part::sample, RenderSettings::kEdges},
 };
 
-Ending endingOf(Part part) {
+Ending chooseEnding(Part part) {
     return part == Part::motion ? Ending::window : part == Part::sample ? Ending::nextSample : Ending::readBack;
 }
 
@@ -92,7 +92,7 @@ std::string shortly(const FrameChoice& choice) {
     return text;
 }
 
-FrameChoice choiceOf(const Drawn& drawn, const Case& one, const FrameCaps& caps) {
+FrameChoice makeChoice(const Drawn& drawn, const Case& one, const FrameCaps& caps) {
     RenderSettings settings;
     settings.view.width = settings.view.height = 640;
     settings.view.radius = 20;
@@ -100,16 +100,16 @@ FrameChoice choiceOf(const Drawn& drawn, const Case& one, const FrameCaps& caps)
     SceneFacts facts;
     facts.spheres = 1000;
     one.set(settings, facts);
-    return choose({settings, drawn.what, endingOf(drawn.what)}, facts, caps);
+    return choose({settings, drawn.what, chooseEnding(drawn.what)}, facts, caps);
 }
 
 /// Of each part the choices, and the cases that take them.
-std::string tableOf(const FrameCaps& caps) {
+std::string formatTable(const FrameCaps& caps) {
     std::string table;
     for (const Drawn& drawn : kParts) {
         std::vector<std::pair<std::string, std::string>> rows;  // choice, cases
         for (const Case& one : kCases) {
-            const std::string choice = shortly(choiceOf(drawn, one, caps));
+            const std::string choice = shortly(makeChoice(drawn, one, caps));
             const auto same = std::ranges::find(rows, choice, &std::pair<std::string, std::string>::first);
             if (same == rows.end())
                 rows.emplace_back(choice, one.effect);
@@ -128,7 +128,7 @@ TEST(Choose, IsStatedForEveryKindOfDeviceEffectAndPart) {
         for (const FrameCaps& caps : devices) {
             // Frames in motion alone differ among devices of a kind.
             const auto stated = statedChoices().find(kind);
-            EXPECT_EQ(withoutMotion(tableOf(caps)), stated == statedChoices().end() ? "" : stated->second)
+            EXPECT_EQ(withoutMotion(formatTable(caps)), stated == statedChoices().end() ? "" : stated->second)
                 << kind << ", " << caps.plan.name;
         }
 }
@@ -143,7 +143,7 @@ TEST(Choose, HasTheEffectsOfThePart) {
                                                              {"lens", {{Kind::lens, 0}}}};
     for (const Drawn& drawn : kParts)
         for (const Case& one : kCases) {
-            const FrameChoice choice = choiceOf(drawn, one, caps);
+            const FrameChoice choice = makeChoice(drawn, one, caps);
             std::vector<Effect> wanted;
             if (const auto found = effects.find(one.effect); found != effects.end()) wanted = found->second;
             const bool lens = !wanted.empty() && wanted[0].kind == Kind::lens;
@@ -157,35 +157,35 @@ TEST(Choose, HasTheEffectsOfThePart) {
         }
 }
 
-FrameRequest pictureOf(const RenderSettings& settings) { return {settings, Part::whole, Ending::readBack}; }
+FrameRequest makeRequest(const RenderSettings& settings) { return {settings, Part::whole, Ending::readBack}; }
 
 TEST(Choose, OfASceneWithLongListsIsInTheValue) {
     const FrameCaps caps = software(true);
     RenderSettings settings;
     settings.view.width = settings.view.height = 640;
     SceneFacts facts;
-    const FrameChoice edges = choose(pictureOf(settings), facts, caps);
+    const FrameChoice edges = choose(makeRequest(settings), facts, caps);
     EXPECT_EQ(edges.within(6000), edges);
     EXPECT_EQ(edges.within(6001).refinement, Refinement::blocks);
     EXPECT_TRUE(edges.within(6001).givesWay());
     settings.supersample = 1;
-    const FrameChoice single = choose(pictureOf(settings), facts, caps);
+    const FrameChoice single = choose(makeRequest(settings), facts, caps);
     EXPECT_EQ(single.within(28000), single);
     EXPECT_EQ(single.within(28001).path, Visibility::fragdepth);
     EXPECT_FALSE(single.within(28001).shadedByCompute());
     EXPECT_FALSE(single.within(28001).givesWay());
     settings.effects.halos.width = 3;  // which walk through lists twice
-    const FrameChoice halos = choose(pictureOf(settings), facts, caps);
+    const FrameChoice halos = choose(makeRequest(settings), facts, caps);
     EXPECT_EQ(halos.within(14000), halos);
     EXPECT_EQ(halos.within(14001).path, Visibility::deferred);
     settings.effects.halos.width = 0;
     facts.hasTranslucent = true;
-    const FrameChoice layered = choose(pictureOf(settings), facts, caps);
+    const FrameChoice layered = choose(makeRequest(settings), facts, caps);
     EXPECT_TRUE(layered.has(Effect::Kind::tileTranslucency));
     EXPECT_EQ(layered.within(1, 28001).path, Visibility::tiles);
     EXPECT_TRUE(layered.within(1, 28001).has(Effect::Kind::translucency));
     // Paths without lists have nothing that could be too long.
-    const FrameChoice encoded = choose(pictureOf(settings), facts, graph::capabilitySet("adreno"));
+    const FrameChoice encoded = choose(makeRequest(settings), facts, graph::capabilitySet("adreno"));
     EXPECT_EQ(encoded.within(1'000'000, 1'000'000), encoded);
 }
 
@@ -198,7 +198,7 @@ TEST(Choose, HasTheHostFindWhatIsInFrontWhereThatCostsLess) {
     facts.boxed = true;
     facts.radiusPixels = 2;
     facts.spheres = 99'999;
-    const auto host = [&] { return choose(pictureOf(settings), facts, caps).host; };
+    const auto host = [&] { return choose(makeRequest(settings), facts, caps).host; };
     EXPECT_EQ(host(), HostWork::none);
     facts.spheres = 100'000;
     EXPECT_EQ(host(), HostWork::frontSpheres);
@@ -206,7 +206,7 @@ TEST(Choose, HasTheHostFindWhatIsInFrontWhereThatCostsLess) {
         RenderSettings other = settings;
         SceneFacts scene = facts;
         change(other, scene);
-        return choose(pictureOf(other), scene, caps).host;
+        return choose(makeRequest(other), scene, caps).host;
     };
     // Only what FrontSpheres supports.
     EXPECT_EQ(but([](auto& s, auto&) { s.view.projection = Projection::perspective; }), HostWork::none);
@@ -227,9 +227,9 @@ TEST(Choose, HasTheHostFindWhatIsInFrontWhereThatCostsLess) {
     settings = {};
     FrameCaps late = caps;
     late.visibility = Visibility::fragdepth;
-    EXPECT_EQ(choose(pictureOf(settings), facts, late).host, HostWork::hiddenSpheres);
+    EXPECT_EQ(choose(makeRequest(settings), facts, late).host, HostWork::hiddenSpheres);
     late.visibility = Visibility::encoded;
-    EXPECT_EQ(choose(pictureOf(settings), facts, late).host, HostWork::none);
+    EXPECT_EQ(choose(makeRequest(settings), facts, late).host, HostWork::none);
 }
 
 TEST(Choose, ExplainsEveryDecision) {
@@ -240,7 +240,7 @@ TEST(Choose, ExplainsEveryDecision) {
                 settings.supersample = drawn.supersample;
                 SceneFacts facts;
                 one.set(settings, facts);
-                const FrameRequest request{settings, drawn.what, endingOf(drawn.what)};
+                const FrameRequest request{settings, drawn.what, chooseEnding(drawn.what)};
                 const std::vector<Decision> decisions = explain(request, facts, devices[0]);
                 ASSERT_GE(decisions.size(), 8u);
                 for (const Decision& d : decisions) {
@@ -254,7 +254,7 @@ TEST(Choose, ThatDidNotHoldSaysWhy) {
     RenderSettings settings;
     settings.supersample = 1;
     const FrameCaps caps = software(true);
-    const FrameRequest request = pictureOf(settings);
+    const FrameRequest request = makeRequest(settings);
     const FrameChoice drawn = choose(request, {}, caps).within(30'000);
     const std::vector<Decision> decisions = explain(request, {}, caps, drawn);
     EXPECT_EQ(decisions[0].how, "fragdepth");
@@ -268,10 +268,10 @@ TEST(Choose, DrawsLayersOfAtomsByTriangles) {
     const FrameCaps caps = software(true);
     RenderSettings settings;
     settings.supersample = 1;
-    const FrameChoice meshes = choose(pictureOf(settings), scene, caps);
+    const FrameChoice meshes = choose(makeRequest(settings), scene, caps);
     EXPECT_EQ(meshes.effects.size(Effect::Kind::tileTranslucency), kTranslucentLayers);
     scene.hasTranslucentAtoms = true;
-    const FrameChoice atoms = choose(pictureOf(settings), scene, caps);
+    const FrameChoice atoms = choose(makeRequest(settings), scene, caps);
     EXPECT_EQ(atoms.path, meshes.path);
     EXPECT_EQ(atoms.effects.size(Effect::Kind::translucency), kLayersOfAtoms);
     EXPECT_FALSE(atoms.has(Effect::Kind::tileTranslucency));
@@ -283,19 +283,19 @@ TEST(Choose, PutsAVolumeBetweenLayersOfTriangles) {
     const FrameCaps caps = software(true);
     RenderSettings settings;
     settings.supersample = 1;
-    FrameChoice choice = choose(pictureOf(settings), scene, caps);
+    FrameChoice choice = choose(makeRequest(settings), scene, caps);
     EXPECT_TRUE(choice.has(Effect::Kind::volume));
     EXPECT_EQ(choice.shading, Shading::fragments);  // compute leaves no image to blend over
     EXPECT_EQ(choice.layers(), 0u);
     scene.hasTranslucent = true;
-    choice = choose(pictureOf(settings), scene, caps);
+    choice = choose(makeRequest(settings), scene, caps);
     EXPECT_TRUE(choice.has(Effect::Kind::translucency));
     EXPECT_FALSE(choice.has(Effect::Kind::tileTranslucency));  // leaves no depth
     EXPECT_FALSE(choose({settings, Part::pick, Ending::readBack}, scene, caps).has(Effect::Kind::volume));
     settings.supersample = RenderSettings::kEdges;
-    EXPECT_EQ(choose(pictureOf(settings), scene, caps).refinement, Refinement::blocks);
+    EXPECT_EQ(choose(makeRequest(settings), scene, caps).refinement, Refinement::blocks);
     settings.debug = DebugView::normals;
-    EXPECT_FALSE(choose(pictureOf(settings), scene, caps).has(Effect::Kind::volume));
+    EXPECT_FALSE(choose(makeRequest(settings), scene, caps).has(Effect::Kind::volume));
 }
 
 TEST(Choose, RefusesWhatTheDeviceCannotDraw) {
@@ -303,14 +303,14 @@ TEST(Choose, RefusesWhatTheDeviceCannotDraw) {
     RenderSettings settings;
     settings.supersample = 1;
     caps.multisampling = Multisampling::four;
-    EXPECT_EQ(choose(pictureOf(settings), {}, caps).attachmentSamples(), 4u);
+    EXPECT_EQ(choose(makeRequest(settings), {}, caps).attachmentSamples(), 4u);
     settings.effects.contours.width = 1;
-    EXPECT_THROW(choose(pictureOf(settings), {}, caps), Error);
+    EXPECT_THROW(choose(makeRequest(settings), {}, caps), Error);
     settings = {};
     settings.fine = true;
     SceneFacts translucent;
     translucent.hasTranslucent = true;
-    EXPECT_THROW(choose(pictureOf(settings), translucent, caps), Error);
+    EXPECT_THROW(choose(makeRequest(settings), translucent, caps), Error);
 }
 
 }  // namespace

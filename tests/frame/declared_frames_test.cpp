@@ -17,7 +17,7 @@ constexpr ScreenTarget kOnGrey{"colour", VK_FORMAT_R8G8B8A8_SRGB, passes::Output
                                graph::Clear{0.5f}};
 
 FrameShape encodedShape(std::uint32_t width = 64) {
-    FrameShape shape = shapeOf(Visibility::encoded, {width, 48});
+    FrameShape shape = makeShape(Visibility::encoded, {width, 48});
     shape.targets = {&kTarget, 1};
     return shape;
 }

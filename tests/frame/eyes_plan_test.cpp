@@ -9,8 +9,8 @@
 namespace nacre::graph {
 namespace {
 
-FrameShape eyesOf(Visibility path, Extent extent) {
-    FrameShape shape = test::shapeOf(path, extent);
+FrameShape makeEyes(Visibility path, Extent extent) {
+    FrameShape shape = test::makeShape(path, extent);
     shape.choice.views = 2;
     return shape;
 }
@@ -22,10 +22,10 @@ TEST(EyesPlan, StoresFourBytesPerPixelAndEyeAndLoadsNothing) {
         if (path == Visibility::tiles || !set.plan.tileSubpasses) continue;
         SCOPED_TRACE(set.plan.name);
         for (const Visibility one : {path, Visibility::encoded, Visibility::fragdepth, Visibility::deferred}) {
-            FrameShape shape = eyesOf(one, kExtent);
+            FrameShape shape = makeEyes(one, kExtent);
             shape.choice.encoded = set.encoded;
             if (one == Visibility::rasterOrder && !set.plan.rasterOrder) continue;
-            const Frame frame = test::frameOf(shape);
+            const Frame frame = test::makeFrame(shape);
             const Plan plan = compile(frame.graph, set.plan);
             ASSERT_EQ(plan.steps.size(), 1u) << visibilityName(one);
             const RenderPassPlan& pass = plan.steps[0].renderPass;
@@ -36,7 +36,7 @@ TEST(EyesPlan, StoresFourBytesPerPixelAndEyeAndLoadsNothing) {
                 EXPECT_EQ(a.transient, set.plan.transient && a.image != frame.targets[0].index) << visibilityName(one);
             // Both eyes are on their tiles one after the other: they take no more of it than one.
             shape.choice.views = 1;
-            const Frame single = test::frameOf(shape);
+            const Frame single = test::makeFrame(shape);
             const Plan of = compile(single.graph, set.plan);
             EXPECT_EQ(tileBytesPerPixel(plan), tileBytesPerPixel(of));
             EXPECT_EQ(pass.dependencies, of.steps[0].renderPass.dependencies);
@@ -46,13 +46,13 @@ TEST(EyesPlan, StoresFourBytesPerPixelAndEyeAndLoadsNothing) {
 }
 
 TEST(EyesPlan, TheTextSaysHowManyViewsARenderPassDraws) {
-    const Frame frame = test::frameOf(eyesOf(Visibility::encoded, {64, 48}));
+    const Frame frame = test::makeFrame(makeEyes(Visibility::encoded, {64, 48}));
     const std::string text = describe(frame.graph, compile(frame.graph, capabilitySet("adreno").plan));
     EXPECT_TRUE(text.starts_with("render pass 64x48, 2 views\n")) << text;
 }
 
 TEST(EyesPlan, ADeviceWithoutMultiviewRefuses) {
-    const Frame frame = test::frameOf(eyesOf(Visibility::encoded, {64, 48}));
+    const Frame frame = test::makeFrame(makeEyes(Visibility::encoded, {64, 48}));
     PlanCaps caps = capabilitySet("adreno").plan;
     caps.maxViews = 1;
     try {
@@ -79,7 +79,7 @@ TEST(EyesPlan, ImportedImagesKeepTheirLayers) {
 }
 
 /// What is said of the views of a frame that both eyes ask for.
-Decision viewsOf(const FrameCaps& caps, RenderSettings settings, const SceneFacts& scene = {}) {
+Decision describeViews(const FrameCaps& caps, RenderSettings settings, const SceneFacts& scene = {}) {
     settings.supersample = settings.supersample == RenderSettings::kEdges ? 1 : settings.supersample;
     for (const Decision& decision : explain({settings, Part::whole, Ending::readBack, 0, false, true}, scene, caps))
         if (decision.what == "views") return decision;
@@ -97,14 +97,14 @@ RenderSettings eyesSettings() {
 TEST(EyesPlan, OneFrameWhereItCanElseTheReason) {
     const FrameCaps caps = capabilitySet("adreno");
     const RenderSettings plain = eyesSettings();
-    EXPECT_EQ(viewsOf(caps, plain).how, "both eyes in one frame");
+    EXPECT_EQ(describeViews(caps, plain).how, "both eyes in one frame");
     EXPECT_TRUE(explain({plain, Part::whole, Ending::readBack}, {}, caps).back().what != "views");
     const auto refused = [&](auto change, const char* why) {
         FrameCaps device = caps;
         RenderSettings settings = plain;
         SceneFacts scene;
         change(device, settings, scene);
-        const Decision views = viewsOf(device, settings, scene);
+        const Decision views = describeViews(device, settings, scene);
         EXPECT_EQ(views.how, "a frame for each eye") << why;
         EXPECT_NE(views.why.find(why), std::string::npos) << views.why;
     };

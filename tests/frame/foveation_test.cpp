@@ -18,7 +18,7 @@ namespace {
 constexpr graph::Extent kHeadset{1680, 1760};
 
 /// An eye of a headset: 45 to 55 degrees to each side.
-View eyeOf(bool right) {
+View commandEye(bool right) {
     View view;
     view.width = kHeadset.width, view.height = kHeadset.height;
     view.projection = Projection::perspective;
@@ -28,10 +28,10 @@ View eyeOf(bool right) {
     return view;
 }
 
-std::array<EyeAxis, 2> axes() { return {axisOf(eyeOf(false)), axisOf(eyeOf(true))}; }
+std::array<EyeAxis, 2> axes() { return {axisIndex(commandEye(false)), axisIndex(commandEye(true))}; }
 
 /// From the eye to a point of its picture, as View says where that is.
-glm::dvec3 directionOf(const View& view, double x, double y) {
+glm::dvec3 loadDirection(const View& view, double x, double y) {
     const double perPixel = 1 / view.pixelsPerAngstrom;
     return glm::normalize(glm::dvec3((x - view.width / 2.0) * perPixel - view.pan.x,
                                      (view.height / 2.0 - y) * perPixel - view.pan.y, -view.eyeDistance));
@@ -50,7 +50,7 @@ TEST(Foveation, NoFragmentIsWiderThanWhatAnEyeTellsApart) {
     ASSERT_EQ(bytes.size(), 2u * 2 * 53 * 55);
     double fragments = 0;
     for (std::uint32_t eye = 0; eye < 2; ++eye) {
-        const View view = eyeOf(eye == 1);
+        const View view = commandEye(eye == 1);
         for (std::uint32_t y = 0; y < 55; ++y)
             for (std::uint32_t x = 0; x < 53; ++x) {
                 const std::size_t at = 2 * (std::size_t{eye} * 53 * 55 + y * 53 + x);
@@ -60,10 +60,10 @@ TEST(Foveation, NoFragmentIsWiderThanWhatAnEyeTellsApart) {
                 fragments += 1 / (side * side);
                 for (const glm::dvec2 corner : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
                     const glm::dvec2 p = (glm::dvec2(x, y) + corner) * double{kTexel};
-                    const glm::dvec3 seen = directionOf(view, p.x, p.y);
+                    const glm::dvec3 seen = loadDirection(view, p.x, p.y);
                     const double beyond = std::max(0.0, degreesBetween(seen, {0, 0, -1}) - 15);
-                    const double wide = std::max(degreesBetween(seen, directionOf(view, p.x + side, p.y)),
-                                                 degreesBetween(seen, directionOf(view, p.x, p.y + side)));
+                    const double wide = std::max(degreesBetween(seen, loadDirection(view, p.x + side, p.y)),
+                                                 degreesBetween(seen, loadDirection(view, p.x, p.y + side)));
                     const double told = side > 1 ? 1.0 / 48 + 1.32 / 60 * beyond : wide;
                     ASSERT_LE(wide, 1.01 * told) << x << ' ' << y;
                 }
@@ -80,15 +80,15 @@ TEST(Foveation, NoFragmentIsWiderThanWhatAnEyeTellsApart) {
 }
 
 TEST(Foveation, AMovingHeadKeepsItsMap) {
-    View nearer = eyeOf(false);
+    View nearer = commandEye(false);
     nearer.pan *= 0.5;
     nearer.eyeDistance *= 0.5, nearer.pixelsPerAngstrom *= 2;
-    EXPECT_TRUE(alike(axisOf(nearer), axisOf(eyeOf(false))));
-    EXPECT_FALSE(alike(axisOf(eyeOf(true)), axisOf(eyeOf(false))));
+    EXPECT_TRUE(alike(axisIndex(nearer), axisIndex(commandEye(false))));
+    EXPECT_FALSE(alike(axisIndex(commandEye(true)), axisIndex(commandEye(false))));
 }
 
 FrameShape foveated(Visibility path) {
-    FrameShape shape = test::shapeOf(path, kHeadset);
+    FrameShape shape = test::makeShape(path, kHeadset);
     shape.choice.views = 2;
     shape.choice.foveated = true;
     shape.density = densityMapFor(kHeadset, 2, 32);
@@ -100,7 +100,7 @@ TEST(Foveation, AMapIsLoadedAndNothingElseChanges) {
     for (const Visibility path : {Visibility::encoded, Visibility::fragdepth, Visibility::deferred}) {
         SCOPED_TRACE(visibilityName(path));
         FrameShape shape = foveated(path);
-        const Frame frame = test::frameOf(shape);
+        const Frame frame = test::makeFrame(shape);
         const graph::Plan plan = graph::compile(frame.graph, caps);
         ASSERT_EQ(plan.steps.size(), 1u);
         const graph::RenderPassPlan& pass = plan.steps[0].renderPass;
@@ -122,7 +122,7 @@ TEST(Foveation, AMapIsLoadedAndNothingElseChanges) {
         EXPECT_TRUE(plan.steps[0].before.empty());
         EXPECT_TRUE(plan.after.empty());
         shape.choice.foveated = false;
-        const Frame even = test::frameOf(shape);
+        const Frame even = test::makeFrame(shape);
         const graph::Plan plain = graph::compile(even.graph, caps);
         const graph::RenderPassPlan& evenPass = plain.steps[0].renderPass;
         EXPECT_EQ(evenPass.density, -1);
@@ -190,8 +190,8 @@ TEST_F(Maps, BelongToAWholeRenderPass) {
 }
 
 /// What is said of the foveation of a headset's frame.
-Decision foveationOf(const graph::FrameCaps& caps, const RenderSettings& settings = {}, const SceneFacts& scene = {},
-                     bool headset = true) {
+Decision chooseFoveation(const graph::FrameCaps& caps, const RenderSettings& settings = {},
+                         const SceneFacts& scene = {}, bool headset = true) {
     for (const Decision& decision :
          explain({settings, Part::motion, Ending::window, 0, false, true, headset}, scene, caps))
         if (decision.what == "foveation") return decision;
@@ -201,21 +201,22 @@ Decision foveationOf(const graph::FrameCaps& caps, const RenderSettings& setting
 TEST(Foveation, IsChosenForHeadsetsAloneElseTheReason) {
     graph::FrameCaps caps = graph::capabilitySet("turnip");
     RenderSettings plain;
-    plain.view = eyeOf(false);
+    plain.view = commandEye(false);
     plain.view.other = View::OtherEye{-1, 1};
-    EXPECT_EQ(foveationOf(caps, plain).how, "by a fragment density map");
-    EXPECT_EQ(foveationOf(caps, plain, {}, false).how, "");
+    EXPECT_EQ(chooseFoveation(caps, plain).how, "by a fragment density map");
+    EXPECT_EQ(chooseFoveation(caps, plain, {}, false).how, "");
     // Paths that read an attachment say what Vulkan leaves to the driver.
-    EXPECT_NE(foveationOf(caps, plain).why.find("each reads the depth or number of one of them"), std::string::npos);
+    EXPECT_NE(chooseFoveation(caps, plain).why.find("each reads the depth or number of one of them"),
+              std::string::npos);
     caps.visibility = Visibility::fragdepth;
-    EXPECT_EQ(foveationOf(caps, plain).why, "fragments of several pixels where no eye looks");
+    EXPECT_EQ(chooseFoveation(caps, plain).why, "fragments of several pixels where no eye looks");
     caps.visibility = Visibility::automatic;
     const auto refused = [&](auto change, const char* why) {
         graph::FrameCaps device = caps;
         RenderSettings settings = plain;
         SceneFacts scene;
         change(device, settings, scene);
-        const Decision said = foveationOf(device, settings, scene);
+        const Decision said = chooseFoveation(device, settings, scene);
         EXPECT_EQ(said.how, "a fragment per pixel") << why;
         EXPECT_NE(said.why.find(why), std::string::npos) << said.why;
     };

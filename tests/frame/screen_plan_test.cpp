@@ -11,12 +11,12 @@ namespace {
 constexpr Extent kScreen{100, 50};
 /// The screen frame as the renderer declares it.
 Graph frameBy(Visibility visibility, bool prepass = true, bool edges = false) {
-    FrameShape shape = test::shapeOf(visibility, kScreen);
+    FrameShape shape = test::makeShape(visibility, kScreen);
     shape.choice.prepass = prepass;
     if (edges) shape.choice.samples = {Samples::Where::edges, 16};
     for (const EncodedFormat& format : encodedFormats())
         if (format.rung == EncodedDepth::rgba16f) shape.choice.encoded = format;
-    return std::move(test::frameOf(shape).graph);
+    return std::move(test::makeFrame(shape).graph);
 }
 
 TEST(ScreenPlan, PlatesThatRejectNothingAreNotDrawn) {
@@ -74,9 +74,9 @@ TEST(ScreenPlan, EdgesByTilesAreAComputePassAndAPassOfTheSameSubpass) {
 
 /// The screen frame by four samples of a pixel.
 std::string fourSamplesOn(const char* set, Visibility visibility) {
-    FrameShape shape = test::shapeOf(visibility, kScreen);
+    FrameShape shape = test::makeShape(visibility, kScreen);
     shape.choice.samples = {Samples::Where::resolved, kMultisamples};
-    const Frame frame = test::frameOf(shape);
+    const Frame frame = test::makeFrame(shape);
     return describe(frame.graph, compile(frame.graph, capabilitySet(set).plan));
 }
 
@@ -122,9 +122,9 @@ TEST(ScreenPlan, MaliEncodedIsOneRenderPassOfThreeSubpasses) {
 }
 
 TEST(ScreenPlan, MaliEncodesDepthInRasterOrderAndReadsItOnTheTile) {
-    FrameShape shape = test::shapeOf(Visibility::encoded, kScreen);
+    FrameShape shape = test::makeShape(Visibility::encoded, kScreen);
     shape.choice.encoded = capabilitySet("mali").encoded;
-    const Frame frame = test::frameOf(shape);
+    const Frame frame = test::makeFrame(shape);
     const Plan plan = compile(frame.graph, capabilitySet("mali").plan);
     EXPECT_EQ(describe(frame.graph, plan),
               "render pass 100x50\n"

@@ -21,7 +21,7 @@ RenderSettings phoneSettings() {
     return settings;
 }
 
-std::string fitOf(const RenderSettings& settings, const SceneFacts& facts, const graph::FrameCaps& caps) {
+std::string describeFit(const RenderSettings& settings, const SceneFacts& facts, const graph::FrameCaps& caps) {
     for (const Decision& d : explain({settings, Part::motion, Ending::window}, facts, caps))
         if (d.what == "vertex outputs") return d.how + ": " + d.why;
     return "as they are";
@@ -32,34 +32,34 @@ struct Scene {
     double radius = 2;
 };
 
-std::string fitOf(const char* set, Visibility path, const Scene& scene) {
+std::string describeFit(const char* set, Visibility path, const Scene& scene) {
     graph::FrameCaps caps = graph::capabilitySet(set);
     caps.visibility = path;
     SceneFacts facts;
     facts.spheres = scene.spheres, facts.triangles = scene.triangles, facts.radiusPixels = scene.radius;
-    return fitOf(phoneSettings(), facts, caps);
+    return describeFit(phoneSettings(), facts, caps);
 }
 
 TEST(VertexLimitOfClasses, IsKeptByMaliWithTheFewestRenderPasses) {
     using V = Visibility;
     const Scene small{700'000}, surface{0, 2'388'000}, capsid{1'030'000}, huge{4'000'000}, close{800'000, 0, 12};
-    EXPECT_EQ(fitOf("mali", V::automatic, small), "as they are");
-    EXPECT_EQ(fitOf("mali", V::automatic, surface),
+    EXPECT_EQ(describeFit("mali", V::automatic, small), "as they are");
+    EXPECT_EQ(describeFit("mali", V::automatic, surface),
               "1 render pass without plates: they would be 258 MB, and a render pass gets at most 150 MB");
-    EXPECT_EQ(fitOf("mali", V::encoded, surface),
+    EXPECT_EQ(describeFit("mali", V::encoded, surface),
               "2 render passes without plates: they would be 401 MB, and a render pass gets at most 150 MB");
-    EXPECT_EQ(fitOf("mali", V::automatic, capsid),
+    EXPECT_EQ(describeFit("mali", V::automatic, capsid),
               "1 render pass without plates: they would be 198 MB, and a render pass gets at most 150 MB");
-    EXPECT_EQ(fitOf("mali-old", V::automatic, capsid),
+    EXPECT_EQ(describeFit("mali-old", V::automatic, capsid),
               "2 render passes without plates: they would be 330 MB, and a render pass gets at most 150 MB");
-    EXPECT_EQ(fitOf("mali", V::automatic, huge),
+    EXPECT_EQ(describeFit("mali", V::automatic, huge),
               "4 render passes without plates: they would be 768 MB, and a render pass gets at most 150 MB");
-    EXPECT_EQ(fitOf("mali", V::fragdepth, huge),
+    EXPECT_EQ(describeFit("mali", V::fragdepth, huge),
               "4 render passes without plates: they would be 768 MB, and a render pass gets at most 150 MB");
     // Octagons as plates are more than squares.
-    EXPECT_EQ(fitOf("mali", V::automatic, {780'000, 0, 12}),
+    EXPECT_EQ(describeFit("mali", V::automatic, {780'000, 0, 12}),
               "1 render pass of squares: they would be 200 MB, and a render pass gets at most 150 MB");
-    EXPECT_EQ(fitOf("mali", V::automatic, close).find("1 render pass without plates"), 0u);
+    EXPECT_EQ(describeFit("mali", V::automatic, close).find("1 render pass without plates"), 0u);
 }
 
 TEST(VertexLimitOfClasses, IsNoneElsewhere) {
@@ -67,19 +67,19 @@ TEST(VertexLimitOfClasses, IsNoneElsewhere) {
     for (const graph::CapabilitySet& set : graph::capabilitySets()) {
         const bool mali = set.plan.name == "mali" || set.plan.name == "mali-old";
         EXPECT_EQ(set.plan.geometry.mostVertexBytes, mali ? kMali : 0) << set.plan.name;
-        EXPECT_EQ(fitOf(set.plan.name.c_str(), Visibility::automatic, {4'000'000}) != "as they are", mali);
+        EXPECT_EQ(describeFit(set.plan.name.c_str(), Visibility::automatic, {4'000'000}) != "as they are", mali);
         limited += mali;
     }
     EXPECT_EQ(limited, 2u);
 }
 
 /// The largest render pass of a frame's plan, bytes of vertex outputs.
-std::uint64_t largestOf(const FrameRequest& request, const SceneFacts& facts, const graph::FrameCaps& caps) {
+std::uint64_t findLargest(const FrameRequest& request, const SceneFacts& facts, const graph::FrameCaps& caps) {
     FrameShape shape;
     shape.choice = choose(request, facts, caps);
     shape.choice.ending = Ending::left;
     shape.extent = {64, 64};
-    shape.targets = targetsOf(shape.choice);
+    shape.targets = screenTargets(shape.choice);
     Frame frame = declareFrame(shape);
     for (const graph::Image target : frame.targets) frame.graph.output(target);
     const graph::Plan plan = graph::compile(frame.graph, caps.plan);
@@ -88,18 +88,18 @@ std::uint64_t largestOf(const FrameRequest& request, const SceneFacts& facts, co
     counts.light = facts.light;
     const VertexOutputs& vertices = shape.choice.vertices;
     const std::vector<PassGeometry> passes =
-        geometryOf(frame.graph, counts, caps.plan.geometry, vertices.plates, vertices.impostor);
+        describeGeometry(frame.graph, counts, caps.plan.geometry, vertices.plates, vertices.impostor);
     std::uint64_t largest = 0, drawn = 0;
-    for (const std::uint64_t bytes : vertexBytesOf(plan, passes)) largest = std::max(largest, bytes), drawn += bytes;
+    for (const std::uint64_t bytes : countVertexBytes(plan, passes)) largest = std::max(largest, bytes), drawn += bytes;
     // Nothing is left out, and nothing drawn twice.
     FrameShape whole = shape;
     whole.choice.vertices = {};
     whole.choice.vertices.plates = vertices.plates;
     whole.choice.vertices.impostor = vertices.impostor;
     const Frame once = declareFrame(whole);
-    EXPECT_EQ(
-        drawn,
-        sumOf(geometryOf(once.graph, counts, caps.plan.geometry, vertices.plates, vertices.impostor)).varyingBytes);
+    EXPECT_EQ(drawn,
+              sumGeometry(describeGeometry(once.graph, counts, caps.plan.geometry, vertices.plates, vertices.impostor))
+                  .varyingBytes);
     return largest;
 }
 
@@ -127,7 +127,7 @@ TEST(VertexLimitOfPlans, IsNeverExceeded) {
         caps.visibility = kPaths[random() % 5];
         const Part part = kPartsOfFrames[random() % 5];
         const FrameRequest request{settings, part, part == Part::motion ? Ending::window : Ending::readBack};
-        EXPECT_LE(largestOf(request, facts, caps), kMali)
+        EXPECT_LE(findLargest(request, facts, caps), kMali)
             << i << ": " << visibilityName(caps.visibility) << ", part " << static_cast<int>(part) << ", "
             << facts.spheres << " spheres, " << facts.cylinders << " cylinders, " << facts.triangles << " triangles";
         const VertexOutputs& v = choose(request, facts, caps).vertices;

@@ -13,7 +13,7 @@ constexpr ScreenTarget kWindow{
     "window", VK_FORMAT_B8G8R8A8_SRGB, passes::Output::color, "impostor colour", Clear{1.0f}, &kWindowState};
 
 Frame windowFrame(Visibility visibility, Extent extent) {
-    FrameShape shape = test::shapeOf(visibility, extent);
+    FrameShape shape = test::makeShape(visibility, extent);
     shape.targets = {&kWindow, 1};
     Frame frame = declareFrame(shape);
     frame.graph.graphics("overlay").color(frame.targets[0]);
@@ -43,7 +43,7 @@ TEST(WindowFrame, TheOverlayIsDrawnInTheFinalSubpassAndTheDisplayGetsTheImage) {
 }
 
 TEST(WindowFrame, WhatIsDrawnOverFourSamplesIsResolvedWithThem) {
-    FrameShape shape = test::shapeOf(Visibility::fragdepth, {64, 48});
+    FrameShape shape = test::makeShape(Visibility::fragdepth, {64, 48});
     shape.targets = {&kWindow, 1};
     shape.choice.samples = {Samples::Where::resolved, kMultisamples};
     Frame frame = declareFrame(shape);

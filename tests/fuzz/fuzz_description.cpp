@@ -61,7 +61,7 @@ void look(const std::string& text) {
 /// A line of `nacre batch`.
 void job(const std::string& text) {
     app::PictureDescription description;
-    app::setOptions(app::optionValuesOf(text), description);
+    app::setOptions(app::parseOptionValues(text), description);
     app::completePicture(description);
 }
 
@@ -71,7 +71,7 @@ void table(const std::string& text) {
     look.colorFrom.push_back(Coloring(ColorScheme::table));
     look.colorFrom[0].table = std::make_shared<const ColorTable>(app::readColorTable(text, "input", ""));
     const std::vector<std::uint32_t> drawn = drawnAtoms(molecule());
-    require(appearanceOf(molecule(), drawn, look).seen == drawn.size(), "hides atoms", text);
+    require(makeAppearance(molecule(), drawn, look).seen == drawn.size(), "hides atoms", text);
 }
 
 /// Geometry as JSON, and the scene that it makes.
@@ -81,7 +81,7 @@ void primitives(const std::string& text) {
     addPrimitives(read, scene);
     require(std::isfinite(scene.radius), "reaches to infinity", text);
     require(scene.spheres.size() == scene.sphereLooks.size(), "has spheres without looks", text);
-    boundsOf(read);
+    computeBounds(read);
 }
 
 void (*part)(const std::string&) = nullptr;

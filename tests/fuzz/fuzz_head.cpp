@@ -27,7 +27,7 @@ public:
     Answers() {
         set_payload_max_length(kMostBodyBytes);
         set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
-            const std::optional<Problem> refusal = refusalOf(request, true);
+            const std::optional<Problem> refusal = checkRequest(request, true);
             if (!refusal) return HandlerResponse::Unhandled;
             require(refusal->status >= 400 && refusal->status < 500, "is refused as the server's fault");
             response.status = refusal->status;
@@ -37,7 +37,7 @@ public:
         const auto answer = [](const httplib::Request& request, httplib::Response& response) {
             require(request.ranges.empty(), "has ranges");
             try {
-                Query query = queryOf(request);
+                Query query = parseQuery(request);
                 const std::string session = taken(query, "session");
                 for (const auto& [key, value] : query)
                     require(key.find('\0') == std::string::npos && value.find('\0') == std::string::npos,

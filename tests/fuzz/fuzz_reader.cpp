@@ -56,7 +56,7 @@ void draw(const nacre::Molecule& molecule, std::size_t choice) {
     nacre::Representation scene = nacre::represent(molecule, drawn, look);
     nacre::RenderSettings settings;
     settings.supersample = 1;
-    settings.view = nacre::viewOf({}, scene.radius, 24, 24);
+    settings.view = nacre::makeView({}, scene.radius, 24, 24);
     settings.occlusion.directions = 1;
     static nacre::Renderer renderer{nacre::DeviceOptions{}};
     renderer.setScene(std::move(scene));

@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
         const Molecule molecule = app::mvs::buildScene(scene.tree, 0, scene.name, sources);
         const ResidueFacts facts(molecule);
         const GuidedLayers layers = guidedLayers(facts, {}, {});
-        representLayers(facts, layers, {}, boundsOf(molecule, layers.layers));
+        representLayers(facts, layers, {}, computeBounds(molecule, layers.layers));
     } catch (const Error&) {
     }
     return 0;

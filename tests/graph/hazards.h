@@ -22,7 +22,7 @@ struct Access {
 };
 
 /// How a verb touches memory, by the specification's tables of stages and accesses.
-inline Access accessOf(Verb verb, PassKind kind) {
+inline Access verbAccess(Verb verb, PassKind kind) {
     const VkPipelineStageFlags shader =
         kind == PassKind::compute ? VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT;
     constexpr VkPipelineStageFlags kTests =

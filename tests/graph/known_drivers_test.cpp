@@ -21,7 +21,7 @@ DriverIdentity identity(std::uint32_t vendor, VkDriverId driver, std::string_vie
     return of;
 }
 
-Visibility pathOf(const DeviceClass& device) {
+Visibility pickPath(const DeviceClass& device) {
     FrameCaps caps = *device.set;
     caps.kind = device.kind;
     return choosePath(caps).visibility;
@@ -77,16 +77,16 @@ TEST(KnownDrivers, TellTilersByVendorDriverAndDevice) {
         DriverIdentity of = identity(told.vendor, told.driver, told.device);
         of.vulkan = told.vulkan;
         of.version = told.version;
-        const DeviceClass found = classOf(of);
+        const DeviceClass found = classifyDriver(of);
         EXPECT_EQ(found.set->plan.name, told.set);
         EXPECT_EQ(found.kind, DeviceKind::tiler);  // without lazily allocated memory
-        EXPECT_EQ(pathOf(found), told.visibility);
+        EXPECT_EQ(pickPath(found), told.visibility);
         met.insert(found.row);
     }
     for (const int driver : {26, 28}) {  // Honeykrisp, KosmicKrisp
-        const DeviceClass apple = classOf(identity(0x106B, static_cast<VkDriverId>(driver), "Apple M2"));
+        const DeviceClass apple = classifyDriver(identity(0x106B, static_cast<VkDriverId>(driver), "Apple M2"));
         EXPECT_EQ(apple.kind, DeviceKind::layered);
-        EXPECT_EQ(pathOf(apple), Visibility::fragdepth);
+        EXPECT_EQ(pickPath(apple), Visibility::fragdepth);
         met.insert(apple.row);
     }
     // Each row has a device here, and a source.
@@ -99,17 +99,17 @@ TEST(KnownDrivers, TellTilersByVendorDriverAndDevice) {
 
 TEST(KnownDrivers, WhatNobodyKnowsGoesByItsMemory) {
     DriverIdentity of = identity(0x10DE, VK_DRIVER_ID_NVIDIA_PROPRIETARY, "NVIDIA H200");
-    EXPECT_EQ(classOf(of).kind, DeviceKind::immediate);
-    EXPECT_EQ(classOf(of).row, nullptr);
+    EXPECT_EQ(classifyDriver(of).kind, DeviceKind::immediate);
+    EXPECT_EQ(classifyDriver(of).row, nullptr);
     of.lazyMemory = true;
-    EXPECT_EQ(classOf(of).kind, DeviceKind::tiler);
-    EXPECT_EQ(classOf(of).set->plan.name, "desktop");
+    EXPECT_EQ(classifyDriver(of).kind, DeviceKind::tiler);
+    EXPECT_EQ(classifyDriver(of).set->plan.name, "desktop");
 }
 
 TEST(KnownDrivers, AVersionIsPartOfAnIdentity) {
     DriverIdentity xclipse = identity(0x144D, VK_DRIVER_ID_SAMSUNG_PROPRIETARY, "Samsung Xclipse 940");
     xclipse.vulkan = VK_API_VERSION_1_3;
-    EXPECT_EQ(classOf(xclipse).row, nullptr);
+    EXPECT_EQ(classifyDriver(xclipse).row, nullptr);
 
     const auto told = [](Quirk quirk, std::uint32_t vendor, VkDriverId driver, const char* device, std::uint32_t major,
                          std::uint32_t minor) {
@@ -161,13 +161,13 @@ TEST(KnownDrivers, AVersionIsPartOfAnIdentity) {
 TEST(KnownDrivers, SoftwareAndLayersAreWhatTheyAre) {
     DriverIdentity of = identity(kArmId, VK_DRIVER_ID_MESA_LLVMPIPE, "llvmpipe (LLVM 15.0.6, 256 bits)");
     of.software = true;
-    EXPECT_EQ(classOf(of).kind, DeviceKind::software);
+    EXPECT_EQ(classifyDriver(of).kind, DeviceKind::software);
     of.lazyMemory = true;  // a phone that is played
-    EXPECT_EQ(classOf(of).kind, DeviceKind::tiler);
+    EXPECT_EQ(classifyDriver(of).kind, DeviceKind::tiler);
     DriverIdentity apple = identity(0x106B, VK_DRIVER_ID_MOLTENVK, "Apple M2");
     apple.portable = apple.lazyMemory = true;
-    EXPECT_EQ(classOf(apple).kind, DeviceKind::layered);
-    EXPECT_EQ(classOf(apple).set->plan.name, "apple-moltenvk");
+    EXPECT_EQ(classifyDriver(apple).kind, DeviceKind::layered);
+    EXPECT_EQ(classifyDriver(apple).set->plan.name, "apple-moltenvk");
 }
 
 }  // namespace

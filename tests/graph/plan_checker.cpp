@@ -80,13 +80,13 @@ private:
     void expected() {
         std::vector<Content> images = memory_, buffers = bufferContents_;
         for (std::uint32_t p = 0; p < g_.passes().size(); ++p) {
-            found_.push_back(inputsOf(p, images, buffers));
+            found_.push_back(joinInputs(p, images, buffers));
             write(p, images, buffers);
         }
         finalImages_ = images;
         finalBuffers_ = buffers;
     }
-    Content inputsOf(std::uint32_t p, const std::vector<Content>& images, const std::vector<Content>& buffers) const {
+    Content joinInputs(std::uint32_t p, const std::vector<Content>& images, const std::vector<Content>& buffers) const {
         Content all = 3;
         for (const graph::Use& use : g_.passes()[p].uses) {
             const bool old = use.verb == Verb::color || use.verb == Verb::ordered || use.verb == Verb::depth;
@@ -96,7 +96,7 @@ private:
         return all;
     }
     void write(std::uint32_t p, std::vector<Content>& images, std::vector<Content>& buffers) const {
-        const Content all = mix(inputsOf(p, images, buffers), p + 100);
+        const Content all = mix(joinInputs(p, images, buffers), p + 100);
         for (const graph::Use& use : g_.passes()[p].uses)
             if (graph::isWrite(use.verb)) (use.isImage ? images : buffers)[use.resource] = mix(all, use.resource);
     }
@@ -125,13 +125,13 @@ private:
                 fault(g_.images()[use.resource].name + " is cleared wrongly for pass " + std::to_string(p));
             const Verb verb = isSampled(p, use) ? Verb::samples : use.verb;
             if (use.isImage && verb <= Verb::input) continue;
-            const Access a = accessOf(verb, kind);
+            const Access a = verbAccess(verb, kind);
             Resource& r = use.isImage ? images_[use.resource] : buffers_[use.resource];
             if (use.isImage && r.layout != a.layout)
                 fault(r.name + " is in the wrong layout for pass " + std::to_string(p));
             note(r, r.touch(a, scope, false));
         }
-        if (frame_ == 0 && inputsOf(p, memory_, bufferContents_) != found_[p])
+        if (frame_ == 0 && joinInputs(p, memory_, bufferContents_) != found_[p])
             fault("pass " + std::to_string(p) + " finds other contents than declared");
         if (plan_.culled[p]) fault("pass " + std::to_string(p) + " was culled, but runs");
         write(p, memory_, bufferContents_);
@@ -142,7 +142,7 @@ private:
         std::vector<int> first(rp.attachments.size(), -1), last(rp.attachments.size(), -1);
         for (std::size_t s = 0; s < rp.subpasses.size(); ++s)
             for (std::uint32_t a = 0; a < rp.attachments.size(); ++a)
-                if (Verb v{}; verbOf(rp.subpasses[s], a, v)) {
+                if (Verb v{}; findVerb(rp.subpasses[s], a, v)) {
                     if (first[a] < 0) first[a] = static_cast<int>(s);
                     last[a] = static_cast<int>(s);
                 }
@@ -152,12 +152,12 @@ private:
             for (const std::uint32_t p : rp.subpasses[s].passes) pass(p, PassKind::graphics, scope);
             for (std::uint32_t a = 0; a < rp.attachments.size(); ++a) {
                 Verb verb{};
-                if (!verbOf(rp.subpasses[s], a, verb)) {
+                if (!findVerb(rp.subpasses[s], a, verb)) {
                     checkPreserved(rp, s, a, first[a], last[a]);
                     continue;
                 }
                 Resource& r = images_[rp.attachments[a].image];
-                note(r, r.touch(accessOf(verb, PassKind::graphics), scope, true));
+                note(r, r.touch(verbAccess(verb, PassKind::graphics), scope, true));
                 if (last[a] == scope) store(rp.attachments[a], r, scope);
             }
         }
@@ -165,7 +165,7 @@ private:
         for (Resource& r : buffers_) r.leaveRenderPass();
     }
 
-    static bool verbOf(const graph::Subpass& subpass, std::uint32_t a, Verb& verb) {
+    static bool findVerb(const graph::Subpass& subpass, std::uint32_t a, Verb& verb) {
         const auto has = [a](const std::vector<std::uint32_t>& list) {
             return std::find(list.begin(), list.end(), a) != list.end();
         };
@@ -181,10 +181,10 @@ private:
         const int scope = static_cast<int>(s);
         for (std::uint32_t a = 0; a < rp.attachments.size(); ++a) {
             Verb verb{};
-            if (!verbOf(rp.subpasses[s], a, verb)) continue;
+            if (!findVerb(rp.subpasses[s], a, verb)) continue;
             const graph::Attachment& at = rp.attachments[a];
             Resource& r = images_[at.image];
-            const VkImageLayout wanted = accessOf(verb, PassKind::graphics).layout;
+            const VkImageLayout wanted = verbAccess(verb, PassKind::graphics).layout;
             if (first[a] == scope) {
                 if (at.initialLayout != VK_IMAGE_LAYOUT_UNDEFINED && at.initialLayout != r.layout)
                     fault(r.name + " enters the render pass in another layout");
@@ -203,7 +203,7 @@ private:
         }
     }
 
-    static Sync syncOf(const graph::Dependency& d) {
+    static Sync makeSync(const graph::Dependency& d) {
         const bool outside = d.from == VK_SUBPASS_EXTERNAL;
         return {
             d.fromStages,           d.toStages, d.fromAccess, d.toAccess, outside ? kOutside : static_cast<int>(d.from),
@@ -212,7 +212,7 @@ private:
 
     void applyDependencies(const graph::RenderPassPlan& rp, Resource& r, int scope) {
         for (const graph::Dependency& d : rp.dependencies)
-            if (static_cast<int>(d.to) == scope) r.apply(syncOf(d));
+            if (static_cast<int>(d.to) == scope) r.apply(makeSync(d));
     }
 
     /// All dependencies into the subpass act together.
@@ -234,7 +234,7 @@ private:
 
     void load(const graph::Attachment& at, Resource& r, int scope) {
         const bool depth = graph::isDepthFormat(at.format);
-        Access a = accessOf(depth ? Verb::depth : Verb::color, PassKind::graphics);
+        Access a = verbAccess(depth ? Verb::depth : Verb::color, PassKind::graphics);
         a.writes = at.load != graph::Load::load;
         if (depth) a.stages = VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT;
         a.access &= a.writes ? kWrites : ~kWrites;
@@ -247,7 +247,7 @@ private:
     void store(const graph::Attachment& at, Resource& r, int scope) {
         if (at.store == graph::Store::none) return;
         const bool depth = graph::isDepthFormat(at.format);
-        Access a = accessOf(depth ? Verb::depth : Verb::color, PassKind::graphics);
+        Access a = verbAccess(depth ? Verb::depth : Verb::color, PassKind::graphics);
         if (depth) a.stages = VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT;
         a.access &= kWrites;
         note(r, r.touch(a, scope, true));

@@ -214,7 +214,7 @@ bool allowed(const Include& include) {
     return include.system ? allowedOfLibraries(include) : allowedOfProject(include);
 }
 
-std::vector<Include> includesOf(const fs::path& root) {
+std::vector<Include> findIncludes(const fs::path& root) {
     static const std::regex kLine(R"re(^\s*#\s*(?:include|import)\s*(["<])([^">]+)[">])re");
     std::vector<Include> includes;
     for (const char* top : {"engine", "app"})
@@ -230,7 +230,7 @@ std::vector<Include> includesOf(const fs::path& root) {
 }
 
 TEST(House, EveryIncludePointsTheRightWay) {
-    const std::vector<Include> includes = includesOf(NACRE_SOURCE_DIR);
+    const std::vector<Include> includes = findIncludes(NACRE_SOURCE_DIR);
     ASSERT_GT(includes.size(), 1000u);
     for (const Include& include : includes)
         EXPECT_TRUE(allowed(include)) << include.file << " includes " << include.header;
@@ -282,7 +282,7 @@ TEST(House, WhatPointsTheWrongWayIsNoticed) {
 }
 
 TEST(House, IncludesAreFoundHoweverTheyAreWritten) {
-    const std::vector<Include> includes = includesOf(NACRE_SOURCE_DIR);
+    const std::vector<Include> includes = findIncludes(NACRE_SOURCE_DIR);
     const auto has = [&](const std::string& file, const std::string& header, bool system) {
         return std::any_of(includes.begin(), includes.end(), [&](const Include& i) {
             return i.file == file && i.header == header && i.system == system;

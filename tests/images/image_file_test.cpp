@@ -153,7 +153,8 @@ TEST(ImageFile, CodedPicturesGiveTheSameFile) {
             const Picture picture{kWidth, kHeight, ramp()};
             writePicture(file, picture, format);
             writePicture(other, coded(picture, hasAlpha(format, name)), format.dpi);
-            EXPECT_EQ(test::contentOf(folder / name), test::contentOf(folder / (std::string("other_") + name))) << name;
+            EXPECT_EQ(test::readContents(folder / name), test::readContents(folder / (std::string("other_") + name)))
+                << name;
         }
 }
 
@@ -178,7 +179,7 @@ TEST(ImageFile, PngSaysWhoWroteItAndThatItsColoursAreSrgb) {
     const OIIO::ImageSpec spec = readBack(folder / "a.png").spec;
     EXPECT_EQ(spec.get_string_attribute("Software"), "nacre");
     EXPECT_EQ(spec.get_string_attribute("oiio:ColorSpace"), "sRGB");
-    const std::string bytes = test::contentOf(folder / "a.png");
+    const std::string bytes = test::readContents(folder / "a.png");
     for (const char* chunk : {"sRGB", "gAMA", "cHRM"}) EXPECT_NE(bytes.find(chunk), std::string::npos) << chunk;
     EXPECT_EQ(bytes.at(bytes.find("sRGB") + 4), 0);  // perceptual
 }
@@ -188,7 +189,7 @@ TEST(ImageFile, OthersHaveTheProfileOfSrgb) {
     for (const char* name : {"a.jpg", "a.tif", "a.webp"})
         for (const bool alpha : {false, true}) {
             write(folder / name, ramp(), alpha);
-            const std::string bytes = test::contentOf(folder / name);
+            const std::string bytes = test::readContents(folder / name);
             // A header of ICC.1: RGB of a display; tests/python has LittleCMS read it.
             const std::size_t header = bytes.find("mntrRGB XYZ ");
             ASSERT_NE(header, std::string::npos) << name;
@@ -202,7 +203,7 @@ TEST(ImageFile, OthersHaveTheProfileOfSrgb) {
 TEST(ImageFile, PngIsCompressedFast) {
     const TemporaryFolder folder;
     write(folder / "a.png", ramp(), true);
-    const std::string bytes = test::contentOf(folder / "a.png");
+    const std::string bytes = test::readContents(folder / "a.png");
     const std::size_t data = bytes.find("IDAT");
     ASSERT_NE(data, std::string::npos);
     // The second byte of what zlib writes says how it did (RFC 1950): 1 fast, 2 by default.
@@ -272,9 +273,9 @@ TEST(ImageFile, EqualPicturesAreEqualFiles) {
         // OpenImageIO would write the time of day in seconds.
         usleep(1100000);
         write(folder / "two" + extension, ramp(), true);
-        EXPECT_EQ(test::contentOf(folder / "one" + extension), test::contentOf(folder / "two" + extension))
+        EXPECT_EQ(test::readContents(folder / "one" + extension), test::readContents(folder / "two" + extension))
             << extension;
-        EXPECT_GT(test::contentOf(folder / "one" + extension).size(), 100u);
+        EXPECT_GT(test::readContents(folder / "one" + extension).size(), 100u);
     }
 }
 
@@ -316,13 +317,13 @@ TEST(OutputFile, LeavesNothingBehindUnlessCommitted) {
         OutputFile file(folder / "a.txt");
         EXPECT_EQ(folder.count(), 1u);
         EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
-        EXPECT_EQ(extensionOf(file.temporary()), ".txt");
+        EXPECT_EQ(fileExtension(file.temporary()), ".txt");
     }
     EXPECT_EQ(folder.count(), 0u);
     OutputFile file(folder / "a.txt");
     writeText(file, "whole");
     EXPECT_EQ(folder.count(), 1u);
-    EXPECT_EQ(test::contentOf(folder / "a.txt"), "whole");
+    EXPECT_EQ(test::readContents(folder / "a.txt"), "whole");
 }
 
 TEST(OutputFile, ASignalLeavesNothingBehind) {
@@ -341,10 +342,10 @@ TEST(OutputFile, KeepsTheOldFileUntilTheNewOneIsWhole) {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.txt") << "old";
     { OutputFile abandoned(folder / "a.txt"); }
-    EXPECT_EQ(test::contentOf(folder / "a.txt"), "old");
+    EXPECT_EQ(test::readContents(folder / "a.txt"), "old");
     OutputFile file(folder / "a.txt");
     writeText(file, "new");
-    EXPECT_EQ(test::contentOf(folder / "a.txt"), "new");
+    EXPECT_EQ(test::readContents(folder / "a.txt"), "new");
 }
 
 TEST(OutputFile, ReplacesWhatALinkPointsTo) {
@@ -354,7 +355,7 @@ TEST(OutputFile, ReplacesWhatALinkPointsTo) {
     OutputFile file(folder / "link.txt");
     writeText(file, "new");
     EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
-    EXPECT_EQ(test::contentOf(folder / "real.txt"), "new");
+    EXPECT_EQ(test::readContents(folder / "real.txt"), "new");
 }
 
 TEST(OutputFile, RefusesFoldersAndMissingFolders) {

@@ -24,7 +24,7 @@ namespace nacre::app {
 namespace {
 
 namespace fs = std::filesystem;
-using test::contentOf;
+using test::readContents;
 using test::TemporaryFolder;
 
 /// What a program writes again and again, in two versions.
@@ -97,7 +97,7 @@ TEST(KilledWriter, LeavesTheFileOldOrNew) {
         std::string versions[2];
         for (int version : {0, 1}) {
             writer.write(folder.path(), version);
-            versions[version] = contentOf(writer.file(folder.path()));
+            versions[version] = readContents(writer.file(folder.path()));
             ASSERT_FALSE(versions[version].empty());
         }
         ASSERT_NE(versions[0], versions[1]);
@@ -112,7 +112,7 @@ TEST(KilledWriter, LeavesTheFileOldOrNew) {
             int status = 0;
             ASSERT_EQ(waitpid(child, &status, 0), child);
             ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
-            const std::string seen = contentOf(writer.file(folder.path()));
+            const std::string seen = readContents(writer.file(folder.path()));
             ASSERT_TRUE(seen == versions[0] || seen == versions[1]) << seen.size() << " bytes";
             // What was being written has a name that nobody takes for a result.
             const fs::path parent = fs::path(writer.file(folder.path())).parent_path();
@@ -123,7 +123,7 @@ TEST(KilledWriter, LeavesTheFileOldOrNew) {
             }
         }
         writer.write(folder.path(), 0);
-        EXPECT_TRUE(contentOf(writer.file(folder.path())) == versions[0]);
+        EXPECT_TRUE(readContents(writer.file(folder.path())) == versions[0]);
     }
     EXPECT_TRUE(caughtInTheAct) << "no round killed anyone who was writing";
 }
@@ -133,7 +133,7 @@ TEST(FullDisk, LeavesTheFileAsItWas) {
         SCOPED_TRACE(writer.name);
         const TemporaryFolder folder;
         writer.write(folder.path(), 0);
-        const std::string before = contentOf(writer.file(folder.path()));
+        const std::string before = readContents(writer.file(folder.path()));
         const fs::path parent = fs::path(writer.file(folder.path())).parent_path();
         const auto entries = [&] { return std::distance(fs::directory_iterator(parent), {}); };
         const auto whole = entries();
@@ -155,7 +155,7 @@ TEST(FullDisk, LeavesTheFileAsItWas) {
             int status = 0;
             ASSERT_EQ(waitpid(child, &status, 0), child);
             EXPECT_EQ(status, 0);
-            EXPECT_TRUE(contentOf(writer.file(folder.path())) == before) << limit;
+            EXPECT_TRUE(readContents(writer.file(folder.path())) == before) << limit;
             EXPECT_EQ(entries(), whole) << limit;
         }
     }
@@ -170,7 +170,7 @@ TEST(StateFiles, DamagedOnesCountAsAbsent) {
     for (std::size_t i = 0; i < data.size(); ++i) data[i] = static_cast<std::byte>(i * 7);
     savePipelineCache(data);
     EXPECT_EQ(loadPipelineCache(), data);
-    const std::string path = folder / "nacre/pipelines.bin", whole = contentOf(path);
+    const std::string path = folder / "nacre/pipelines.bin", whole = readContents(path);
     const auto put = [&](const std::string& name, const std::string& content) {
         std::ofstream(name, std::ios::binary | std::ios::trunc) << content;
     };
@@ -189,7 +189,7 @@ TEST(StateFiles, DamagedOnesCountAsAbsent) {
     view.input.path = "sample:dna";
     view.look.rules = {parseHide("water"), parseShow("protein=licorice")};
     saveState(view);
-    const std::string state = folder / "nacre/view.json", json = contentOf(state);
+    const std::string state = folder / "nacre/view.json", json = readContents(state);
     for (std::size_t size = 0; size + 2 < json.size(); size += 5) {
         put(state, json.substr(0, size));
         EXPECT_FALSE(loadState()) << size;

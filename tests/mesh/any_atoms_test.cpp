@@ -31,7 +31,7 @@ Molecule anyMolecule(Dice& dice) {
     static constexpr std::array kAtoms{"N",   "CA", "C",  "O",  "CB", "SG", "P",  "O5'", "C4'", "C3'", "O3'",
                                        "C1'", "N1", "C2", "N3", "C4", "C5", "C6", "N7",  "C8",  "N9"};
     Molecule molecule =
-        dice() % 2 ? test::chainOf(static_cast<int>(dice() % 12), between(dice, -180, 180), between(dice, -180, 180))
+        dice() % 2 ? test::buildChain(static_cast<int>(dice() % 12), between(dice, -180, 180), between(dice, -180, 180))
                    : Molecule();
     test::MoleculeText text;
     text.molecule = molecule;

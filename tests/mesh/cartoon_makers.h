@@ -18,13 +18,13 @@ inline std::vector<SecondaryStructure> all(const Molecule& molecule, SecondarySt
     return std::vector<SecondaryStructure>(molecule.residues.size(), kind);
 }
 
-inline Mesh cartoonOf(const Molecule& molecule, const std::vector<SecondaryStructure>& secondary,
-                      const CartoonOptions& options = {}) {
+inline Mesh makeCartoon(const Molecule& molecule, const std::vector<SecondaryStructure>& secondary,
+                        const CartoonOptions& options = {}) {
     return cartoon(molecule, drawnAtoms(molecule), secondary, options, {});
 }
 
-inline Mesh cartoonOf(const Molecule& molecule, const CartoonOptions& options = {}) {
-    return cartoonOf(molecule, secondaryStructure(molecule), options);
+inline Mesh makeCartoon(const Molecule& molecule, const CartoonOptions& options = {}) {
+    return makeCartoon(molecule, secondaryStructure(molecule), options);
 }
 
 /// Alpha carbons alone, one residue each.

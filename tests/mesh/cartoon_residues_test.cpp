@@ -21,15 +21,15 @@ namespace {
 
 using test::all;
 using test::alphaCarbons;
-using test::cartoonOf;
-using test::chainOf;
+using test::buildChain;
 using test::expectSound;
+using test::makeCartoon;
 using test::MoleculeText;
 using test::zigzag;
 
 TEST(CartoonResidues, ResiduesMeetHalfway) {
     const Molecule molecule = alphaCarbons({{0, 0, 0}, {0, 0, 3.8}, {0, 0, 7.6}});
-    const Mesh mesh = cartoonOf(molecule);
+    const Mesh mesh = makeCartoon(molecule);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const double z = mesh.positions[i].z, middle = 3.8 * mesh.atoms[i];
         EXPECT_GE(z, middle - 1.9 - (mesh.atoms[i] == 0 ? 1 : 1e-4));
@@ -38,12 +38,12 @@ TEST(CartoonResidues, ResiduesMeetHalfway) {
 }
 
 TEST(CartoonResidues, AHiddenPartLeavesTheRestWhereItWas) {
-    const Molecule molecule = chainOf(20, -57, -47);
+    const Molecule molecule = buildChain(20, -57, -47);
     const auto secondary = secondaryStructure(molecule);
     std::vector<std::uint32_t> some;
     for (const std::uint32_t atom : drawnAtoms(molecule))
         if (molecule.atoms[atom].residue < 6 || molecule.atoms[atom].residue > 9) some.push_back(atom);
-    const Mesh whole = cartoonOf(molecule, secondary), part = cartoon(molecule, some, secondary, {}, {});
+    const Mesh whole = makeCartoon(molecule, secondary), part = cartoon(molecule, some, secondary, {}, {});
     expectSound(part, molecule.atoms.size());
     std::set<std::tuple<float, float, float>> places;
     for (const glm::vec3& p : whole.positions) places.insert({p.x, p.y, p.z});
@@ -57,22 +57,22 @@ TEST(CartoonResidues, AHiddenPartLeavesTheRestWhereItWas) {
 }
 
 TEST(CartoonResidues, ChainsBreakWhereTheyDo) {
-    Molecule molecule = chainOf(20, -57, -47);
+    Molecule molecule = buildChain(20, -57, -47);
     for (Atom& atom : molecule.atoms)
         if (atom.residue >= 10) atom.position += glm::vec3(0, 0, 6);
     EXPECT_EQ(cartoonTraces(molecule, drawnAtoms(molecule), {}).size(), 2u);
-    const Mesh mesh = cartoonOf(molecule);
+    const Mesh mesh = makeCartoon(molecule);
     expectSound(mesh, molecule.atoms.size());
     for (const glm::uvec3& t : mesh.triangles) EXPECT_LT(glm::distance(mesh.positions[t.x], mesh.positions[t.y]), 3);
     // Another chain is another trace, however near it is.
-    Molecule two = chainOf(20, -57, -47);
+    Molecule two = buildChain(20, -57, -47);
     two.chains.push_back({"B"});
     for (std::size_t r = 10; r < 20; ++r) two.residues[r].chain = 1;
     EXPECT_EQ(cartoonTraces(two, drawnAtoms(two), {}).size(), 2u);
 }
 
 TEST(CartoonResidues, InsertedModifiedAndRightHandedResiduesGoOn) {
-    Molecule molecule = chainOf(20, -57, -47);
+    Molecule molecule = buildChain(20, -57, -47);
     molecule.residues[7].name = Name("MSE");
     molecule.residues[8].name = Name("DAL");
     molecule.residues[9].number = molecule.residues[8].number;
@@ -87,7 +87,7 @@ TEST(CartoonResidues, InsertedModifiedAndRightHandedResiduesGoOn) {
 /// A helix of 20 whose residues 8 to 10 are one, with atoms N1, CA1, ... as in GFP's chromophore, and a bond that
 /// closes a ring of the first C and the third N.
 Molecule fusedChain() {
-    Molecule molecule = chainOf(20, -57, -47);
+    Molecule molecule = buildChain(20, -57, -47);
     for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i) {
         const std::uint32_t first = i - i % 4;
         for (const auto& [a, b] : {std::pair(0u, 1u), std::pair(1u, 2u), std::pair(2u, 3u)})
@@ -109,13 +109,13 @@ Molecule fusedChain() {
 }
 
 TEST(CartoonResidues, FusedResiduesGoOn) {
-    const Molecule plain = chainOf(20, -57, -47), fused = fusedChain();
+    const Molecule plain = buildChain(20, -57, -47), fused = fusedChain();
     const std::vector<Trace> traces = cartoonTraces(fused, drawnAtoms(fused), {});
     ASSERT_EQ(traces.size(), 1u);
     EXPECT_EQ(traces[0].points, cartoonTraces(plain, drawnAtoms(plain), {})[0].points);
     // As a helix it is that of its three residues.
-    EXPECT_EQ(cartoonOf(fused, all(fused, SecondaryStructure::helix)).positions,
-              cartoonOf(plain, all(plain, SecondaryStructure::helix)).positions);
+    EXPECT_EQ(makeCartoon(fused, all(fused, SecondaryStructure::helix)).positions,
+              makeCartoon(plain, all(plain, SecondaryStructure::helix)).positions);
     const CartoonAtoms atoms = atomsOfCartoon(fused, drawnAtoms(fused));
     EXPECT_EQ(atoms.drawn.size(), fused.atoms.size());
     ASSERT_EQ(atoms.beside.size(), 12u);
@@ -168,7 +168,7 @@ Molecule inOrder(const Molecule& molecule, const std::vector<std::uint32_t>& ord
 
 TEST(CartoonResidues, NucleotidesStandInAnyOrderInTheFile) {
     const Molecule dna = sampleMolecule("dna");
-    const auto pointsOf = [](const Molecule& molecule) {
+    const auto collectPoints = [](const Molecule& molecule) {
         std::vector<std::vector<glm::dvec3>> points;
         for (const Trace& trace : cartoonTraces(molecule, drawnAtoms(molecule), {})) points.push_back(trace.points);
         std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a[0].x < b[0].x; });
@@ -181,12 +181,12 @@ TEST(CartoonResidues, NucleotidesStandInAnyOrderInTheFile) {
     for (const std::uint32_t odd : {1u, 0u})
         for (std::uint32_t i = odd; i < count; i += 2) oddFirst.push_back(i);
     for (std::uint32_t i = 0; i < count / 2; ++i) across.push_back(i), across.push_back(count - 1 - i);
-    ASSERT_EQ(pointsOf(dna).size(), 2u);
+    ASSERT_EQ(collectPoints(dna).size(), 2u);
     for (const auto& order : {given, reversed, oddFirst, across})
         for (const bool backward : {false, true}) {
             const Molecule moved = inOrder(dna, order, backward);
-            EXPECT_EQ(pointsOf(moved), pointsOf(dna));
-            expectSound(cartoonOf(moved), moved.atoms.size());
+            EXPECT_EQ(collectPoints(moved), collectPoints(dna));
+            expectSound(makeCartoon(moved), moved.atoms.size());
         }
 }
 
@@ -221,7 +221,7 @@ TEST(CartoonResidues, OneOfAlternateConformersIsDrawn) {
         else
             text.atom("CA", "C", p);
     }
-    EXPECT_EQ(cartoonOf(text.molecule).positions, cartoonOf(plain).positions);
+    EXPECT_EQ(makeCartoon(text.molecule).positions, makeCartoon(plain).positions);
 }
 
 TEST(CartoonResidues, DisulphidesAreSticksOfTheirAtoms) {
@@ -232,18 +232,18 @@ TEST(CartoonResidues, DisulphidesAreSticksOfTheirAtoms) {
         if (i == 4) text.atom("CB", "C", {1.5, 0, 15.2}).atom("SG", "S", {2.5, 1.2, 6.5});
     }
     Molecule molecule = text.molecule;
-    const std::size_t without = cartoonOf(molecule).triangles.size();
+    const std::size_t without = makeCartoon(molecule).triangles.size();
     molecule.bonds.push_back({3, 8});
     ASSERT_EQ(molecule.atoms[3].name, Name("SG"));
     ASSERT_EQ(molecule.atoms[8].name, Name("SG"));
-    const Mesh mesh = cartoonOf(molecule);
+    const Mesh mesh = makeCartoon(molecule);
     expectSound(mesh, molecule.atoms.size());
     EXPECT_GT(mesh.triangles.size(), without);
     for (const std::uint32_t atom : {2u, 3u, 7u, 8u})
         EXPECT_TRUE(std::count(mesh.atoms.begin(), mesh.atoms.end(), atom)) << atom;
     CartoonOptions off;
     off.disulfides = false;
-    EXPECT_EQ(cartoonOf(molecule, off).triangles.size(), without);
+    EXPECT_EQ(makeCartoon(molecule, off).triangles.size(), without);
 }
 
 TEST(CartoonResidues, BasesArePlatesOrRungs) {
@@ -252,7 +252,7 @@ TEST(CartoonResidues, BasesArePlatesOrRungs) {
     std::vector<std::size_t> triangles;
     for (const BaseForm form : {BaseForm::none, BaseForm::ladder, BaseForm::plates, BaseForm::rings}) {
         options.bases = form;
-        const Mesh mesh = cartoonOf(dna, options);
+        const Mesh mesh = makeCartoon(dna, options);
         expectSound(mesh, dna.atoms.size());
         triangles.push_back(mesh.triangles.size());
     }
@@ -274,7 +274,7 @@ TEST(CartoonResidues, SugarsArePlatesOfTheirRings) {
     const Molecule dna = sampleMolecule("dna");
     CartoonOptions options;
     options.bases = BaseForm::rings;
-    const Mesh mesh = cartoonOf(dna, options);
+    const Mesh mesh = makeCartoon(dna, options);
     // Each ring atom is a corner of its residue's plates, in the ring's mean plane.
     for (const Atom& atom : dna.atoms) {
         const std::string_view name = atom.name.view();
@@ -291,39 +291,40 @@ TEST(CartoonResidues, NucleotidesShowTheColourOfACarbon) {
     Molecule dna = sampleMolecule("dna");
     CartoonOptions options;
     options.bases = BaseForm::none;
-    const auto namesOf = [&](const Mesh& mesh) {
+    const auto collectNames = [&](const Mesh& mesh) {
         std::set<std::string_view> names;
         for (const std::uint32_t atom : mesh.atoms) names.insert(dna.atoms[atom].name.view());
         return names;
     };
-    EXPECT_EQ(namesOf(cartoonOf(dna, options)), std::set<std::string_view>{"C4'"});  // of the first, without P, too
+    EXPECT_EQ(collectNames(makeCartoon(dna, options)),
+              std::set<std::string_view>{"C4'"});  // of the first, without P, too
     for (Atom& atom : dna.atoms)
         if (atom.name.view().starts_with('C')) atom.name = Name("X");
-    EXPECT_EQ(namesOf(cartoonOf(dna, options)), (std::set<std::string_view>{"O5'", "P"}));
+    EXPECT_EQ(collectNames(makeCartoon(dna, options)), (std::set<std::string_view>{"O5'", "P"}));
 }
 
 TEST(CartoonResidues, WhatCannotBeDrawnIsLeftOut) {
-    EXPECT_TRUE(cartoonOf(Molecule()).triangles.empty());
-    EXPECT_TRUE(cartoonOf(sampleMolecule("buckyball")).triangles.empty());
+    EXPECT_TRUE(makeCartoon(Molecule()).triangles.empty());
+    EXPECT_TRUE(makeCartoon(sampleMolecule("buckyball")).triangles.empty());
     EXPECT_TRUE(atomsOfCartoon(sampleMolecule("glucose"), drawnAtoms(sampleMolecule("glucose"))).drawn.empty());
 
     const float nan = std::numeric_limits<float>::quiet_NaN(), huge = 1e30f;
-    Molecule broken = chainOf(12, -57, -47);
+    Molecule broken = buildChain(12, -57, -47);
     for (std::uint32_t i = broken.residues[5].firstAtom; i < broken.residues[6].firstAtom; ++i)
         broken.atoms[i].position = glm::vec3(nan, 0, huge);
-    expectSound(cartoonOf(broken), broken.atoms.size());
+    expectSound(makeCartoon(broken), broken.atoms.size());
     EXPECT_EQ(cartoonTraces(broken, drawnAtoms(broken), {}).size(), 2u);
 
-    Molecule together = chainOf(12, -57, -47);
+    Molecule together = buildChain(12, -57, -47);
     for (Atom& atom : together.atoms) atom.position = {1, 2, 3};
-    const Mesh balls = cartoonOf(together, all(together, SecondaryStructure::helix));
+    const Mesh balls = makeCartoon(together, all(together, SecondaryStructure::helix));
     expectSound(balls, together.atoms.size());
     EXPECT_FALSE(balls.triangles.empty());
 }
 
 TEST(CartoonResidues, OneResidueIsARodOrABall) {
-    for (const Molecule& molecule : {chainOf(1, -57, -47), alphaCarbons({{1, 2, 3}})}) {
-        const Mesh mesh = cartoonOf(molecule);
+    for (const Molecule& molecule : {buildChain(1, -57, -47), alphaCarbons({{1, 2, 3}})}) {
+        const Mesh mesh = makeCartoon(molecule);
         expectSound(mesh, molecule.atoms.size());
         EXPECT_FALSE(mesh.triangles.empty());
         for (const std::uint32_t atom : mesh.atoms) EXPECT_EQ(molecule.atoms[atom].name, Name("CA"));
@@ -335,7 +336,7 @@ TEST(CartoonResidues, FilesOfEveryKindAreSound) {
     for (const char* name : {"1crn.pdb", "1bna.pdb", "1en2.pdb", "1bcu-icode.pdb", "2koc-rna-nmr.cif.gz",
                              "trna-4tra.pdb", "gfp-1ema.cif", "1pfe.cif.gz"}) {
         const Molecule molecule = readMoleculeFile(test::dataFile(name));
-        const Mesh mesh = cartoonOf(molecule);
+        const Mesh mesh = makeCartoon(molecule);
         SCOPED_TRACE(name);
         EXPECT_FALSE(mesh.triangles.empty());
         expectSound(mesh, molecule.atoms.size());

@@ -19,9 +19,9 @@ namespace {
 
 using test::all;
 using test::alphaCarbons;
-using test::cartoonOf;
-using test::chainOf;
+using test::buildChain;
 using test::expectSound;
+using test::makeCartoon;
 using test::zigzag;
 
 /// An alpha helix of alpha carbons about the z axis: radius 2.3 Å, 100 degrees and 1.5 Å a residue.
@@ -34,7 +34,8 @@ Molecule helixOfAlphaCarbons(int residues) {
     return alphaCarbons(places);
 }
 
-std::vector<Frame> framesOf(const Molecule& molecule, SecondaryStructure kind, HelixForm form = HelixForm::ribbon) {
+std::vector<Frame> collectFrames(const Molecule& molecule, SecondaryStructure kind,
+                                 HelixForm form = HelixForm::ribbon) {
     const std::vector<Trace> traces = cartoonTraces(molecule, drawnAtoms(molecule), all(molecule, kind));
     EXPECT_EQ(traces.size(), 1u);
     return cartoonFrames(traces[0], foldRuns(traces[0]), form, false, 8);
@@ -49,7 +50,7 @@ void expectNoFlips(const std::vector<Frame>& frames, double least) {
 }
 
 TEST(Cartoon, HelicesAreRoundAndLieAlongTheirAxis) {
-    const std::vector<Frame> frames = framesOf(helixOfAlphaCarbons(20), SecondaryStructure::helix);
+    const std::vector<Frame> frames = collectFrames(helixOfAlphaCarbons(20), SecondaryStructure::helix);
     for (std::size_t k = 16; k + 16 < frames.size(); ++k) {
         const glm::dvec3& c = frames[k].center;
         EXPECT_NEAR(std::hypot(c.x, c.y), 2.3, 0.03) << k;
@@ -63,7 +64,7 @@ TEST(Cartoon, HelicesAreRoundAndLieAlongTheirAxis) {
 
 TEST(Cartoon, TubesAndCylindersFollowTheAxis) {
     for (const HelixForm form : {HelixForm::tube, HelixForm::cylinder}) {
-        const std::vector<Frame> frames = framesOf(helixOfAlphaCarbons(20), SecondaryStructure::helix, form);
+        const std::vector<Frame> frames = collectFrames(helixOfAlphaCarbons(20), SecondaryStructure::helix, form);
         for (const Frame& frame : frames) EXPECT_LT(std::hypot(frame.center.x, frame.center.y), 0.25);
         EXPECT_NEAR(frames.front().center.z, 0, 0.3);
         EXPECT_NEAR(frames.back().center.z, 1.5 * 19, 0.3);
@@ -79,7 +80,7 @@ TEST(Cartoon, ACylinderIsStraightWhereATubeBends) {
         places.emplace_back(out * std::cos(bend), 2.3 * std::sin(turn), out * std::sin(bend));
     }
     const auto bow = [&](HelixForm form) {
-        const std::vector<Frame> frames = framesOf(alphaCarbons(places), SecondaryStructure::helix, form);
+        const std::vector<Frame> frames = collectFrames(alphaCarbons(places), SecondaryStructure::helix, form);
         const glm::dvec3 a = frames.front().center, b = frames.back().center, along = glm::normalize(b - a);
         double most = 0;
         for (const Frame& frame : frames) most = std::max(most, glm::length(glm::cross(frame.center - a, along)));
@@ -111,7 +112,7 @@ TEST(Cartoon, HelicesWithoutAResidueBetweenAreTwoSolids) {
 
 TEST(Cartoon, StrandsLieFlatAndNeverFlip) {
     // Without carbonyls, by the zigzag of the alpha carbons.
-    const std::vector<Frame> frames = framesOf(zigzag(10), SecondaryStructure::strand);
+    const std::vector<Frame> frames = collectFrames(zigzag(10), SecondaryStructure::strand);
     for (const Frame& frame : frames) {
         EXPECT_LT(std::hypot(frame.center.x, frame.center.y), 0.05);
         EXPECT_GT(std::abs(frame.side.x), 0.999);  // across the zigzag
@@ -119,7 +120,7 @@ TEST(Cartoon, StrandsLieFlatAndNeverFlip) {
     expectNoFlips(frames, 0.999);
     // With carbonyls, which point to one side and the other by turns; real strands twist.
     for (const double phi : {-120.0, -135.0, -105.0}) {
-        const std::vector<Frame> real = framesOf(chainOf(12, phi, 130), SecondaryStructure::strand);
+        const std::vector<Frame> real = collectFrames(buildChain(12, phi, 130), SecondaryStructure::strand);
         expectNoFlips(real, 0.98);
         for (std::size_t k = 1; k < real.size(); ++k)
             EXPECT_GT(glm::dot(real[k].tangent, real[k - 1].tangent), 0.98) << phi << ' ' << k;
@@ -127,15 +128,15 @@ TEST(Cartoon, StrandsLieFlatAndNeverFlip) {
 }
 
 TEST(Cartoon, ABulgeDoesNotTurnAStrandOver) {
-    Molecule molecule = chainOf(12, -120, 130);
+    Molecule molecule = buildChain(12, -120, 130);
     // One carbonyl to the same side as its neighbours', as in a bulge.
     glm::vec3& o = molecule.atoms[6 * 4 + 3].position;
     o = 2.0f * molecule.atoms[6 * 4 + 2].position - o;
-    expectNoFlips(framesOf(molecule, SecondaryStructure::strand), 0.95);
+    expectNoFlips(collectFrames(molecule, SecondaryStructure::strand), 0.95);
 }
 
 /// Of the vertices farther than 0.9 Å from the line of a zigzag: how far along it they stand.
-std::pair<double, double> headOf(const Mesh& mesh) {
+std::pair<double, double> measureHead(const Mesh& mesh) {
     double first = 1e9, last = -1e9, widest = 0;
     for (const glm::vec3& p : mesh.positions) widest = std::max(widest, std::abs(static_cast<double>(p.x)));
     for (const glm::vec3& p : mesh.positions)
@@ -147,10 +148,10 @@ TEST(Cartoon, ArrowsEndAtTheLastResidue) {
     Molecule molecule = zigzag(9);
     std::vector<SecondaryStructure> secondary(9, SecondaryStructure::none);
     for (int i = 2; i <= 6; ++i) secondary[i] = SecondaryStructure::strand;
-    const Mesh mesh = cartoonOf(molecule, secondary);
+    const Mesh mesh = makeCartoon(molecule, secondary);
     expectSound(mesh, molecule.atoms.size());
     // The head is widest at the residue before the last, and beyond the last one there is nothing but coil.
-    EXPECT_NEAR(headOf(mesh).first, 3.3 * 5, 0.1);
+    EXPECT_NEAR(measureHead(mesh).first, 3.3 * 5, 0.1);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::vec3& p = mesh.positions[i];
         const bool strand = p.z > 3.3 * 2 - 0.05 && p.z < 3.3 * 6 - 0.05;
@@ -163,13 +164,13 @@ TEST(Cartoon, ArrowsEndAtTheLastResidue) {
 }
 
 TEST(Cartoon, EveryFormIsClosedAndBelongsToResidues) {
-    const Molecule molecule = chainOf(30, -57, -47);
+    const Molecule molecule = buildChain(30, -57, -47);
     for (const HelixForm form : {HelixForm::ribbon, HelixForm::tube, HelixForm::cylinder})
         for (const bool putty : {false, true}) {
             CartoonOptions options;
             options.helices = form;
             options.putty = putty;
-            const Mesh mesh = cartoonOf(molecule, options);
+            const Mesh mesh = makeCartoon(molecule, options);
             expectSound(mesh, molecule.atoms.size());
             std::set<std::uint32_t> owners(mesh.atoms.begin(), mesh.atoms.end());
             EXPECT_EQ(owners.size(), molecule.residues.size());
@@ -189,7 +190,7 @@ TEST(Cartoon, PuttyIsWideWhereBFactorsAre) {
     options.putty = true;
     const auto radius = [&](double z) {
         double most = 0;
-        for (const glm::vec3& p : cartoonOf(molecule, options).positions)
+        for (const glm::vec3& p : makeCartoon(molecule, options).positions)
             if (std::abs(p.z - z) < 0.01) most = std::max(most, std::hypot<double>(p.x, p.y));
         return most;
     };
@@ -208,7 +209,7 @@ TEST(Cartoon, FoldsMayReachHalfAResidueFarther) {
     const auto strand = [&](double overhang) {
         CartoonOptions options;
         options.overhang = overhang;
-        const Mesh mesh = cartoonOf(molecule, folds, options);
+        const Mesh mesh = makeCartoon(molecule, folds, options);
         expectSound(mesh, molecule.atoms.size());
         std::pair<double, double> ends(1e9, -1e9);  // of what is wider than a coil
         for (const glm::vec3& p : mesh.positions)
@@ -220,12 +221,12 @@ TEST(Cartoon, FoldsMayReachHalfAResidueFarther) {
     const auto [earlier, later] = strand(0.5);
     EXPECT_NEAR(first - earlier, 1.65, 0.5);
     EXPECT_NEAR(later - last, 1.65, 0.5);
-    const Molecule helix = chainOf(30, -57, -47);
+    const Molecule helix = buildChain(30, -57, -47);
     for (const HelixForm form : {HelixForm::ribbon, HelixForm::tube, HelixForm::cylinder}) {
         CartoonOptions options;
         options.helices = form;
         options.overhang = 0.5;
-        expectSound(cartoonOf(helix, options), helix.atoms.size());
+        expectSound(makeCartoon(helix, options), helix.atoms.size());
     }
 }
 
@@ -233,7 +234,7 @@ TEST(Cartoon, WidthsAreScaled) {
     const auto reach = [](CartoonOptions options, double scale) {
         options.scale = scale;
         const Molecule molecule = zigzag(12);
-        Mesh mesh = cartoonOf(molecule, all(molecule, SecondaryStructure::none), options);
+        Mesh mesh = makeCartoon(molecule, all(molecule, SecondaryStructure::none), options);
         expectSound(mesh, molecule.atoms.size());
         double x = 0;
         for (const glm::vec3& p : mesh.positions) x = std::max(x, std::abs(static_cast<double>(p.x)));
@@ -262,7 +263,7 @@ TEST(Cartoon, StraightOrTurningBackItStaysWhole) {
                 CartoonOptions options;
                 options.helices = form;
                 const Molecule molecule = alphaCarbons(places);
-                const Mesh mesh = cartoonOf(molecule, all(molecule, kind), options);
+                const Mesh mesh = makeCartoon(molecule, all(molecule, kind), options);
                 EXPECT_FALSE(mesh.triangles.empty());
                 for (const glm::vec3& n : mesh.normals) ASSERT_NEAR(glm::length(n), 1, 1e-4);
                 for (const glm::vec3& p : mesh.positions) ASSERT_LT(glm::length(p), 60);

@@ -27,7 +27,7 @@ DensityMap planeMap(double step) {
     return map;
 }
 
-double areaOf(const Isosurface& surface) {
+double measureArea(const Isosurface& surface) {
     double area = 0;
     for (const glm::uvec3& t : surface.triangles) {
         const glm::vec3 a = surface.positions[t.x], b = surface.positions[t.y], c = surface.positions[t.z];
@@ -44,7 +44,7 @@ TEST(Carve, APlaneBecomesADisc) {
         const DensityMap map = planeMap(step);
         const Isosurface disc = MapRegion(map, places, kReach).at(0, true, IsosurfaceParts::triangles, {});
         // The rim's chords are a little shorter than its arcs.
-        EXPECT_NEAR(areaOf(disc), kPi * radius * radius, 0.01 * step * kPi * radius * radius) << step;
+        EXPECT_NEAR(measureArea(disc), kPi * radius * radius, 0.01 * step * kPi * radius * radius) << step;
         double farthest = 0;
         for (const glm::vec3& p : disc.positions)
             farthest = std::max(farthest, glm::distance(glm::dvec3(p), places[0]));

@@ -38,12 +38,12 @@ DensityMap blobs(const glm::ivec3& size, bool periodic) {
                 }
                 map.values.change().push_back(static_cast<float>(sum));
             }
-    map.statistics = statisticsOf(map.values);
+    map.statistics = computeStatistics(map.values);
     return map;
 }
 double radiusAt(double level) { return kWidth * std::sqrt(-2 * std::log(level)); }
 
-Mesh meshOf(const Isosurface& surface) {
+Mesh toMesh(const Isosurface& surface) {
     return {surface.positions, surface.normals, std::vector<std::uint32_t>(surface.positions.size(), 0),
             surface.triangles};
 }
@@ -61,7 +61,7 @@ TEST(Isosurface, LiesWhereTheFunctionHasTheLevel) {
             EXPECT_NEAR(glm::length(at), radius, 0.05) << level;  // a tenth of a step of half an Å
             EXPECT_GT(glm::dot(glm::dvec3(surface.normals[i]), glm::normalize(at)), 0.99);
         }
-        const Mesh mesh = meshOf(surface);
+        const Mesh mesh = toMesh(surface);
         EXPECT_EQ(openEdges(mesh), 0u);
         const MeshMeasures measures = measure(mesh);
         EXPECT_NEAR(measures.area / (4 * std::numbers::pi * radius * radius), 1, 0.02);

@@ -69,16 +69,16 @@ std::vector<LevelCase> levelCases() {
     ladder.sides = 10;
     ladder.segments = 6;
     const Molecule dna = sampleDna();
-    return {{"helix", test::chainOf(6, -57, -47), {}},
-            {"strand", test::chainOf(6, -120, 130), {}},
-            {"coil", test::chainOf(4, -75, 145), {}},
-            {"tubes", test::chainOf(6, -57, -47), tubes},
-            {"putty", test::chainOf(4, -60, -40), putty},
+    return {{"helix", test::buildChain(6, -57, -47), {}},
+            {"strand", test::buildChain(6, -120, 130), {}},
+            {"coil", test::buildChain(4, -75, 145), {}},
+            {"tubes", test::buildChain(6, -57, -47), tubes},
+            {"putty", test::buildChain(4, -60, -40), putty},
             {"DNA", dna, {}},
             {"ladder", dna, ladder}};
 }
 
-Mesh meshOf(const LevelCase& c) {
+Mesh makeMesh(const LevelCase& c) {
     std::vector<SecondaryStructure> folds = secondaryStructure(c.molecule);
     if (c.name == std::string("strand")) std::fill(folds.begin(), folds.end(), SecondaryStructure::strand);
     std::vector<std::uint32_t> atoms = drawnAtoms(c.molecule);
@@ -91,7 +91,7 @@ Mesh meshOf(const LevelCase& c) {
 
 TEST(MeshLevels, OfCartoonsAreClosedAndKeepWithinTheirError) {
     for (const LevelCase& c : levelCases()) {
-        Mesh mesh = meshOf(c);
+        Mesh mesh = makeMesh(c);
         ASSERT_FALSE(mesh.triangles.empty()) << c.name;
         ASSERT_GE(mesh.coarser.size(), 3u) << c.name;
         std::size_t together = 0;
@@ -116,7 +116,7 @@ TEST(MeshLevels, OfCartoonsAreClosedAndKeepWithinTheirError) {
 
 TEST(MeshLevels, PolygonsAreAsEvenAsTheirPointsLie) {
     for (const std::size_t count : {4u, 8u, 10u, 12u}) {
-        const std::vector<Picks> polygons = polygonsOf(count);
+        const std::vector<Picks> polygons = makePolygons(count);
         EXPECT_EQ(polygons.back(), allPicks(count));
         for (const Picks& picks : polygons)
             for (std::size_t i = 0; i < picks.size(); ++i) {

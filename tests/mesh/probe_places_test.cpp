@@ -41,7 +41,7 @@ TEST(ProbePlaces, ArcsAreOpenWhereNoBallIsInTheWay) {
     ASSERT_GT(places.circles().size(), 20u);
     std::size_t open = 0, covered = 0;
     for (const ProbeCircle& circle : places.circles()) {
-        const ProbeBox box = ProbePlaces::boxOf(circle);
+        const ProbeBox box = ProbePlaces::boundingBox(circle);
         for (int i = 0; i < 360; ++i) {
             const double angle = i * std::numbers::pi / 180;
             const glm::dvec2 way(std::cos(angle), std::sin(angle));
@@ -79,7 +79,7 @@ TEST(ProbePlaces, BoxesHoldTheOpenPartOfEachSphere) {
     const std::vector<ProbeBox> boxes = places.openBoxes();
     std::size_t closed = 0, narrow = 0;
     for (std::uint32_t ball = 0; ball < balls.size(); ++ball) {
-        const double reach = places.reachOf(ball);
+        const double reach = places.reachRadius(ball);
         bool open = false;
         for (int z = 0; z < 60; ++z)
             for (int turn = 0; turn < 60; ++turn) {

@@ -35,7 +35,7 @@ Molecule carbons(const std::vector<glm::vec3>& places) {
     return text.molecule;
 }
 
-Mesh surfaceOf(const Molecule& molecule, const SurfaceOptions& options = {}) {
+Mesh makeSurface(const Molecule& molecule, const SurfaceOptions& options = {}) {
     return surface(molecule, drawnAtoms(molecule), options, {});
 }
 
@@ -74,7 +74,7 @@ TEST(Surface, AnAtomIsASphere) {
     const Molecule molecule = carbons({{10, -20, 30}});
     const double r = vanDerWaalsRadius(6);
     for (const double probe : {0.0, 1.4, 3.0}) {
-        const Mesh mesh = surfaceOf(molecule, at(0.15, probe));
+        const Mesh mesh = makeSurface(molecule, at(0.15, probe));
         test::expectSound(mesh, 1);
         expectMeasures(mesh, 4 * kPi * r * r, 4 * kPi * r * r * r / 3, 0.005);
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -84,9 +84,9 @@ TEST(Surface, AnAtomIsASphere) {
         }
     }
     const double large = r + 1.4;
-    expectMeasures(surfaceOf(molecule, at(0.15, 1.4, SurfaceKind::solventAccessible)), 4 * kPi * large * large,
+    expectMeasures(makeSurface(molecule, at(0.15, 1.4, SurfaceKind::solventAccessible)), 4 * kPi * large * large,
                    4 * kPi * large * large * large / 3, 0.005);
-    expectMeasures(surfaceOf(molecule, at(0.15, 0, SurfaceKind::gaussian)), 4 * kPi * r * r, 4 * kPi * r * r * r / 3,
+    expectMeasures(makeSurface(molecule, at(0.15, 0, SurfaceKind::gaussian)), 4 * kPi * r * r, 4 * kPi * r * r * r / 3,
                    0.005);
 }
 
@@ -95,7 +95,7 @@ TEST(Surface, RadiiAreScaledAndMayBeOthers) {
         SurfaceOptions options = at(0.15, 1.4, kind);
         options.scale = 1.5;
         options.radius = [](Element) { return 2.0f; };
-        expectMeasures(surfaceOf(carbons({{10, -20, 30}}), options), 4 * kPi * 9, 4 * kPi * 9, 0.005);
+        expectMeasures(makeSurface(carbons({{10, -20, 30}}), options), 4 * kPi * 9, 4 * kPi * 9, 0.005);
     }
 }
 
@@ -117,7 +117,7 @@ void expectPair(double apart, double probe) {
         volume += 2 * kPi * y * y * (half + r) / kSlices;
     }
     const float x = static_cast<float>(half);
-    const Mesh mesh = surfaceOf(carbons({{-x, 0, 0}, {x, 0, 0}}), at(0.15, probe));
+    const Mesh mesh = makeSurface(carbons({{-x, 0, 0}, {x, 0, 0}}), at(0.15, probe));
     SCOPED_TRACE(std::to_string(apart) + " Å, probe " + std::to_string(probe));
     test::expectSound(mesh, 2);
     expectMeasures(mesh, area, volume, 0.005);
@@ -141,7 +141,7 @@ TEST(Surface, TheProbeStopsBetweenThreeAtoms) {
     std::vector<glm::vec3> places;
     for (int i = 0; i < 3; ++i)
         places.emplace_back(out * std::cos(2 * kPi * i / 3), out * std::sin(2 * kPi * i / 3), 0);
-    const Mesh mesh = surfaceOf(carbons(places), at(0.1));
+    const Mesh mesh = makeSurface(carbons(places), at(0.1));
     test::expectSound(mesh, 3);
     std::size_t found = 0;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -159,9 +159,9 @@ TEST(Surface, CavitiesAreKeptOrDropped) {
     // A ball of carbons of radius 3.55 Å: within it there is room for a water, and no way in.
     const Molecule ball = sampleMolecule("buckyball");
     SurfaceOptions options = at(0.3);
-    const Mesh both = surfaceOf(ball, options);
+    const Mesh both = makeSurface(ball, options);
     options.cavities = false;
-    const Mesh outer = surfaceOf(ball, options);
+    const Mesh outer = makeSurface(ball, options);
     test::expectSound(both, ball.atoms.size());
     test::expectSound(outer, ball.atoms.size());
     const auto parts = [](const Mesh& mesh) {
@@ -177,9 +177,9 @@ TEST(Surface, CavitiesAreKeptOrDropped) {
 TEST(Surface, ThreadsAndPlacesChangeNothing) {
     Molecule dna = sampleMolecule("dna");
     setThreadsPerTask(1);
-    const Mesh a = surfaceOf(dna, at(0.7));
+    const Mesh a = makeSurface(dna, at(0.7));
     setThreadsPerTask(4);
-    const Mesh b = surfaceOf(dna, at(0.7));
+    const Mesh b = makeSurface(dna, at(0.7));
     setThreadsPerTask(0);
     EXPECT_EQ(a.positions, b.positions);
     EXPECT_EQ(a.triangles, b.triangles);
@@ -221,16 +221,16 @@ TEST(Surface, CrambinsIsWhatOthersFind) {
     const Molecule crambin = readMoleculeFile(test::dataFile("1crn.pdb"));
     // That of the probe's centre has creases, which have vertices of their own.
     for (const double resolution : {0.2, 0.4, 0.0}) {
-        const Mesh accessible = surfaceOf(crambin, at(resolution, 1.4, SurfaceKind::solventAccessible));
+        const Mesh accessible = makeSurface(crambin, at(resolution, 1.4, SurfaceKind::solventAccessible));
         EXPECT_NEAR(measure(accessible).area, kFreesasaArea, 0.01 * kFreesasaArea) << resolution;
         expectCreased(accessible);
     }
-    const Mesh excluded = surfaceOf(crambin, at(0.3));
+    const Mesh excluded = makeSurface(crambin, at(0.3));
     EXPECT_NEAR(measure(excluded).volume, kEdtVolume, 0.01 * kEdtVolume);
     EXPECT_NEAR(measure(excluded).area, kEdtArea, 0.01 * kEdtArea);
     test::expectSound(excluded, crambin.atoms.size());
     // As it comes, without a word about the grid.
-    expectMeasures(surfaceOf(crambin), kEdtArea, kEdtVolume, 0.01);
+    expectMeasures(makeSurface(crambin), kEdtArea, kEdtVolume, 0.01);
 }
 
 /// As they come, beside the areas and volumes that BALL 1.5 (Debian's libball1.5-dev: calculateSESArea() and
@@ -290,7 +290,7 @@ TEST(Surface, ThatOfTheProbesCentreAndThatOfTheAtomsHaveTheAreaOfTheirSpheres) {
             if (name == std::string("buckyball") && probe != 1.4)
                 continue;  // whose sixty spheres nearly meet in a point
             SCOPED_TRACE(name + std::string(", probe ") + std::to_string(probe));
-            const Mesh mesh = surfaceOf(molecule, at(0, probe, SurfaceKind::solventAccessible));
+            const Mesh mesh = makeSurface(molecule, at(0, probe, SurfaceKind::solventAccessible));
             const double area = openArea(molecule, atoms, probe);
             EXPECT_NEAR(measure(mesh).area, area, (probe == 1.4 ? 0.01 : 0.02) * area);
             expectCreased(mesh);
@@ -302,14 +302,14 @@ TEST(Surface, ThatOfTheProbesCentreAndThatOfTheAtomsHaveTheAreaOfTheirSpheres) {
             }
         }
         const double bare = openArea(molecule, atoms, 0);
-        EXPECT_NEAR(measure(surfaceOf(molecule, at(0, 0))).area, bare, 0.04 * bare) << name;
+        EXPECT_NEAR(measure(makeSurface(molecule, at(0, 0))).area, bare, 0.04 * bare) << name;
     }
 }
 
 TEST(Surface, WhatCannotBeMadeIsNot) {
-    EXPECT_TRUE(surfaceOf(Molecule()).triangles.empty());
+    EXPECT_TRUE(makeSurface(Molecule()).triangles.empty());
     const float nan = std::numeric_limits<float>::quiet_NaN();
-    const Mesh one = surfaceOf(carbons({{nan, 0, 0}, {1, 2, 3}}));
+    const Mesh one = makeSurface(carbons({{nan, 0, 0}, {1, 2, 3}}));
     test::expectSound(one, 2);
     EXPECT_FALSE(one.triangles.empty());
     // Atoms upon one another, in a line, on a square of which four spheres meet at points, and far apart.
@@ -320,7 +320,7 @@ TEST(Surface, WhatCannotBeMadeIsNot) {
     for (const auto& places : odd)
         for (const double probe : {0.0, 1.4, 10.0})
             for (const SurfaceKind kind : {SurfaceKind::solventExcluded, SurfaceKind::gaussian}) {
-                const Mesh mesh = surfaceOf(carbons(places), at(0.5, probe, kind));
+                const Mesh mesh = makeSurface(carbons(places), at(0.5, probe, kind));
                 if (probe > 0) test::expectSound(mesh, places.size());
                 EXPECT_EQ(test::openEdges(mesh), 0u);  // in the crevices of bare spheres triangles may look inwards
                 EXPECT_FALSE(mesh.triangles.empty());
@@ -333,7 +333,7 @@ TEST(Surface, WhatCannotBeMadeIsNot) {
     // Too much is refused before it is made.
     std::vector<glm::vec3> many;
     for (int i = 0; i < 200'000; ++i) many.emplace_back(4 * (i % 60), 4 * (i / 60 % 60), 4 * (i / 3600));
-    EXPECT_THROW(surfaceOf(carbons(many), at(0.1)), Error);
+    EXPECT_THROW(makeSurface(carbons(many), at(0.1)), Error);
 }
 
 TEST(Surface, ResolutionGoesWithTheAtoms) {

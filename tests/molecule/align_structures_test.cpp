@@ -18,7 +18,7 @@ namespace {
 
 using Places = std::vector<TraceResidue>;
 
-Places chainOf(const std::string& file, const std::string& name) {
+Places readChain(const std::string& file, const std::string& name) {
     const Molecule molecule = readMoleculeFile(file, {});
     const ResidueFacts facts(molecule);
     Places chain;
@@ -58,7 +58,7 @@ TEST(AlignStructures, ScoresChainsAsTmAlignDoes) {
     const Case cases[] = {{"4hhb.pdb", "A", "4hhb.pdb", "B", 139, 1.41, 0.90417, 0.87557},
                           {"4hhb.pdb", "A", "1hpv.pdb", "A", 55, 4.31, 0.25755, 0.33261}};
     for (const Case& c : cases) {
-        const Places moving = chainOf(dataFile(c.moving), c.of), fixed = chainOf(dataFile(c.fixed), c.onto);
+        const Places moving = readChain(dataFile(c.moving), c.of), fixed = readChain(dataFile(c.fixed), c.onto);
         const StructureAlignment found = alignStructures(moving, fixed);
         EXPECT_NEAR(static_cast<double>(found.pairs.size()), static_cast<double>(c.pairs), 1) << c.fixed;
         EXPECT_NEAR(found.motion.rmsd, c.rmsd, 0.05) << c.fixed;
@@ -66,8 +66,8 @@ TEST(AlignStructures, ScoresChainsAsTmAlignDoes) {
         EXPECT_NEAR(found.scoreByFixed, c.byFixed, 0.002) << c.fixed;
     }
     // Unlike folds have several alignments that are nearly as good: none here is worse by more than this.
-    const Places crambin = chainOf(dataFile("1crn.pdb"), "A"), globin = chainOf(dataFile("4hhb.pdb"), "B");
-    const Places rhodopsin = chainOf(dataFile("3pqr.pdb"), "A"), protease = chainOf(dataFile("1hpv.pdb"), "A");
+    const Places crambin = readChain(dataFile("1crn.pdb"), "A"), globin = readChain(dataFile("4hhb.pdb"), "B");
+    const Places rhodopsin = readChain(dataFile("3pqr.pdb"), "A"), protease = readChain(dataFile("1hpv.pdb"), "A");
     EXPECT_GT(alignStructures(crambin, protease).scoreByMoving, 0.27269 - 0.005);
     EXPECT_GT(alignStructures(globin, rhodopsin).scoreByMoving, 0.38535 - 0.005);
 }

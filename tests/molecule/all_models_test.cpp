@@ -133,12 +133,12 @@ constexpr const char* kHead =
     "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.pdbx_PDB_model_num\n";
 constexpr const char* kTail = "#\n_cell.length_a 1\n#\n";
 
-std::string rowsOf(const std::string& model, const std::string& x) {
+std::string makeRows(const std::string& model, const std::string& x) {
     return "ATOM \"O5'\" " + x + " 0 0 " + model + " \nATOM 'C 5'  " + x + " 1.2 0 " + model + "\n";
 }
 
 /// What a text is cut into, parts divided by '|': before, models, after.
-std::string cutOf(Format format, const std::string& text) {
+std::string describeSpans(Format format, const std::string& text) {
     const TextSource source = textInMemory(text);
     const ModelSpans spans = modelSpans(format, source);
     std::string parts;
@@ -153,50 +153,51 @@ constexpr const char* kAtom = "ATOM      1  CA  GLY A   1       1.000   2.000   
 TEST(ModelSpans, OfPdbEndAtEndmdl) {
     const std::string atom = kAtom, one = "MODEL 1\n" + atom + "ENDMDL\n", two = "MODEL 2\n" + atom + "ENDMDL\n";
     for (const Format format : {Format::pdb, Format::pdbqt, Format::pqr}) {
-        EXPECT_EQ(cutOf(format, "TITLE x\n" + one + two + "CONECT    1    2\nEND\n"),
+        EXPECT_EQ(describeSpans(format, "TITLE x\n" + one + two + "CONECT    1    2\nEND\n"),
                   "TITLE x\n|" + one + "|" + two + "|CONECT    1    2\nEND\n");
-        EXPECT_EQ(cutOf(format, one + "MODEL 7\nENDMDL\n" + two), "|" + one + "|" + two + "|");  // none has no atoms
-        EXPECT_EQ(cutOf(format, one + "\n" + two), "|" + one + "|" + two + "|");
-        EXPECT_EQ(cutOf(format, atom + one), "|");        // who is first
-        EXPECT_EQ(cutOf(format, one + atom + two), "|");  // and whose is this
-        EXPECT_EQ(cutOf(format, one + "TER\n" + two), "|");
-        EXPECT_EQ(cutOf(format, "MODEL 1\n" + atom + two), "|");  // never ended
-        EXPECT_EQ(cutOf(format, ""), "|");
+        EXPECT_EQ(describeSpans(format, one + "MODEL 7\nENDMDL\n" + two),
+                  "|" + one + "|" + two + "|");  // none has no atoms
+        EXPECT_EQ(describeSpans(format, one + "\n" + two), "|" + one + "|" + two + "|");
+        EXPECT_EQ(describeSpans(format, atom + one), "|");        // who is first
+        EXPECT_EQ(describeSpans(format, one + atom + two), "|");  // and whose is this
+        EXPECT_EQ(describeSpans(format, one + "TER\n" + two), "|");
+        EXPECT_EQ(describeSpans(format, "MODEL 1\n" + atom + two), "|");  // never ended
+        EXPECT_EQ(describeSpans(format, ""), "|");
     }
 }
 
 TEST(ModelSpans, OfPdbEndAtEnd) {
     const std::string frame = std::string(kAtom) + "END\n";
-    EXPECT_EQ(cutOf(Format::pdb, "CRYST1\n" + frame + frame), "CRYST1\n|" + frame + "|" + frame + "|");
-    EXPECT_EQ(cutOf(Format::pdb, frame + "HELIX 1\n" + frame), "|");
-    EXPECT_EQ(cutOf(Format::pdb, frame + "CONECT    1    2\n" + frame), "|");
+    EXPECT_EQ(describeSpans(Format::pdb, "CRYST1\n" + frame + frame), "CRYST1\n|" + frame + "|" + frame + "|");
+    EXPECT_EQ(describeSpans(Format::pdb, frame + "HELIX 1\n" + frame), "|");
+    EXPECT_EQ(describeSpans(Format::pdb, frame + "CONECT    1    2\n" + frame), "|");
 }
 
 TEST(ModelSpans, OfFramesGoByTheirCounts) {
     const std::string xyz = "1\nno atom\nHe 0 0 0\n", gro = "title\n1\n    1GLY     CA    1   0.1   0.2   0.3\n1 1 1\n";
-    EXPECT_EQ(cutOf(Format::xyz, xyz + "\n" + xyz), "|" + xyz + "|\n" + xyz + "|");
-    EXPECT_EQ(cutOf(Format::xyz, xyz + "2\n\nHe 0 0 0\n"), "|" + xyz + "|");
-    EXPECT_EQ(cutOf(Format::xyz, xyz + "99999999999999999999\n\n"), "|" + xyz + "|");
-    EXPECT_EQ(cutOf(Format::gro, gro + gro), "|" + gro + "|" + gro + "|");
-    EXPECT_EQ(cutOf(Format::gro, gro + "title\nmany\n"), "|" + gro + "|");
+    EXPECT_EQ(describeSpans(Format::xyz, xyz + "\n" + xyz), "|" + xyz + "|\n" + xyz + "|");
+    EXPECT_EQ(describeSpans(Format::xyz, xyz + "2\n\nHe 0 0 0\n"), "|" + xyz + "|");
+    EXPECT_EQ(describeSpans(Format::xyz, xyz + "99999999999999999999\n\n"), "|" + xyz + "|");
+    EXPECT_EQ(describeSpans(Format::gro, gro + gro), "|" + gro + "|" + gro + "|");
+    EXPECT_EQ(describeSpans(Format::gro, gro + "title\nmany\n"), "|" + gro + "|");
 }
 
 TEST(ModelSpans, OfMmcifGoByTheNumbersOfModels) {
-    const std::string one = rowsOf("1", "1.0"), two = rowsOf("2", "2.0"), head = kHead;
-    EXPECT_EQ(cutOf(Format::mmcif, head + one + two + kTail), head + "|" + one + "|" + two + "|" + kTail);
-    EXPECT_EQ(cutOf(Format::mmcif, head + one + two + "loop_\n_x.y\n1\n"),
+    const std::string one = makeRows("1", "1.0"), two = makeRows("2", "2.0"), head = kHead;
+    EXPECT_EQ(describeSpans(Format::mmcif, head + one + two + kTail), head + "|" + one + "|" + two + "|" + kTail);
+    EXPECT_EQ(describeSpans(Format::mmcif, head + one + two + "loop_\n_x.y\n1\n"),
               head + "|" + one + "|" + two + "|loop_\n_x.y\n1\n");
-    EXPECT_EQ(cutOf(Format::mmcif, head + one + two + one), "|");                  // models that come again
-    EXPECT_EQ(cutOf(Format::mmcif, head + one + "ATOM C1\n 1 0 0 2\n"), "|");      // a row on two lines
-    EXPECT_EQ(cutOf(Format::mmcif, head + one + "ATOM 'C 1 0 0 0 2\n"), "|");      // a quote that does not end
-    EXPECT_EQ(cutOf(Format::mmcif, head + one + two + kTail + head + one), "|");   // two blocks
-    EXPECT_EQ(cutOf(Format::mmcif, "data_x\nloop_\n_atom_site.id\n1\n2\n"), "|");  // no numbers
+    EXPECT_EQ(describeSpans(Format::mmcif, head + one + two + one), "|");                  // models that come again
+    EXPECT_EQ(describeSpans(Format::mmcif, head + one + "ATOM C1\n 1 0 0 2\n"), "|");      // a row on two lines
+    EXPECT_EQ(describeSpans(Format::mmcif, head + one + "ATOM 'C 1 0 0 0 2\n"), "|");      // a quote that does not end
+    EXPECT_EQ(describeSpans(Format::mmcif, head + one + two + kTail + head + one), "|");   // two blocks
+    EXPECT_EQ(describeSpans(Format::mmcif, "data_x\nloop_\n_atom_site.id\n1\n2\n"), "|");  // no numbers
 }
 
 TEST(ModelSpans, OfRecordsGoByTheirMarks) {
-    EXPECT_EQ(cutOf(Format::sdf, "a\n$$$$\nb\n$$$$\n\n"), "|a\n$$$$\n|b\n$$$$\n|");
+    EXPECT_EQ(describeSpans(Format::sdf, "a\n$$$$\nb\n$$$$\n\n"), "|a\n$$$$\n|b\n$$$$\n|");
     const std::string record = "@<TRIPOS>MOLECULE\nx\n";
-    EXPECT_EQ(cutOf(Format::mol2, "# made by\n" + record + record), "|" + record + "|" + record + "|");
+    EXPECT_EQ(describeSpans(Format::mol2, "# made by\n" + record + record), "|" + record + "|" + record + "|");
 }
 
 TEST(AllModels, OfTheLineFormatsAreTheSameHoweverTheyAreRead) {
@@ -233,7 +234,7 @@ TEST(AllModels, ThatAreToBeWarnedOfAreReadAllTheSame) {
 }
 
 TEST(ModelsOfMmcif, AreTheSameHoweverTheFileIsWritten) {
-    const std::string first = rowsOf("3", "1"), second = rowsOf("8", "2"), third = rowsOf("9", "3");
+    const std::string first = makeRows("3", "1"), second = makeRows("8", "2"), third = makeRows("9", "3");
     const std::string usual = kHead + first + second + third + kTail;
     // Models that take turns, rows over two lines, and what looks like the table in a text of several lines.
     const std::string turns = kHead + first + second + third + first + kTail;
@@ -259,7 +260,8 @@ TEST(ModelsOfMmcif, AreTheSameHoweverTheFileIsWritten) {
 }
 
 TEST(AllModels, AreToldAsTheyAreRead) {
-    const std::string mmcif = kHead + rowsOf("1", "1") + rowsOf("2", "2") + rowsOf("3", "3") + rowsOf("4", "4") + kTail;
+    const std::string mmcif =
+        kHead + makeRows("1", "1") + makeRows("2", "2") + makeRows("3", "3") + makeRows("4", "4") + kTail;
     const std::string frame = "1\n\nHe 0 0 0\n";
     for (const auto& [name, text] :
          {std::pair("four.cif", mmcif), std::pair("four.xyz", frame + frame + frame + frame)}) {
@@ -272,7 +274,7 @@ TEST(AllModels, AreToldAsTheyAreRead) {
 }
 
 TEST(ModelsOfMmcif, KeepTheirLinesInErrors) {
-    const std::string text = kHead + rowsOf("1", "1") + rowsOf("2", "far") + kTail;
+    const std::string text = kHead + makeRows("1", "1") + makeRows("2", "far") + kTail;
     test::expectError("two.cif", text, {"line 14", "Cartn_x of row 3", "'far'"}, model(kAllModels));
 }
 
@@ -322,15 +324,15 @@ TEST(OtherModels, OfOtherAtomsAreKeptWhole) {
     EXPECT_EQ(placed.atoms[1].element, 10);
 }
 
-std::string sdfOf(const char* element, const char* x) {
+std::string makeSdf(const char* element, const char* x) {
     return std::string("m\n\n\n  1  0  0  0  0  0            999 V2000\n    ") + x + "    0.0000    0.0000 " + element +
            "   0  0\nM  END\n$$$$\n";
 }
 
 TEST(OtherModels, ArePosesOfOneMoleculeAndNotOtherMolecules) {
-    const std::string poses = sdfOf("C", "1.0000") + sdfOf("C", "4.0000");
+    const std::string poses = makeSdf("C", "1.0000") + makeSdf("C", "4.0000");
     EXPECT_EQ(readMolecule("poses.sdf", poses, withOthers(1)).others.size(), 1u);
-    EXPECT_TRUE(readMolecule("two.sdf", poses + sdfOf("N", "9.0000"), withOthers(1)).others.empty());
+    EXPECT_TRUE(readMolecule("two.sdf", poses + makeSdf("N", "9.0000"), withOthers(1)).others.empty());
 }
 
 TEST(OtherModels, ThatCannotBeReadAreMissedAndTheModelIsRead) {

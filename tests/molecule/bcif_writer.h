@@ -74,12 +74,12 @@ inline std::string bcifRuns(const BcifIntegers& values) {
         {bcifEncoding("RunLength", {{"srcSize", packInteger(size)}, {"srcType", packInteger(3)}}), bcifByteArray(3)});
 }
 
-inline std::string bcifStrings(std::size_t rows, const std::function<std::string(std::size_t)>& textOf) {
+inline std::string bcifStrings(std::size_t rows, const std::function<std::string(std::size_t)>& toText) {
     std::map<std::string, std::int32_t> known;
     BcifIntegers indices, offsets{0};
     std::string all;
     for (std::size_t i = 0; i < rows; ++i) {
-        const auto [found, added] = known.emplace(textOf(i), static_cast<std::int32_t>(known.size()));
+        const auto [found, added] = known.emplace(toText(i), static_cast<std::int32_t>(known.size()));
         if (added) {
             all += found->first;
             offsets.push_back(static_cast<std::int32_t>(all.size()));

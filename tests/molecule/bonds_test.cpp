@@ -18,7 +18,7 @@ namespace {
 using test::MoleculeText;
 
 /// "0-1 2=3": every bond, in order.
-std::string bondsOf(Molecule molecule) {
+std::string listBonds(Molecule molecule) {
     perceiveBonds(molecule);
     std::string text;
     for (const Bond& bond : molecule.bonds) {
@@ -31,7 +31,7 @@ std::string bondsOf(Molecule molecule) {
 std::string pairAt(std::string_view first, std::string_view second, float distance) {
     MoleculeText text;
     text.residue("LIG").atom("A", first, {0, 0, 0}).atom("B", second, {distance, 0, 0});
-    return bondsOf(text.molecule);
+    return listBonds(text.molecule);
 }
 
 TEST(DistanceBonds, LieBetweenTheTwoLimits) {
@@ -55,20 +55,20 @@ TEST(DistanceBonds, NeverJoinHydrogensOrNobleGases) {
 TEST(DistanceBonds, HydrogenKeepsItsNearestNeighbour) {
     MoleculeText text;
     text.residue("LIG").atom("O1", "O", {0, 0, 0}).atom("H", "H", {1.0f, 0, 0}).atom("O2", "O", {2.3f, 0, 0});
-    EXPECT_EQ(bondsOf(text.molecule), "0-1");
+    EXPECT_EQ(listBonds(text.molecule), "0-1");
 }
 
 TEST(DistanceBonds, HydrogenSharedByTwoConformersBondsInBoth) {
     MoleculeText text;
     text.residue("LIG").atom("O", "O", {0, 0, 0}, 'A').atom("O", "O", {0.1f, 0, 0}, 'B').atom("H", "H", {1, 0, 0});
-    EXPECT_EQ(bondsOf(text.molecule), "0-2 1-2");
+    EXPECT_EQ(listBonds(text.molecule), "0-2 1-2");
 }
 
 TEST(DistanceBonds, AlternateLocationsExcludeEachOther) {
     MoleculeText text;
     text.residue("LIG").atom("C1", "C", {0, 0, 0});
     text.atom("C2", "C", {1.5f, 0, 0}, 'A').atom("C2", "C", {1.2f, 0.9f, 0}, 'B');
-    EXPECT_EQ(bondsOf(text.molecule), "0-1 0-2");
+    EXPECT_EQ(listBonds(text.molecule), "0-1 0-2");
 }
 
 TEST(DistanceBonds, WatersBondOnlyInside) {
@@ -76,19 +76,19 @@ TEST(DistanceBonds, WatersBondOnlyInside) {
     text.residue("HOH", 1).atom("O", "O", {0, 0, 0}).atom("H1", "H", {0.96f, 0, 0});
     text.residue("HOH", 2).atom("O", "O", {0, 1.3f, 0}).atom("H1", "H", {0.96f, 1.3f, 0});
     text.residue("LIG", 3).atom("C", "C", {0, -1.4f, 0});
-    EXPECT_EQ(bondsOf(text.molecule), "0-1 2-3");
+    EXPECT_EQ(listBonds(text.molecule), "0-1 2-3");
 }
 
 TEST(DistanceBonds, MetalsBondOnlyInsideTheirResidue) {
     MoleculeText haem;
     haem.residue("HEM", 1).atom("FE", "Fe", {0, 0, 0}).atom("NA", "N", {2.0f, 0, 0});
     haem.residue("HIS", 2).atom("NE2", "N", {0, 0, 2.1f});
-    EXPECT_EQ(bondsOf(haem.molecule), "0-1");
+    EXPECT_EQ(listBonds(haem.molecule), "0-1");
     MoleculeText ions;
     ions.residue("ZN", 1).atom("ZN", "Zn", {0, 0, 0});
     ions.residue("CYS", 2).atom("SG", "S", {2.3f, 0, 0});
     ions.residue("CL", 3).atom("CL", "Cl", {2.3f, 2.0f, 0});
-    EXPECT_EQ(bondsOf(ions.molecule), "");
+    EXPECT_EQ(listBonds(ions.molecule), "");
 }
 
 TEST(StatedBonds, AreKeptWhateverTheirLength) {
@@ -99,7 +99,7 @@ TEST(StatedBonds, AreKeptWhateverTheirLength) {
                            {0, 1, 1, BondSource::file},
                            {0, 0, 1, BondSource::file},
                            {0, 9, 1, BondSource::file}};
-    EXPECT_EQ(bondsOf(text.molecule), "0-1");  // sorted, once, without itself and without what is not there
+    EXPECT_EQ(listBonds(text.molecule), "0-1");  // sorted, once, without itself and without what is not there
 }
 
 TEST(StatedBonds, OfAWholeResidueLeaveNothingToDistance) {
@@ -107,18 +107,18 @@ TEST(StatedBonds, OfAWholeResidueLeaveNothingToDistance) {
     text.residue("LIG").atom("C1", "C", {0, 0, 0}).atom("C2", "C", {1.5f, 0, 0}).atom("C3", "C", {0.75f, 1.3f, 0});
     text.residue("LIG", 2).atom("C", "C", {0, -1.5f, 0}).atom("C2", "C", {0, -3.0f, 0});
     text.molecule.bonds = {{0, 1, 1, BondSource::file}, {1, 2, 2, BondSource::file}};
-    EXPECT_EQ(bondsOf(text.molecule), "0-1 1=2 3-4");
+    EXPECT_EQ(listBonds(text.molecule), "0-1 1=2 3-4");
     text.molecule.bonds.pop_back();  // one of three atoms unstated: the file did not mean to state all
-    EXPECT_EQ(bondsOf(text.molecule), "0-1 0-2 0-3 1-2 3-4");
+    EXPECT_EQ(listBonds(text.molecule), "0-1 0-2 0-3 1-2 3-4");
 }
 
 TEST(StatedBonds, LinksLeaveTheRestToTheRules) {
     MoleculeText text;
     text.residue("CYS", 1).atom("CB", "C", {0, 0, 0}).atom("SG", "S", {1.8f, 0, 0});
     text.residue("CYS", 9).atom("SG", "S", {1.8f, 2.05f, 0}).atom("CB", "C", {0, 2.05f, 0});
-    EXPECT_EQ(bondsOf(text.molecule), "0-1 1-2 2-3");  // the disulphide by distance
+    EXPECT_EQ(listBonds(text.molecule), "0-1 1-2 2-3");  // the disulphide by distance
     text.molecule.bonds = {{1, 2, 1, BondSource::file}};
-    EXPECT_EQ(bondsOf(text.molecule), "0-1 1-2 2-3");
+    EXPECT_EQ(listBonds(text.molecule), "0-1 1-2 2-3");
 }
 
 TEST(StatedBonds, OfABondTableAreTheWholeTruth) {
@@ -126,23 +126,23 @@ TEST(StatedBonds, OfABondTableAreTheWholeTruth) {
     text.residue("").atom("C", "C", {0, 0, 0}).atom("C", "C", {1, 0, 0}).atom("C", "C", {2, 0, 0});
     text.molecule.bonds = {{0, 1, 1, BondSource::file}};
     text.molecule.file.bonds = 1;
-    EXPECT_EQ(bondsOf(text.molecule), "0-1");
+    EXPECT_EQ(listBonds(text.molecule), "0-1");
 }
 
 TEST(TemplateBonds, KnowOrdersAndIgnoreContacts) {
     MoleculeText text;  // N CA C O of glycine, with O pressed against N
     text.residue("GLY").atom("N", "N", {0, 1.4f, 0}).atom("CA", "C", {0, 0, 0}).atom("C", "C", {1.5f, 0, 0});
     text.atom("O", "O", {1.2f, 1.2f, 0}).atom("HA2", "H", {-0.6f, -0.9f, 0});
-    EXPECT_EQ(bondsOf(text.molecule), "0-1 1-2 1-4 2=3");
+    EXPECT_EQ(listBonds(text.molecule), "0-1 1-2 1-4 2=3");
     text.molecule.residues[0].name = Name("XXX");  // without a template the contacts count
-    EXPECT_EQ(bondsOf(text.molecule), "0-1 0-3 1-2 1-3 1-4 2-3");
+    EXPECT_EQ(listBonds(text.molecule), "0-1 0-3 1-2 1-3 1-4 2-3");
 }
 
 TEST(TemplateBonds, OrderComesToStatedBonds) {
     MoleculeText text;
     text.residue("GLY").atom("C", "C", {0, 0, 0}).atom("O", "O", {1.23f, 0, 0});
     text.molecule.bonds = {{0, 1, 1, BondSource::file}};
-    EXPECT_EQ(bondsOf(text.molecule), "0=1");
+    EXPECT_EQ(listBonds(text.molecule), "0=1");
 }
 
 TEST(TemplateBonds, LinkNeighboursThatAreNear) {
@@ -155,20 +155,20 @@ TEST(TemplateBonds, LinkNeighboursThatAreNear) {
     perceiveBonds(linked);
     ASSERT_EQ(linked.bonds.size(), 1u);
     EXPECT_EQ(linked.bonds[0].source, BondSource::residueTemplate);
-    EXPECT_EQ(bondsOf(dipeptide(3.8f)), "");
+    EXPECT_EQ(listBonds(dipeptide(3.8f)), "");
 }
 
 TEST(TemplateBonds, LinkWithPoorGeometryMakesNoRingOfThree) {
     MoleculeText text;
     text.residue("GLY", 1).atom("C", "C", {0, 0, 0});
     text.residue("ALA", 2).atom("N", "N", {1.0f, 0, 0}).atom("CA", "C", {1.2f, 1.3f, 0});
-    EXPECT_EQ(bondsOf(text.molecule), "0-1 1-2");
+    EXPECT_EQ(listBonds(text.molecule), "0-1 1-2");
 }
 
 TEST(TemplateBonds, RepeatedNamesAreLeftToDistance) {
     MoleculeText text;
     text.residue("ALA").atom("CA", "C", {0, 0, 0}).atom("CB", "C", {1.5f, 0, 0}).atom("CA", "C", {3.0f, 0, 0});
-    EXPECT_EQ(bondsOf(text.molecule), "0-1 1-2");
+    EXPECT_EQ(listBonds(text.molecule), "0-1 1-2");
 }
 
 // ---- hostile geometry -------------------------------------------------------------------------------------------
@@ -202,7 +202,7 @@ TEST(HostileGeometry, FarApartCostsNothing) {
         MoleculeText text;
         text.residue("LIG").atom("C", "C", {-far, far, 0}).atom("C", "C", {0, 0, 0}).atom("C", "C", {1.5f, 0, 0});
         text.atom("C", "C", {far, far, far});
-        EXPECT_EQ(bondsOf(text.molecule), "1-2") << far;
+        EXPECT_EQ(listBonds(text.molecule), "1-2") << far;
     }
 }
 

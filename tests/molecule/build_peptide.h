@@ -18,7 +18,7 @@ inline glm::dvec3 placed(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, double length
 }
 
 /// A chain of alanines' backbones by its torsions phi and psi, in standard geometry (Engh and Huber, 1991).
-inline Molecule chainOf(int residues, double phi, double psi) {
+inline Molecule buildChain(int residues, double phi, double psi) {
     MoleculeText text;
     glm::dvec3 before(0, 1, 0), n(0), ca(1.458, 0, 0), c = placed(before, n, ca, 1.525, 111, phi);
     for (int i = 1; i <= residues; ++i) {

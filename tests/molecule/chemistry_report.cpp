@@ -60,13 +60,13 @@ int run(int argc, char** argv) {
         }
         for (Atom& atom : molecule.atoms) atom.charge = 0;
     }
-    const auto chemistryOf = [](const Molecule& of) {
+    const auto makeChemistry = [](const Molecule& of) {
         return perceiveChemistry(of, drawnAtoms(of, {.water = true, .hydrogens = true}));
     };
-    Chemistry chemistry = chemistryOf(molecule);
+    Chemistry chemistry = makeChemistry(molecule);
     if (add) {
         molecule = withHydrogens(molecule, chemistry);
-        chemistry = chemistryOf(molecule);
+        chemistry = makeChemistry(molecule);
     }
     std::puts(report(molecule, chemistry).dump().c_str());
     return 0;

@@ -22,14 +22,14 @@ namespace {
 
 using test::MoleculeText;
 
-Chemistry chemistryOf(Molecule& molecule) {
+Chemistry makeChemistry(Molecule& molecule) {
     perceiveBonds(molecule);
     return perceiveChemistry(molecule, drawnAtoms(molecule, {.water = true, .hydrogens = true}));
 }
 
 /// "C1-C2 C2=O1": bonds by the names of atoms; aromatic ones with a colon.
-std::string ordersOf(Molecule molecule) {
-    const Chemistry chemistry = chemistryOf(molecule);
+std::string describeOrders(Molecule molecule) {
+    const Chemistry chemistry = makeChemistry(molecule);
     std::string text;
     for (std::size_t i = 0; i < molecule.bonds.size(); ++i) {
         const Bond& bond = molecule.bonds[i];
@@ -55,7 +55,7 @@ std::string polygon(int sides, float length, std::string_view symbols) {
     MoleculeText text;
     text.residue("LIG");
     addPolygon(text, sides, length, symbols);
-    return ordersOf(text.molecule);
+    return describeOrders(text.molecule);
 }
 
 TEST(BondOrders, FlatRingsAreAromaticByHueckelsRule) {
@@ -73,7 +73,7 @@ TEST(BondOrders, AChairIsSaturated) {
         text.atom("C" + std::to_string(i + 1), "C",
                   {1.45f * std::cos(angle), 1.45f * std::sin(angle), i % 2 ? 0.25f : -0.25f});
     }
-    EXPECT_EQ(ordersOf(text.molecule), "C1-C2 C1-C6 C2-C3 C3-C4 C4-C5 C5-C6");
+    EXPECT_EQ(describeOrders(text.molecule), "C1-C2 C1-C6 C2-C3 C3-C4 C4-C5 C5-C6");
 }
 
 /// Two further atoms about C1 at (0, 0, 0), whose first neighbour lies on the negative x axis: 120 degrees apart.
@@ -85,7 +85,7 @@ TEST(BondOrders, GroupsAreDrawnAsChemistsDrawThem) {
         MoleculeText text;
         text.residue("LIG").atom("C2", "C", {-1.5f, 0, 0}).atom("X", centre, {0, 0, 0});
         text.atom("A", first, forked(l1, true)).atom("B", second, forked(l2, false));
-        return ordersOf(text.molecule);
+        return describeOrders(text.molecule);
     };
     EXPECT_EQ(group("C", "O", 1.25f, "O", 1.26f), "C2-X X=A X-B");  // lengths that do not differ leave the file's order
     EXPECT_EQ(group("C", "O", 1.32f, "O", 1.21f), "C2-X X-A X=B");
@@ -97,7 +97,7 @@ TEST(BondOrders, GroupsAreDrawnAsChemistsDrawThem) {
 TEST(BondOrders, LinearAtomsHaveTripleBonds) {
     MoleculeText text;
     text.residue("LIG").atom("C1", "C", {-1.46f, 0, 0}).atom("C2", "C", {0, 0, 0}).atom("N", "N", {1.15f, 0, 0});
-    EXPECT_EQ(ordersOf(text.molecule), "C1-C2 C2#N");
+    EXPECT_EQ(describeOrders(text.molecule), "C1-C2 C2#N");
 }
 
 TEST(BondOrders, HydrogensThatAreThereDecide) {
@@ -105,19 +105,19 @@ TEST(BondOrders, HydrogensThatAreThereDecide) {
     MoleculeText flat;
     flat.residue("LIG").atom("C", "C", {0, 0, 0}).atom("O", "O", {1.30f, 0, 0});
     flat.atom("H1", "H", {-0.55f, 0.95f, 0}).atom("H2", "H", {-0.55f, -0.95f, 0});
-    EXPECT_EQ(ordersOf(flat.molecule), "C=O C-H1 C-H2");
+    EXPECT_EQ(describeOrders(flat.molecule), "C=O C-H1 C-H2");
     MoleculeText full;
     full.residue("LIG").atom("C", "C", {0, 0, 0}).atom("O", "O", {1.30f, 0, 0}).atom("HO", "H", {1.6f, 0.9f, 0});
     full.atom("H1", "H", {-0.4f, 1, 0}).atom("H2", "H", {-0.4f, -0.5f, 0.87f}).atom("H3", "H", {-0.4f, -0.5f, -0.87f});
-    EXPECT_EQ(ordersOf(full.molecule), "C-O C-H1 C-H2 C-H3 O-HO");
+    EXPECT_EQ(describeOrders(full.molecule), "C-O C-H1 C-H2 C-H3 O-HO");
 }
 
 TEST(BondOrders, StatedOnesStay) {
     const std::string atoms =
         "a\n\n\n  2  1  0     0  0            999 V2000\n    0.0       0.0       0.0    C   0  0\n"
         "    1.20      0.0       0.0    O   0  0\n";
-    EXPECT_EQ(ordersOf(readMolecule("a.sdf", atoms + "  1  2  1  0\nM  END\n")), "C-O");
-    EXPECT_EQ(ordersOf(readMolecule("a.sdf", atoms + "  1  2  2  0\nM  END\n")), "C=O");
+    EXPECT_EQ(describeOrders(readMolecule("a.sdf", atoms + "  1  2  1  0\nM  END\n")), "C-O");
+    EXPECT_EQ(describeOrders(readMolecule("a.sdf", atoms + "  1  2  2  0\nM  END\n")), "C=O");
 }
 
 TEST(BondOrders, ComponentsOfAnMmcifFileStateThem) {
@@ -132,13 +132,13 @@ TEST(BondOrders, ComponentsOfAnMmcifFileStateThem) {
     const Molecule molecule = readMolecule("a.cif", atoms + bonds);
     ASSERT_EQ(molecule.bonds.size(), 2u);  // to both places of C2, none to C3, which is not there
     EXPECT_EQ(molecule.bonds[0].source, BondSource::file);
-    EXPECT_EQ(ordersOf(molecule), "C1#C2 C1#C2");
-    EXPECT_EQ(ordersOf(readMolecule("a.cif", atoms)), "C1-C2 C1-C2");
+    EXPECT_EQ(describeOrders(molecule), "C1#C2 C1#C2");
+    EXPECT_EQ(describeOrders(readMolecule("a.cif", atoms)), "C1-C2 C1-C2");
 }
 
 TEST(Rings, EveryFaceOfACage) {
     Molecule cage = sampleMolecule("buckyball");
-    const Chemistry chemistry = chemistryOf(cage);
+    const Chemistry chemistry = makeChemistry(cage);
     std::map<std::size_t, int> sizes;
     for (const Ring& ring : chemistry.rings) ++sizes[ring.atoms.size()];
     EXPECT_EQ(sizes, (std::map<std::size_t, int>{{5, 12}, {6, 20}}));  // Euler: 32 faces
@@ -152,8 +152,8 @@ TEST(Rings, EveryFaceOfACage) {
 }
 
 TEST(Rings, NoneInAChain) {
-    Molecule chain = test::chainOf(20, -60, -45);
-    EXPECT_TRUE(chemistryOf(chain).rings.empty());
+    Molecule chain = test::buildChain(20, -60, -45);
+    EXPECT_TRUE(makeChemistry(chain).rings.empty());
 }
 
 TEST(Rings, OfACubicLatticeAreItsFaces) {
@@ -163,7 +163,7 @@ TEST(Rings, OfACubicLatticeAreItsFaces) {
     for (int x = 0; x < n; ++x)
         for (int y = 0; y < n; ++y)
             for (int z = 0; z < n; ++z) lattice.atom("SI", "Si", 2.3f * glm::vec3(x, y, z));
-    const Chemistry chemistry = chemistryOf(lattice.molecule);
+    const Chemistry chemistry = makeChemistry(lattice.molecule);
     EXPECT_EQ(chemistry.rings.size(), 3u * n * (n - 1) * (n - 1));
     EXPECT_TRUE(std::all_of(chemistry.rings.begin(), chemistry.rings.end(),
                             [](const Ring& ring) { return ring.atoms.size() == 4; }));
@@ -229,7 +229,7 @@ TEST(States, AcidsBasesAndWhatIsDelocalised) {
     text.residue("ACT").atom("CH3", "C", {-1.5f, 0, 0}).atom("C", "C", {0, 0, 0});
     text.atom("O", "O", forked(1.25f, true)).atom("OXT", "O", forked(1.25f, false));
     text.residue("NME", 2).atom("C", "C", {20, 0, 0}).atom("N", "N", {21.47f, 0, 0});
-    const Chemistry chemistry = chemistryOf(text.molecule);
+    const Chemistry chemistry = makeChemistry(text.molecule);
     EXPECT_EQ(chemistry.charge, (std::vector<std::int8_t>{0, 0, 0, -1, 0, 1}));
     EXPECT_EQ(chemistry.hydrogens, (std::vector<std::uint8_t>{3, 0, 0, 0, 3, 3}));
     EXPECT_EQ(chemistry.delocalised, (std::vector<std::uint8_t>{0, 1, 1, 0}));
@@ -302,11 +302,11 @@ TEST(BondOrders, AzidesAndDiazoGroupsByTheirShape) {
     MoleculeText azide;  // methyl azide, by microwave spectroscopy: 1.24 and 1.13 Å
     azide.residue("LIG").atom("C", "C", {-0.6f, 1.33f, 0}).atom("N1", "N", {0, 0, 0}).atom("N2", "N", {1.23f, 0, 0});
     azide.atom("N3", "N", {2.36f, 0.1f, 0});
-    EXPECT_EQ(ordersOf(azide.molecule), "C-N1 N1=N2 N2=N3");
+    EXPECT_EQ(describeOrders(azide.molecule), "C-N1 N1=N2 N2=N3");
     MoleculeText diazo;
     diazo.residue("LIG").atom("C1", "C", {-0.75f, 1.3f, 0}).atom("C", "C", {0, 0, 0}).atom("N2", "N", {1.31f, 0, 0});
     diazo.atom("N3", "N", {2.44f, 0.05f, 0});
-    EXPECT_EQ(ordersOf(diazo.molecule), "C1-C C=N2 N2=N3");
+    EXPECT_EQ(describeOrders(diazo.molecule), "C1-C C=N2 N2=N3");
 }
 
 std::size_t drawnRings(const Chemistry& chemistry) {
@@ -316,8 +316,8 @@ std::size_t drawnRings(const Chemistry& chemistry) {
 
 TEST(Rings, AreDrawnAsTextbooksDrawThem) {
     Molecule cage = sampleMolecule("buckyball");
-    EXPECT_EQ(drawnRings(chemistryOf(cage)), 0u);  // a Kekulé structure
-    MoleculeText fused;                            // naphthalene
+    EXPECT_EQ(drawnRings(makeChemistry(cage)), 0u);  // a Kekulé structure
+    MoleculeText fused;                              // naphthalene
     fused.residue("LIG");
     const float side = 1.40f, half = side / 2, high = side * 0.8660254f;
     for (const glm::vec3 at :
@@ -325,7 +325,7 @@ TEST(Rings, AreDrawnAsTextbooksDrawThem) {
           glm::vec3(2 * high, half, 0), glm::vec3(high, side, 0), glm::vec3(-high, side, 0),
           glm::vec3(-2 * high, half, 0), glm::vec3(-2 * high, -half, 0), glm::vec3(-high, -side, 0)})
         fused.atom("C", "C", at);
-    EXPECT_EQ(drawnRings(chemistryOf(fused.molecule)), 2u);
+    EXPECT_EQ(drawnRings(makeChemistry(fused.molecule)), 2u);
 }
 
 TEST(Rings, OfFilesAreDrawnAsTextbooksDrawThem) {
@@ -354,7 +354,7 @@ TEST(Chemistry, AHeapOfAtomsAndALatticeEnd) {
     MoleculeText heap;
     heap.residue("LIG");
     for (int i = 0; i < 3000; ++i) heap.atom("C", "C", {0.01f * static_cast<float>(i % 50), 0, 0});
-    chemistryOf(heap.molecule);
+    makeChemistry(heap.molecule);
     MoleculeText lattice;  // diamond, whose rings share every bond
     lattice.residue("LIG");
     for (int x = 0; x < 8; ++x)
@@ -366,7 +366,7 @@ TEST(Chemistry, AHeapOfAtomsAndALatticeEnd) {
                     const glm::vec3 shift = i < 4 ? glm::vec3(0) : glm::vec3(0.5f);
                     lattice.atom("C", "C", 1.7835f * (base + shift) + 3.567f * glm::vec3(x, y, z));
                 }
-    const Chemistry chemistry = chemistryOf(lattice.molecule);
+    const Chemistry chemistry = makeChemistry(lattice.molecule);
     EXPECT_GT(chemistry.rings.size(), 4000u);
     EXPECT_EQ(std::count(chemistry.order.begin(), chemistry.order.end(), 2), 0);
 }

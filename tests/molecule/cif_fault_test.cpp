@@ -34,11 +34,11 @@ private:
 
 TEST(CifFault, IsToldAlikeWhicheverPegtlThrewIt) {
     for (const std::string words : {"parse error", "unterminated 'string'", "expected block header (data_)"}) {
-        EXPECT_EQ(messageOf(Upstream(words)), words);
-        EXPECT_EQ(messageOf(Debians(words)), words);
+        EXPECT_EQ(faultMessage(Upstream(words)), words);
+        EXPECT_EQ(faultMessage(Debians(words)), words);
     }
-    EXPECT_EQ(lineOf(Upstream("parse error")), 12u);
-    EXPECT_EQ(lineOf(Debians("parse error")), 12u);
+    EXPECT_EQ(lineNumber(Upstream("parse error")), 12u);
+    EXPECT_EQ(lineNumber(Debians("parse error")), 12u);
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ std::vector<Component> components() {
 }
 
 /// "C1=O2" of a residue's bonds.
-std::string orderOf(const Molecule& molecule, const std::vector<std::uint8_t>& orders, const Component& component,
-                    const std::string& first, const std::string& second) {
+std::string describeOrder(const Molecule& molecule, const std::vector<std::uint8_t>& orders, const Component& component,
+                          const std::string& first, const std::string& second) {
     for (std::size_t i = 0; i < orders.size(); ++i) {
         const Atom &a = molecule.atoms[molecule.bonds[i].a], &b = molecule.atoms[molecule.bonds[i].b];
         const Residue& residue = molecule.residues[a.residue];
@@ -64,7 +64,7 @@ TEST(BondOrders, OfCrystalsLigandsAreThoseOfTheComponentDictionary) {
         }
         for (const std::string& bond : component.bonds) {
             const std::size_t mark = bond.find_first_of("-=#:~");
-            std::string found = orderOf(molecule, orders, component, bond.substr(0, mark), bond.substr(mark + 1));
+            std::string found = describeOrder(molecule, orders, component, bond.substr(0, mark), bond.substr(mark + 1));
             if (bond[mark] == '~' && (found[mark] == '-' || found[mark] == '=')) found[mark] = '~';
             ++count;
             right += found == bond;

@@ -17,7 +17,7 @@ const std::string kUnpacked = "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
 
 TEST(Decompress, GivesBackWhatWasPacked) {
     const std::string packed = test::gzipBytes(kUnpacked);
-    ASSERT_EQ(compressionOf(packed), "gzip");
+    ASSERT_EQ(detectCompression(packed), "gzip");
     EXPECT_EQ(decompress("x", packed, 1000), kUnpacked);
     EXPECT_EQ(readMolecule("water.xyz.gz", packed).atoms.size(), 3u);
 }
@@ -72,7 +72,7 @@ class EachCompression : public testing::TestWithParam<Packer> {};
 
 TEST_P(EachCompression, GivesBackWhatWasPacked) {
     const std::string packed = GetParam().pack(kUnpacked), name = std::string("water.xyz") + GetParam().ending;
-    ASSERT_EQ(compressionOf(packed), GetParam().compression);
+    ASSERT_EQ(detectCompression(packed), GetParam().compression);
     EXPECT_EQ(decompress("x", packed, 1000), kUnpacked);
     EXPECT_EQ(decompress("x", packed + GetParam().pack("tail"), 1000), kUnpacked + "tail");
     EXPECT_EQ(decompress("x", packed + std::string(512, '\0'), 1000), kUnpacked);

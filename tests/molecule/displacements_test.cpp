@@ -142,7 +142,7 @@ TEST(Displacements, GiveTheExponentsOfTheDictionary) {
                 glm::dvec3 s(0);  // the rows of the fractionalising matrix are the reciprocal axes
                 for (int i = 0; i < 3; ++i)
                     for (int axis = 0; axis < 3; ++axis) s[axis] += index[i] * cell.frac.mat[i][axis];
-                EXPECT_NEAR(glm::dot(s, matrixOf(m.displacements[atom]) * s), expected, 1e-6) << h << k << l;
+                EXPECT_NEAR(glm::dot(s, tensorMatrix(m.displacements[atom]) * s), expected, 1e-6) << h << k << l;
             }
         EXPECT_EQ(std::count_if(m.notes.begin(), m.notes.end(),
                                 [](const ReadNote& note) { return note.what == "anisotropic displacements"; }),
@@ -208,7 +208,7 @@ TEST(Displacements, AxesAreThoseOfTheTensor) {
     const glm::dmat3 turn(glm::normalize(glm::dvec3(1, 2, 2)), glm::normalize(glm::dvec3(2, 1, -2)),
                           glm::normalize(glm::dvec3(2, -2, 1)));
     const glm::dmat3 own(0.09, 0, 0, 0, 0.04, 0, 0, 0, 0.01);
-    const auto axes = displacementAxes(displacementOf(turn * own * glm::transpose(turn)));
+    const auto axes = displacementAxes(toDisplacement(turn * own * glm::transpose(turn)));
     ASSERT_TRUE(axes);
     for (int i = 0; i < 3; ++i) {
         EXPECT_NEAR(glm::length((*axes)[static_cast<std::size_t>(i)]), std::sqrt(own[i][i]), 1e-6);

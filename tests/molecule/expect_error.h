@@ -21,7 +21,7 @@ inline void expectCleanMessage(const std::string& message) {
 }
 
 /// The message of the Error that reading ends in; a failure, and empty, if it reads.
-inline std::string messageOf(const std::string& name, const std::string& bytes, const ReadOptions& options = {}) {
+inline std::string catchError(const std::string& name, const std::string& bytes, const ReadOptions& options = {}) {
     try {
         const Molecule molecule = readMolecule(name, bytes, options);
         ADD_FAILURE() << name << " reads, with " << molecule.atoms.size() << " atoms: " << bytes.substr(0, 200);
@@ -35,7 +35,7 @@ inline std::string messageOf(const std::string& name, const std::string& bytes, 
 /// Reading fails, and the message holds each of these parts.
 inline void expectError(const std::string& name, const std::string& bytes, std::initializer_list<const char*> parts,
                         const ReadOptions& options = {}) {
-    const std::string message = messageOf(name, bytes, options);
+    const std::string message = catchError(name, bytes, options);
     for (const char* part : parts)
         EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
 }

@@ -14,7 +14,7 @@ namespace {
 
 std::string sourceFile(const std::string& path) { return test::readText(NACRE_SOURCE_DIR "/" + path); }
 
-std::vector<std::string> wordsOf(std::string_view list) {
+std::vector<std::string> splitAllWords(std::string_view list) {
     std::istringstream words{std::string(list)};
     return {std::istream_iterator<std::string>(words), {}};
 }
@@ -26,7 +26,7 @@ TEST(FormatTable, HasARowForEveryFormat) {
         EXPECT_EQ(formatFromName(row.name), row.format);
         EXPECT_EQ(formatName(row.format), row.name);
         EXPECT_NE(row.read != nullptr, row.readTables != nullptr) << row.name;
-        for (const std::string& ending : wordsOf(row.endings)) ++all, endings.insert(ending);
+        for (const std::string& ending : splitAllWords(row.endings)) ++all, endings.insert(ending);
     }
     EXPECT_EQ(endings.size(), all) << "an ending of two formats";
     const std::string header = sourceFile("engine/molecule/read.h");
@@ -40,7 +40,7 @@ TEST(FormatTable, IsFollowedByEveryList) {
                       android = sourceFile("app/android/src/main/AndroidManifest.xml");
     for (const FormatRow& row : formatRows()) {
         // On phones mmJSON goes by the ending of JSON, which is the systems' own, and there is no HDF5.
-        const std::vector<std::string> endings = wordsOf(row.endings);
+        const std::vector<std::string> endings = splitAllWords(row.endings);
         const bool elsewhere = row.format == Format::mmjson || row.format == Format::h5md;
         EXPECT_TRUE(elsewhere || android.find("\\\\." + endings.front() + "\"") != std::string::npos) << row.name;
         for (const std::string& ending : endings) {

@@ -58,7 +58,7 @@ TEST(Hydrogens, LieInThePlaneOfAPlanarAtom) {
 }
 
 TEST(Hydrogens, OfStandardResiduesBearThePdbsNames) {
-    Molecule chain = test::chainOf(3, -60, -45);
+    Molecule chain = test::buildChain(3, -60, -45);
     const Molecule full = hydrogenated(chain);
     std::string names;
     for (const Atom& atom : full.atoms)

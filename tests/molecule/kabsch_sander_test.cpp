@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-using test::chainOf;
+using test::buildChain;
 
 std::string fold(const std::vector<SecondaryStructure>& kinds) {
     std::string text;
@@ -20,14 +20,14 @@ std::string fold(const std::vector<SecondaryStructure>& kinds) {
 
 TEST(KabschSander, HelicesByTheirTorsions) {
     // Alpha, 3-10 and pi; a straight chain has no bonds.
-    EXPECT_EQ(fold(kabschSander(chainOf(12, -57, -47))), "-HHHHHHHHHH-");
-    EXPECT_EQ(fold(kabschSander(chainOf(12, -49, -26))), "-HHHHHHHHHH-");
-    EXPECT_EQ(fold(kabschSander(chainOf(12, -57, -70))), "-HHHHHHHHHH-");
-    EXPECT_EQ(fold(kabschSander(chainOf(12, -135, 135))), "------------");
+    EXPECT_EQ(fold(kabschSander(buildChain(12, -57, -47))), "-HHHHHHHHHH-");
+    EXPECT_EQ(fold(kabschSander(buildChain(12, -49, -26))), "-HHHHHHHHHH-");
+    EXPECT_EQ(fold(kabschSander(buildChain(12, -57, -70))), "-HHHHHHHHHH-");
+    EXPECT_EQ(fold(kabschSander(buildChain(12, -135, 135))), "------------");
 }
 
 TEST(KabschSander, WhatTheFileStatesGoesFirst) {
-    Molecule molecule = chainOf(12, -57, -47);
+    Molecule molecule = buildChain(12, -57, -47);
     EXPECT_EQ(fold(secondaryStructure(molecule)), "-HHHHHHHHHH-");
     molecule.statesSecondaryStructure = true;
     molecule.residues[0].secondary = SecondaryStructure::strand;
@@ -35,13 +35,13 @@ TEST(KabschSander, WhatTheFileStatesGoesFirst) {
 }
 
 TEST(KabschSander, BreaksProlineAndWhatIsMissing) {
-    Molecule broken = chainOf(12, -57, -47);
+    Molecule broken = buildChain(12, -57, -47);
     for (std::size_t i = 6 * 4; i < broken.atoms.size(); ++i) broken.atoms[i].position.x += 30;
     EXPECT_EQ(fold(kabschSander(broken)), "-HHHH--HHHH-");
-    Molecule proline = chainOf(12, -57, -47);
+    Molecule proline = buildChain(12, -57, -47);
     proline.residues[5].name = Name("PRO");  // gives no bond to the second residue, so that no turn begins there
     EXPECT_EQ(fold(kabschSander(proline)), "---HHHHHHHH-");
-    Molecule onlyCa = chainOf(12, -57, -47);
+    Molecule onlyCa = buildChain(12, -57, -47);
     for (Atom& atom : onlyCa.atoms)
         if (atom.name != Name("CA")) atom.name = Name("X");
     EXPECT_EQ(fold(kabschSander(onlyCa)), "------------");
@@ -49,7 +49,7 @@ TEST(KabschSander, BreaksProlineAndWhatIsMissing) {
 }
 
 TEST(KabschSander, ModelsUponOneAnotherStandForThemselves) {
-    Molecule both = chainOf(12, -57, -47);
+    Molecule both = buildChain(12, -57, -47);
     const Molecule one = both;
     both.chains.push_back({"A", 2});
     for (Atom atom : one.atoms) {

@@ -105,7 +105,7 @@ TEST(LeftOutAtoms, FarFractionalPositionsAreNotUsable) {
 
 TEST(LeftOutAtoms, SentencesCountInSingularAndPlural) {
     const auto sentence = [](const char* what, std::int64_t count, std::uint64_t line = 0) {
-        return sentenceOf({ReadAction::leftOut, what, "why", count, line});
+        return describeNote({ReadAction::leftOut, what, "why", count, line});
     };
     EXPECT_EQ(sentence("radii", 1), "left out 1 radius: why");
     EXPECT_EQ(sentence("radii", 2), "left out 2 radii: why");

@@ -19,7 +19,7 @@
 namespace nacre {
 namespace {
 
-std::string_view residueOf(char letter) {
+std::string_view residueCode(char letter) {
     constexpr std::string_view kLetters = "ARNDCQEGHILKMFPSTWYV";
     constexpr std::array<std::string_view, 20> kNames = {"ALA", "ARG", "ASN", "ASP", "CYS", "GLN", "GLU",
                                                          "GLY", "HIS", "ILE", "LEU", "LYS", "MET", "PHE",
@@ -48,7 +48,7 @@ TEST(MatchedAtoms, PairsTheResiduesThatBiopythonPairs) {
         test::MoleculeText text;
         int number = 0;
         for (const std::string& sequence : {sequences.first, sequences.second})
-            for (const char letter : sequence) text.residue(residueOf(letter), ++number).atom("CA", "C", {0, 0, 0});
+            for (const char letter : sequence) text.residue(residueCode(letter), ++number).atom("CA", "C", {0, 0, 0});
         const auto second = static_cast<std::uint32_t>(sequences.first.size());
         std::vector<bool> first(text.molecule.atoms.size()), other(first.size());
         for (std::uint32_t i = 0; i < first.size(); ++i) (i < second ? first : other)[i] = true;
@@ -87,7 +87,7 @@ TEST(MatchedAtoms, OfResiduesThatAreNoAminoAcidsGoByTheirNames) {
 }
 
 /// A fit of one selection on another, of molecules whose positions in the list are their models.
-PrunedSuperposition fitOf(const Molecule& molecule, const AtomPairs& pairs) {
+PrunedSuperposition fitPairs(const Molecule& molecule, const AtomPairs& pairs) {
     std::vector<glm::dvec3> from, to;
     for (const std::uint32_t atom : pairs.first) from.emplace_back(molecule.atoms[atom].position);
     for (const std::uint32_t atom : pairs.second) to.emplace_back(molecule.atoms[atom].position);
@@ -132,7 +132,7 @@ TEST(MatchedAtoms, FitAsPyMolFits) {
         const Molecule molecule =
             together({readMoleculeFile(test::dataFile(row.fixed)), readMoleculeFile(test::dataFile(row.moving))});
         const AtomPairs pairs = matched(molecule, row.first, row.second);
-        const PrunedSuperposition fit = fitOf(molecule, pairs);
+        const PrunedSuperposition fit = fitPairs(molecule, pairs);
         EXPECT_EQ(pairs.first.size(), row.pairs) << row.first;
         EXPECT_EQ(fit.count, row.kept) << row.first;
         EXPECT_EQ(std::count(fit.kept.begin(), fit.kept.end(), 1), static_cast<std::ptrdiff_t>(row.kept));
@@ -153,7 +153,7 @@ TEST(MatchedAtoms, ChainsAreThoseThatComeTogether) {
     std::swap(moving.chains[1].name, moving.chains[3].name);
     const Molecule molecule = together({fixed, moving});
     const AtomPairs pairs = matched(molecule, "#2", "#1");
-    EXPECT_NEAR(fitOf(molecule, pairs).rmsdOfAll, 0, 1e-4);
+    EXPECT_NEAR(fitPairs(molecule, pairs).rmsdOfAll, 0, 1e-4);
     using Pair = std::pair<std::uint32_t, std::uint32_t>;
     const auto first = static_cast<std::uint32_t>(chains);
     EXPECT_EQ(pairs.chains, (std::vector<Pair>{{first, 0}, {first + 1, 1}, {first + 2, 2}, {first + 3, 3}}));

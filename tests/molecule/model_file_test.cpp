@@ -132,7 +132,7 @@ TEST(ModelFile, HoldsSomeOfTheModelsOfCommonTables) {
     }
 }
 
-std::string modelsOf(int count) {
+std::string makeModels(int count) {
     std::string text = "TITLE     MODELS\r\n";
     for (int i = 1; i <= count; ++i) {
         std::string atom = "ATOM      1  CA  GLY A   1       1.000   2.000   3.000  1.00  0.00           C\r\n";
@@ -144,7 +144,7 @@ std::string modelsOf(int count) {
 
 TEST(ModelFile, ReadsNothingButTheModelThatIsWanted) {
     const TemporaryFolder folder;
-    const std::string path = folder / "m.pdb", text = modelsOf(4);
+    const std::string path = folder / "m.pdb", text = makeModels(4);
     std::ofstream(path, std::ios::binary) << text;
     ModelFile file(path, of(1, 0));
     ASSERT_EQ(file.count(), 4);
@@ -161,7 +161,7 @@ TEST(ModelFile, ReadsNothingButTheModelThatIsWanted) {
 
 TEST(ModelFile, OfACompressedFileStandsInATemporaryOne) {
     const TemporaryFolder folder;
-    const std::string path = folder / "m.pdb.gz", text = modelsOf(200);
+    const std::string path = folder / "m.pdb.gz", text = makeModels(200);
     const gzFile out = gzopen(path.c_str(), "wb");
     gzwrite(out, text.data(), static_cast<unsigned>(text.size()));
     gzclose(out);
@@ -175,7 +175,7 @@ TEST(ModelFile, OfACompressedFileStandsInATemporaryOne) {
 
 TEST(ModelFile, SaysWhatIsWrongWithAModelAndWhere) {
     const TemporaryFolder folder;
-    std::string text = modelsOf(3);
+    std::string text = makeModels(3);
     const std::size_t second = text.find("ATOM", text.find("MODEL        2"));
     text.replace(second + 30, 8, "   far  ");
     std::ofstream(folder / "m.pdb", std::ios::binary) << text;

@@ -13,7 +13,7 @@
 namespace nacre {
 namespace {
 
-std::string beginningOf(const std::string& path, std::size_t bytes = std::string::npos) {
+std::string readBeginning(const std::string& path, std::size_t bytes = std::string::npos) {
     std::ifstream file(path, std::ios::binary);
     std::stringstream all;
     all << file.rdbuf();
@@ -85,11 +85,11 @@ TEST_P(Mutation, IsAMoleculeOrAnError) {
     NACRE_NEEDS_WRITTEN_FILES();
     const Mutated& given = GetParam();
     const std::string path = test::writtenFile(given.written);
-    expectMoleculeOrError(path, beginningOf(path), 500);
+    expectMoleculeOrError(path, readBeginning(path), 500);
     if (!test::dataFolder()) return;
     for (const DataFile& file : given.data) {
         SCOPED_TRACE(file.name);
-        expectMoleculeOrError(file.name, beginningOf(test::dataFile(file.name), file.bytes), file.rounds);
+        expectMoleculeOrError(file.name, readBeginning(test::dataFile(file.name), file.bytes), file.rounds);
     }
 }
 
@@ -97,7 +97,7 @@ TEST(MutatedSeeds, AreMoleculesOrErrors) {
     for (const char* seed : {"water.psf", "water.prmtop", "water.inpcrd", "water.data", "beads.lammpstrj",
                              "salt.poscar", "water.xsf", "water.txyz", "water.mae"}) {
         SCOPED_TRACE(seed);
-        expectMoleculeOrError(seed, beginningOf(std::string(NACRE_SOURCE_DIR "/tests/fuzz/seeds/") + seed), 1500);
+        expectMoleculeOrError(seed, readBeginning(std::string(NACRE_SOURCE_DIR "/tests/fuzz/seeds/") + seed), 1500);
     }
     for (const bool packed : {false, true}) expectMoleculeOrError("a.gsd", test::gsdBytes(packed), 1500);
 }

@@ -22,8 +22,8 @@ namespace nacre {
 namespace {
 
 /// A row of the list of what was read; the count is 0 if there is none.
-ReadNote noteOf(const Molecule& molecule, ReadAction action, std::string_view what) {
-    for (const ReadNote& note : readingOf(molecule, drawnOrders(molecule)))
+ReadNote findNote(const Molecule& molecule, ReadAction action, std::string_view what) {
+    for (const ReadNote& note : listReadNotes(molecule, drawnOrders(molecule)))
         if (note.action == action && note.what == what) return note;
     return {};
 }
@@ -47,7 +47,7 @@ TEST(OddPqr, LinesWithUnusableCoordinatesAreLeftOut) {
         const Molecule read = readMolecule("a.pqr", first + odd + last);
         ASSERT_EQ(read.atoms.size(), 2u);
         EXPECT_FLOAT_EQ(read.atoms[1].position.x, 2);
-        const ReadNote note = noteOf(read, ReadAction::leftOut, "atoms");
+        const ReadNote note = findNote(read, ReadAction::leftOut, "atoms");
         EXPECT_EQ(note.count, 1);
         EXPECT_EQ(note.line, 2u);
     }
@@ -130,7 +130,7 @@ std::string rowOfCarbons(int count, double step, const std::string& conect) {
 TEST(OddPdb, ConectOverDistancesThatNoBondHas) {
     const Molecule read = readMolecule("a.pdb", rowOfCarbons(8, 1.5, "CONECT    1    2    6\nCONECT    6    1\n"));
     EXPECT_EQ(read.bonds.size(), 7u) << "neighbours alone";
-    const ReadNote note = noteOf(read, ReadAction::leftOut, "bonds");
+    const ReadNote note = findNote(read, ReadAction::leftOut, "bonds");
     EXPECT_EQ(note.count, 1) << "each stands with both of its atoms";
     EXPECT_EQ(note.line, 9u);
     EXPECT_NE(note.why.find("distance"), std::string::npos);
@@ -146,7 +146,7 @@ TEST(OddPdb, ConectOverDistancesThatNoBondHas) {
     // Beads have no nearer neighbours.
     const Molecule beads = readMolecule("a.pdb", rowOfCarbons(4, 8, "CONECT    1    2\nCONECT    2    3\n"));
     EXPECT_EQ(beads.bonds.size(), 2u);
-    EXPECT_EQ(noteOf(beads, ReadAction::leftOut, "bonds").count, 0);
+    EXPECT_EQ(findNote(beads, ReadAction::leftOut, "bonds").count, 0);
 }
 
 TEST(OddPdb, ConectOfLongSerialNumbers) {
@@ -158,7 +158,7 @@ TEST(OddPdb, ConectOfLongSerialNumbers) {
         EXPECT_EQ(readMolecule("a.pdb", atoms + conect).file.conectUniquePairs, 1);
     }
     const Molecule own = readMolecule("a.pdb", atoms + "CONECT9999999999\n");
-    EXPECT_EQ(noteOf(own, ReadAction::leftOut, "bonds").why, "CONECT of an atom to itself");
+    EXPECT_EQ(findNote(own, ReadAction::leftOut, "bonds").why, "CONECT of an atom to itself");
 }
 
 TEST(OddPdb, LinesThatNothingReadsAreTold) {
@@ -166,8 +166,8 @@ TEST(OddPdb, LinesThatNothingReadsAreTold) {
     const Molecule read = readMolecule(
         "a.pdb", atom + "SIGUIJ    1  C1  LIG A   1      100    100    100      0      0      0       C\n" + atom +
                      "ATOM\t2\tC2\tLIG\tA\t1\t1.5\t0.0\n");
-    EXPECT_EQ(noteOf(read, ReadAction::unused, "standard deviations").count, 1);
-    EXPECT_EQ(noteOf(read, ReadAction::leftOut, "atoms").line, 4u);
+    EXPECT_EQ(findNote(read, ReadAction::unused, "standard deviations").count, 1);
+    EXPECT_EQ(findNote(read, ReadAction::leftOut, "atoms").line, 4u);
 }
 
 TEST(OddPdb, ChainsOfAlphaCarbonsAreJoined) {
@@ -198,8 +198,8 @@ TEST(OddPdb, BeadsAreNoBoronAndNoTungsten) {
             const Molecule beads = readMolecule(file, text);
             EXPECT_EQ(symbols(beads), "? ? ? ? ?");
             EXPECT_NEAR(vanDerWaalsRadius(beads.atoms[0]), 2.35, 1e-3) << "half of the distance";
-            EXPECT_EQ(noteOf(beads, ReadAction::guessed, "coarse grains").count, 5);
-            EXPECT_EQ(noteOf(beads, ReadAction::read, "radii").count, 0) << "the file states none";
+            EXPECT_EQ(findNote(beads, ReadAction::guessed, "coarse grains").count, 5);
+            EXPECT_EQ(findNote(beads, ReadAction::read, "radii").count, 0) << "the file states none";
         }
     }
     // A cluster of tungsten: 2.74 Å; diborane's borons have hydrogens.
@@ -257,51 +257,51 @@ TEST(ReadingList, RadiiAreReadWhereTheFileStatesThem) {
     const std::string box = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n";
     const Molecule sized =
         readMolecule("a.lammpstrj", box + "ITEM: ATOMS id type x y z radius\n1 1 0 0 0 0.5\n2 1 1 0 0 0.7\n");
-    EXPECT_EQ(noteOf(sized, ReadAction::read, "radii").count, 2);
+    EXPECT_EQ(findNote(sized, ReadAction::read, "radii").count, 2);
     const Molecule plain = readMolecule("a.lammpstrj", box + "ITEM: ATOMS id type x y z\n1 1 0 0 0\n2 1 1 0 0\n");
-    EXPECT_EQ(noteOf(plain, ReadAction::read, "radii").count, 0);
-    EXPECT_EQ(noteOf(plain, ReadAction::guessed, "radii of grains").count, 2);
+    EXPECT_EQ(findNote(plain, ReadAction::read, "radii").count, 0);
+    EXPECT_EQ(findNote(plain, ReadAction::guessed, "radii of grains").count, 2);
     const Molecule spheres = readMolecule("a.data", "LAMMPS\n\n1 atoms\n\nAtoms # sphere\n\n1 1 3.0 1.0 0 0 0\n");
     EXPECT_FLOAT_EQ(spheres.atoms[0].radius, 1.5f) << "half of the diameter";
-    EXPECT_EQ(noteOf(spheres, ReadAction::read, "radii").count, 1);
+    EXPECT_EQ(findNote(spheres, ReadAction::read, "radii").count, 1);
     const Molecule unnamed =
         readMolecule("a.rst7",
                      "three\n    3\n   0.0000000   0.0000000   0.0000000   1.0000000   0.0000000   0.0000000\n"
                      "   2.0000000   0.0000000   0.0000000\n"
                      "   0.1000000   0.1000000   0.1000000   0.1000000   0.1000000   0.1000000\n"
                      "   0.1000000   0.1000000   0.1000000\n");
-    EXPECT_EQ(noteOf(unnamed, ReadAction::read, "radii").count, 0);
-    EXPECT_EQ(noteOf(unnamed, ReadAction::guessed, "radii").count, 3);
-    EXPECT_EQ(noteOf(unnamed, ReadAction::unused, "velocities").count, 3);
+    EXPECT_EQ(findNote(unnamed, ReadAction::read, "radii").count, 0);
+    EXPECT_EQ(findNote(unnamed, ReadAction::guessed, "radii").count, 3);
+    EXPECT_EQ(findNote(unnamed, ReadAction::unused, "velocities").count, 3);
 }
 
 TEST(ReadingList, UnusableProperties) {
     const Molecule data = readMolecule(
         "a.data", "LAMMPS\n\n2 atoms\n\nMasses\n\n1 12.011\n\nAtoms # charge\n\n1 1 xx 0 0 0\n2 1 0.5 1 0 0\n");
-    EXPECT_EQ(noteOf(data, ReadAction::leftOut, "partial charges").line, 11u);
+    EXPECT_EQ(findNote(data, ReadAction::leftOut, "partial charges").line, 11u);
     const Molecule mol2 = readMolecule("a.mol2",
                                        "@<TRIPOS>MOLECULE\na\n1 0\nSMALL\nUSER_CHARGES\n@<TRIPOS>ATOM\n"
                                        "1 C 0 0 0 C.3 1 LIG xx\n");
-    EXPECT_EQ(noteOf(mol2, ReadAction::leftOut, "partial charges").line, 7u);
+    EXPECT_EQ(findNote(mol2, ReadAction::leftOut, "partial charges").line, 7u);
     const Molecule mae = readMolecule("a.mae",
                                       "f_m_ct {\n s_m_title\n :::\n a\n m_atom[2] {\n  i_m_atomic_number\n"
                                       "  r_m_x_coord\n  r_m_y_coord\n  r_m_z_coord\n  r_m_charge1\n  :::\n"
                                       "  1 6 0 0 0 xx\n  2 6 1.5 0 0 0.25\n  :::\n }\n}\n");
-    EXPECT_EQ(noteOf(mae, ReadAction::leftOut, "partial charges").line, 12u);
+    EXPECT_EQ(findNote(mae, ReadAction::leftOut, "partial charges").line, 12u);
     EXPECT_EQ(mae.partialCharges, (std::vector<float>{0, 0.25f}));
     const std::string head =
         "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
         "_atom_site.occupancy\n_atom_site.pdbx_formal_charge\n";
-    EXPECT_EQ(noteOf(readMolecule("a.cif", head + "C 0 0 0 xx ?\n"), ReadAction::leftOut, "numbers").line, 9u);
-    EXPECT_EQ(noteOf(readMolecule("a.cif", head + "C 0 0 0 1 xx\n"), ReadAction::leftOut, "formal charges").line, 9u);
-    EXPECT_EQ(noteOf(readMolecule("a.cif", head + "C 0 0 0 1 0\n"), ReadAction::leftOut, "formal charges").count, 0);
+    EXPECT_EQ(findNote(readMolecule("a.cif", head + "C 0 0 0 xx ?\n"), ReadAction::leftOut, "numbers").line, 9u);
+    EXPECT_EQ(findNote(readMolecule("a.cif", head + "C 0 0 0 1 xx\n"), ReadAction::leftOut, "formal charges").line, 9u);
+    EXPECT_EQ(findNote(readMolecule("a.cif", head + "C 0 0 0 1 0\n"), ReadAction::leftOut, "formal charges").count, 0);
 }
 
 TEST(ReadingList, HeadersThatAnnounceOtherCounts) {
     const std::string atoms = "Masses\n\n1 12.011\n\nAtoms # atomic\n\n1 1 0 0 0\n2 1 1.5 0 0\n";
     const Molecule fewer = readMolecule("a.data", "LAMMPS\n\n5 atoms\n\n" + atoms);
-    EXPECT_EQ(noteOf(fewer, ReadAction::leftOut, "atoms").count, 3);
-    EXPECT_EQ(noteOf(fewer, ReadAction::leftOut, "atoms").line, 3u);
+    EXPECT_EQ(findNote(fewer, ReadAction::leftOut, "atoms").count, 3);
+    EXPECT_EQ(findNote(fewer, ReadAction::leftOut, "atoms").line, 3u);
     const Molecule more = readMolecule("a.data", "LAMMPS\n\n1 atoms\n\n" + atoms);
     EXPECT_EQ(more.atoms.size(), 2u);
     EXPECT_FALSE(more.warnings.empty());
@@ -311,7 +311,7 @@ TEST(ReadingList, HeadersThatAnnounceOtherCounts) {
                                          "] {\n  i_m_atomic_number\n  r_m_x_coord\n  r_m_y_coord\n  r_m_z_coord\n"
                                          "  :::\n  1 6 0 0 0\n  2 6 1.5 0 0\n  :::\n }\n}\n");
     };
-    EXPECT_EQ(noteOf(mae("4"), ReadAction::leftOut, "atoms").count, 2);
+    EXPECT_EQ(findNote(mae("4"), ReadAction::leftOut, "atoms").count, 2);
     EXPECT_FALSE(mae("1").warnings.empty());
     EXPECT_TRUE(mae("2").warnings.empty());
 }
@@ -321,25 +321,26 @@ TEST(ReadingList, WhatNothingShows) {
         readMolecule("a.xyz",
                      "1\nLattice=\"9 0 0 0 9 0 0 0 9\" Properties=species:S:1:pos:R:3:velo:R:3:forces:R:3:foo:R:1\n"
                      "C 0 0 0 1 1 1 2 2 2 3\n");
-    EXPECT_EQ(noteOf(extended, ReadAction::unused, "velocities").count, 1);
-    EXPECT_EQ(noteOf(extended, ReadAction::unused, "forces").count, 1);
-    EXPECT_EQ(noteOf(extended, ReadAction::unused, "further columns").count, 1);
+    EXPECT_EQ(findNote(extended, ReadAction::unused, "velocities").count, 1);
+    EXPECT_EQ(findNote(extended, ReadAction::unused, "forces").count, 1);
+    EXPECT_EQ(findNote(extended, ReadAction::unused, "further columns").count, 1);
     EXPECT_TRUE(extended.warnings.empty()) << "nothing that a picture lacks";
     EXPECT_EQ(readActionName(ReadAction::unused), "left out");
-    EXPECT_EQ(noteOf(readMolecule("a.xyz", "1\n\nC 0 0 0 1 1\n"), ReadAction::unused, "further columns").count, 2);
+    EXPECT_EQ(findNote(readMolecule("a.xyz", "1\n\nC 0 0 0 1 1\n"), ReadAction::unused, "further columns").count, 2);
     const Molecule contcar = readMolecule(
         "CONTCAR", "a\n1\n9 0 0\n0 9 0\n0 0 9\nC\n1\nSelective dynamics\nDirect\n0 0 0 T T F\n\n0.1 0.2 0.3\n");
-    EXPECT_EQ(noteOf(contcar, ReadAction::unused, "velocities").count, 1);
-    EXPECT_EQ(noteOf(contcar, ReadAction::unused, "flags of selective dynamics").count, 1);
+    EXPECT_EQ(findNote(contcar, ReadAction::unused, "velocities").count, 1);
+    EXPECT_EQ(findNote(contcar, ReadAction::unused, "flags of selective dynamics").count, 1);
     const Molecule xdatcar = readMolecule(
         "XDATCAR", "a\n1\n9 0 0\n0 9 0\n0 0 9\nC\n1\nDirect configuration= 1\n0 0 0\nDirect configuration= 2\n0 0 0\n");
-    EXPECT_EQ(noteOf(xdatcar, ReadAction::unused, "velocities").count, 0);
-    EXPECT_EQ(noteOf(readMolecule("a.xsf", "ATOMS\nC 0 0 0 1 1 1\n"), ReadAction::unused, "forces").count, 1);
+    EXPECT_EQ(findNote(xdatcar, ReadAction::unused, "velocities").count, 0);
+    EXPECT_EQ(findNote(readMolecule("a.xsf", "ATOMS\nC 0 0 0 1 1 1\n"), ReadAction::unused, "forces").count, 1);
     const std::string gro = "t\n1\n    1LIG      C    1   0.000   0.000   0.000";
-    EXPECT_EQ(noteOf(readMolecule("a.gro", gro + "  0.1000  0.1000  0.1000\n1 1 1\n"), ReadAction::unused, "velocities")
-                  .count,
-              1);
-    EXPECT_EQ(noteOf(readMolecule("a.gro", gro + "\n1 1 1\n"), ReadAction::unused, "velocities").count, 0);
+    EXPECT_EQ(
+        findNote(readMolecule("a.gro", gro + "  0.1000  0.1000  0.1000\n1 1 1\n"), ReadAction::unused, "velocities")
+            .count,
+        1);
+    EXPECT_EQ(findNote(readMolecule("a.gro", gro + "\n1 1 1\n"), ReadAction::unused, "velocities").count, 0);
 }
 
 TEST(ReadingList, GuessedOrders) {
@@ -347,21 +348,21 @@ TEST(ReadingList, GuessedOrders) {
     const Molecule ethene = readMolecule("a.xyz",
                                          "6\n\nC 0 0 0.6650\nC 0 0 -0.6650\nH 0 0.9229 1.2327\nH 0 -0.9229 1.2327\n"
                                          "H 0 0.9229 -1.2327\nH 0 -0.9229 -1.2327\n");
-    EXPECT_EQ(noteOf(ethene, ReadAction::guessed, "bond orders").count, 5);
+    EXPECT_EQ(findNote(ethene, ReadAction::guessed, "bond orders").count, 5);
 }
 
 TEST(ReadingList, LinesOfUnusableCells) {
     const Molecule pdb =
         readMolecule("a.pdb", "CRYST1   xx.000   20.000   20.000  90.00  90.00  90.00 P 1\n" + rowOfCarbons(1, 1, ""));
-    EXPECT_EQ(noteOf(pdb, ReadAction::leftOut, "unit cells").line, 1u);
+    EXPECT_EQ(findNote(pdb, ReadAction::leftOut, "unit cells").line, 1u);
     const Molecule cif = readMolecule("a.cif",
                                       "data_a\n_cell.length_a xx\n_cell.length_b 9\n_cell.length_c 9\n"
                                       "_cell.angle_alpha 90\n_cell.angle_beta 90\n_cell.angle_gamma 90\nloop_\n"
                                       "_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
                                       "_atom_site.Cartn_z\nC 0 0 0\n");
-    EXPECT_EQ(noteOf(cif, ReadAction::leftOut, "unit cells").line, 2u);
+    EXPECT_EQ(findNote(cif, ReadAction::leftOut, "unit cells").line, 2u);
     const Molecule flat = readMolecule("a.xyz", "1\nLattice=\"9 0 0 9 0 0 0 0 9\"\nC 0 0 0\n");
-    EXPECT_EQ(noteOf(flat, ReadAction::leftOut, "periodic boxes").line, 2u);
+    EXPECT_EQ(findNote(flat, ReadAction::leftOut, "periodic boxes").line, 2u);
     test::expectError("small.cif",
                       "data_a\n_cell_length_a ?\n_cell_length_b 1\nloop_\n_atom_site_label\n_atom_site_fract_x\n"
                       "_atom_site_fract_y\n_atom_site_fract_z\nC1 0 0 0\n",
@@ -384,10 +385,10 @@ TEST(ReadingList, LinesOfConnections) {
                                          "c1 covale A CYS 7 SG B LIG . " +
                                          atom + "\n");
     };
-    EXPECT_EQ(noteOf(read("1.8", "C1"), ReadAction::leftOut, "connections").count, 0);
-    EXPECT_EQ(noteOf(read("1.8", "C9"), ReadAction::leftOut, "connections").line, 26u);
+    EXPECT_EQ(findNote(read("1.8", "C1"), ReadAction::leftOut, "connections").count, 0);
+    EXPECT_EQ(findNote(read("1.8", "C9"), ReadAction::leftOut, "connections").line, 26u);
     const Molecule far = read("21.8", "C1");
-    EXPECT_EQ(noteOf(far, ReadAction::leftOut, "connections").line, 26u);
+    EXPECT_EQ(findNote(far, ReadAction::leftOut, "connections").line, 26u);
     EXPECT_EQ(far.bonds.size(), 2u) << "none of 21.8 Å";
 }
 
@@ -486,15 +487,15 @@ TEST(Boxes, SymmetryOfCml) {
         EXPECT_EQ(std::count(part.subchains.begin(), part.subchains.end(), nitrogen), 0);
     const Molecule odd = readMolecule(
         "a.cml", crystalOfCml("<symmetry spaceGroup=\"?\"><transform3>1 0 0 0.123</transform3></symmetry>"));
-    EXPECT_EQ(noteOf(odd, ReadAction::leftOut, "symmetry operations").count, 1);
-    EXPECT_EQ(noteOf(odd, ReadAction::leftOut, "space groups").count, 1);
+    EXPECT_EQ(findNote(odd, ReadAction::leftOut, "symmetry operations").count, 1);
+    EXPECT_EQ(findNote(odd, ReadAction::leftOut, "space groups").count, 1);
     EXPECT_EQ(odd.assemblies[0].id, "3x3x3");
 }
 
 // Cubes
 
 /// Eight values at the corners of a cube, all of one sign or of both. @param print  a value, with no blank before it
-DensityMap cubeOf(const char* format, double factor, double offset) {
+DensityMap makeCube(const char* format, double factor, double offset) {
     std::string text = "a\nb\n    1  -10.000000-100.000000-100.000000\n";
     for (const char* axis :
          {"1.000000    0.000000    0.000000", "0.000000    1.000000    0.000000", "0.000000    0.000000    1.000000"})
@@ -512,7 +513,7 @@ DensityMap cubeOf(const char* format, double factor, double offset) {
 TEST(OddCubes, ValuesThatTouch) {
     for (const char* format : {"%13.5E", "%.5E", "%.6f", "%11.6f"}) {
         SCOPED_TRACE(format);
-        const DensityMap map = cubeOf(format, 0.125, 0);
+        const DensityMap map = makeCube(format, 0.125, 0);
         EXPECT_NEAR(map.statistics.max, 1, 1e-5);
         EXPECT_NEAR(map.statistics.mean, 0.5625, 1e-5);
         EXPECT_NEAR(map.origin.y, -52.9177, 1e-3) << "the header's numbers touch as well";
@@ -521,15 +522,15 @@ TEST(OddCubes, ValuesThatTouch) {
         EXPECT_EQ(map.notes[0].what, "atoms");
         EXPECT_EQ(map.notes[0].line, 7u);
     }
-    EXPECT_NEAR(cubeOf("%.5E", -0.125, 0).statistics.min, -1, 1e-5);
+    EXPECT_NEAR(makeCube("%.5E", -0.125, 0).statistics.min, -1, 1e-5);
 }
 
 TEST(OddCubes, NegativeLobesAloneHaveALevel) {
-    const DensityMap map = cubeOf("%13.5E", -0.125, 0);
+    const DensityMap map = makeCube("%13.5E", -0.125, 0);
     EXPECT_TRUE(map.difference) << "drawn at the negative level as well";
     EXPECT_NEAR(levelOfTopShare(map, 0.25, true), 0.875, 1e-4) << "two of eight values reach as far";
     EXPECT_NEAR(levelOfTopShare(map, 0.25), -0.25, 1e-4);
-    EXPECT_FALSE(cubeOf("%13.5E", 0.125, -0.13).difference) << "a density that is a little below zero";
+    EXPECT_FALSE(makeCube("%13.5E", 0.125, -0.13).difference) << "a density that is a little below zero";
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(PdbFiles, HaveTheCountsOfIndependentTools) {
     EXPECT_GE(files, 20);
 }
 
-std::string errorOf(const std::string& file) {
+std::string catchError(const std::string& file) {
     try {
         readFile(file);
     } catch (const Error& error) {
@@ -74,17 +74,17 @@ std::string errorOf(const std::string& file) {
 TEST(PdbFiles, BadOnesGiveOneClearErrorOrLoad) {
     NACRE_NEEDS_DATA();
     const std::string cannot = "cannot read molecule: ";
-    EXPECT_EQ(errorOf("bad/empty.pdb"), cannot + "bad/empty.pdb: the file is empty");
-    EXPECT_EQ(errorOf("bad/no-atoms.pdb"), cannot + "bad/no-atoms.pdb: it has no ATOM or HETATM records");
-    EXPECT_EQ(errorOf("bad/png-named.pdb"), cannot + "bad/png-named.pdb: it is not text, so not a PDB file");
-    EXPECT_EQ(errorOf("bad/truncated-mid-line.pdb"),
+    EXPECT_EQ(catchError("bad/empty.pdb"), cannot + "bad/empty.pdb: the file is empty");
+    EXPECT_EQ(catchError("bad/no-atoms.pdb"), cannot + "bad/no-atoms.pdb: it has no ATOM or HETATM records");
+    EXPECT_EQ(catchError("bad/png-named.pdb"), cannot + "bad/png-named.pdb: it is not text, so not a PDB file");
+    EXPECT_EQ(catchError("bad/truncated-mid-line.pdb"),
               cannot + "bad/truncated-mid-line.pdb: it has no ATOM or HETATM records");
-    EXPECT_EQ(errorOf("bad/huge-line.pdb"), cannot + "bad/huge-line.pdb: it has no ATOM or HETATM records");
+    EXPECT_EQ(catchError("bad/huge-line.pdb"), cannot + "bad/huge-line.pdb: it has no ATOM or HETATM records");
     for (const char* file : {"bad/nan-coord.pdb", "bad/stars-coord.pdb"}) {
         const Molecule molecule = readFile(file);
         EXPECT_EQ(molecule.atoms.size(), 324u);
         ASSERT_FALSE(molecule.notes.empty());
-        EXPECT_EQ(sentenceOf(molecule.notes.back()).find("left out 3 atoms, the first on line "), 0u);
+        EXPECT_EQ(describeNote(molecule.notes.back()).find("left out 3 atoms, the first on line "), 0u);
     }
     // The sign stands in column 30, which readers by columns alone lose.
     EXPECT_EQ(readFile("bad/far-apart.pdb").atoms.at(0).position, glm::vec3(-9999, -999, 9999.999f));

@@ -28,7 +28,7 @@ std::string errorOfLines(const std::string& text, int model = 1) {
     return "no error";
 }
 
-std::string elementOf(const std::string& name, const std::string& residue) {
+std::string readElement(const std::string& name, const std::string& residue) {
     const std::string line = "HETATM    1 " + name + " " + residue + " A   1       1.000   2.000   3.000";
     return std::string(elementSymbol(readText(line).atoms.at(0).element));
 }
@@ -76,24 +76,24 @@ TEST(PdbLines, WideSerialsAreUnderstood) {
 }
 
 TEST(PdbLines, ElementsComeFromTheName) {
-    EXPECT_EQ(elementOf(" CA ", "ALA"), "C");
-    EXPECT_EQ(elementOf("CA  ", "ALA"), "C");  // shifted, yet no calcium in alanine
-    EXPECT_EQ(elementOf("CA  ", " CA"), "Ca");
-    EXPECT_EQ(elementOf("HG  ", "SER"), "H");
-    EXPECT_EQ(elementOf("HG  ", " HG"), "Hg");
-    EXPECT_EQ(elementOf("HE21", "GLN"), "H");
-    EXPECT_EQ(elementOf("HE21", "LIG"), "H");
-    EXPECT_EQ(elementOf("1HB ", "ALA"), "H");
-    EXPECT_EQ(elementOf("1H5'", "LIG"), "H");
-    EXPECT_EQ(elementOf("SE  ", "MSE"), "Se");
-    EXPECT_EQ(elementOf("FE  ", "HEM"), "Fe");
-    EXPECT_EQ(elementOf(" NA ", "HEM"), "N");
-    EXPECT_EQ(elementOf("CL1 ", "LIG"), "Cl");
-    EXPECT_EQ(elementOf("CL11", "LIG"), "Cl");
-    EXPECT_EQ(elementOf("NAC1", "LIG"), "N");
-    EXPECT_EQ(elementOf("Si  ", "LIG"), "Si");
-    EXPECT_EQ(elementOf(" SI ", "FIN"), "Si");
-    EXPECT_EQ(elementOf(" XX ", "LIG"), "X");
+    EXPECT_EQ(readElement(" CA ", "ALA"), "C");
+    EXPECT_EQ(readElement("CA  ", "ALA"), "C");  // shifted, yet no calcium in alanine
+    EXPECT_EQ(readElement("CA  ", " CA"), "Ca");
+    EXPECT_EQ(readElement("HG  ", "SER"), "H");
+    EXPECT_EQ(readElement("HG  ", " HG"), "Hg");
+    EXPECT_EQ(readElement("HE21", "GLN"), "H");
+    EXPECT_EQ(readElement("HE21", "LIG"), "H");
+    EXPECT_EQ(readElement("1HB ", "ALA"), "H");
+    EXPECT_EQ(readElement("1H5'", "LIG"), "H");
+    EXPECT_EQ(readElement("SE  ", "MSE"), "Se");
+    EXPECT_EQ(readElement("FE  ", "HEM"), "Fe");
+    EXPECT_EQ(readElement(" NA ", "HEM"), "N");
+    EXPECT_EQ(readElement("CL1 ", "LIG"), "Cl");
+    EXPECT_EQ(readElement("CL11", "LIG"), "Cl");
+    EXPECT_EQ(readElement("NAC1", "LIG"), "N");
+    EXPECT_EQ(readElement("Si  ", "LIG"), "Si");
+    EXPECT_EQ(readElement(" SI ", "FIN"), "Si");
+    EXPECT_EQ(readElement(" XX ", "LIG"), "X");
 }
 
 TEST(PdbLines, OldColumnsAreNoElements) {
@@ -179,7 +179,7 @@ TEST(PdbLines, ConectThatLeadsNowhereIsOneWarning) {
     for (int i = 0; i < 1000; ++i) text += "CONECT    1  999\nCONECT   xx    1\n";
     const Molecule m = readText(text);
     ASSERT_EQ(m.notes.size(), 2u);
-    EXPECT_EQ(sentenceOf(m.notes[0]), "left out 1000 bonds, the first on line 3: CONECT of atoms that are not there");
+    EXPECT_EQ(describeNote(m.notes[0]), "left out 1000 bonds, the first on line 3: CONECT of atoms that are not there");
     EXPECT_EQ(readText(kCarbon + kCarbon + kOxygen + "CONECT    1    2\n").bonds.size(), 0u);  // which atom 1?
     // Serial numbers far apart: hybrid-36, whose zzzzz is 87440031.
     const auto numbered = [](std::string line, const std::string& serial) { return line.replace(6, 5, serial); };

@@ -35,7 +35,7 @@ std::int64_t statusBytes(const std::string& key) {
 }
 
 /// Reads a file in a child, and says by how much its resident memory rose at most.
-std::int64_t peakOf(const std::string& path) {
+std::int64_t measurePeak(const std::string& path) {
     int ends[2];
     if (pipe(ends) != 0) return -1;
     const pid_t child = fork();
@@ -67,9 +67,9 @@ std::string filled(const std::string& head, const std::string& line, const std::
     while (text.size() + line.size() + tail.size() <= kText) text += line;
     return text + tail;
 }
-std::string times(std::size_t count, const std::function<std::string(std::size_t)>& lineOf) {
+std::string times(std::size_t count, const std::function<std::string(std::size_t)>& getLine) {
     std::string text;
-    for (std::size_t i = 0; i < count && text.size() < kText - 1024; ++i) text += lineOf(i);
+    for (std::size_t i = 0; i < count && text.size() < kText - 1024; ++i) text += getLine(i);
     return text;
 }
 
@@ -80,14 +80,14 @@ struct Bound {
 
 const std::string kSiteX = "data_a\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
 
-std::string runsOf(std::int32_t value, std::size_t rows) {
+std::string makeRuns(std::int32_t value, std::size_t rows) {
     const std::string bytes = int32Bytes({value, static_cast<std::int32_t>(rows)});
     return bcifData(bytes, {bcifEncoding("RunLength", {{"srcSize", packInteger(static_cast<std::int64_t>(rows))}}),
                             bcifByteArray(3)});
 }
 /// _atom_site of as many rows as the file has bytes, all the same, and what else is given.
 std::string bcifOfRows(std::size_t rows, std::vector<std::string> columns) {
-    for (const char* name : {"Cartn_x", "Cartn_y", "Cartn_z"}) columns.push_back(bcifColumn(name, runsOf(0, rows)));
+    for (const char* name : {"Cartn_x", "Cartn_y", "Cartn_z"}) columns.push_back(bcifColumn(name, makeRuns(0, rows)));
     return bcifFile(
         {bcifCategory("_padding", 1, {bcifColumn("a", bcifData(std::string(rows, '0'), {bcifByteArray(4)}))}),
          bcifCategory("_atom_site", static_cast<std::int64_t>(rows), columns)});
@@ -241,7 +241,7 @@ TEST(PeakMemory, OfEveryFormatIsBounded) {
             EXPECT_LE(bytes.size(), kText);
             std::ofstream(path, std::ios::binary) << bytes;
         }
-        const std::int64_t peak = peakOf(path);
+        const std::int64_t peak = measurePeak(path);
         std::printf("%-22s %6.1f MB\n", one.name.c_str(), static_cast<double>(peak) / 1e6);
         EXPECT_GE(peak, 0);
         EXPECT_LE(peak, static_cast<std::int64_t>(kMemory));

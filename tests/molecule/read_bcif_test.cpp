@@ -22,7 +22,9 @@ std::string atomSite(std::int64_t rows, const std::string& x, const std::vector<
     return bcifFile({bcifCategory("_atom_site", rows, columns)});
 }
 
-float xOf(const std::string& file, std::size_t atom) { return readMolecule("a.bcif", file).atoms.at(atom).position.x; }
+float readX(const std::string& file, std::size_t atom) {
+    return readMolecule("a.bcif", file).atoms.at(atom).position.x;
+}
 
 TEST(ReadBcif, IsTheSameAsMmcif) {
     NACRE_NEEDS_DATA();
@@ -68,30 +70,30 @@ TEST(ReadBcif, IsMmcifInAnotherOrder) {
 }
 
 TEST(ReadBcif, EveryEncodingOfNumbers) {
-    EXPECT_EQ(xOf(atomSite(2, bcifData("\x05\xff", {bcifByteArray(1)})), 1), -1.0f);
-    EXPECT_EQ(xOf(atomSite(2, bcifData("\x05\xff", {bcifByteArray(4)})), 1), 255.0f);
-    EXPECT_EQ(xOf(atomSite(1, bcifData("\xfe\xff", {bcifByteArray(2)})), 0), -2.0f);
-    EXPECT_EQ(xOf(atomSite(1, bcifData("\xfe\xff", {bcifByteArray(5)})), 0), 65534.0f);
-    EXPECT_EQ(xOf(atomSite(1, bcifData(littleEndian(70000, 4), {bcifByteArray(6)})), 0), 70000.0f);
-    EXPECT_EQ(xOf(atomSite(1, bcifData(littleEndian(0x3FC00000, 4), {bcifByteArray(32)})), 0), 1.5f);
-    EXPECT_EQ(xOf(atomSite(1, bcifData(littleEndian(0xC004000000000000, 8), {bcifByteArray(33)})), 0), -2.5f);
-    EXPECT_EQ(xOf(atomSite(3, bcifPackedDeltas({-1, 40000, -70000})), 1), 40000.0f);
-    EXPECT_EQ(xOf(atomSite(3, bcifPackedDeltas({-1, 40000, -70000})), 2), -70000.0f);
-    EXPECT_EQ(xOf(atomSite(4, bcifRuns({7, 7, 7, 9})), 2), 7.0f);
-    EXPECT_EQ(xOf(atomSite(2, bcifStrings(2, [](std::size_t i) { return i ? "-3.25" : "1"; })), 1), -3.25f);
+    EXPECT_EQ(readX(atomSite(2, bcifData("\x05\xff", {bcifByteArray(1)})), 1), -1.0f);
+    EXPECT_EQ(readX(atomSite(2, bcifData("\x05\xff", {bcifByteArray(4)})), 1), 255.0f);
+    EXPECT_EQ(readX(atomSite(1, bcifData("\xfe\xff", {bcifByteArray(2)})), 0), -2.0f);
+    EXPECT_EQ(readX(atomSite(1, bcifData("\xfe\xff", {bcifByteArray(5)})), 0), 65534.0f);
+    EXPECT_EQ(readX(atomSite(1, bcifData(littleEndian(70000, 4), {bcifByteArray(6)})), 0), 70000.0f);
+    EXPECT_EQ(readX(atomSite(1, bcifData(littleEndian(0x3FC00000, 4), {bcifByteArray(32)})), 0), 1.5f);
+    EXPECT_EQ(readX(atomSite(1, bcifData(littleEndian(0xC004000000000000, 8), {bcifByteArray(33)})), 0), -2.5f);
+    EXPECT_EQ(readX(atomSite(3, bcifPackedDeltas({-1, 40000, -70000})), 1), 40000.0f);
+    EXPECT_EQ(readX(atomSite(3, bcifPackedDeltas({-1, 40000, -70000})), 2), -70000.0f);
+    EXPECT_EQ(readX(atomSite(4, bcifRuns({7, 7, 7, 9})), 2), 7.0f);
+    EXPECT_EQ(readX(atomSite(2, bcifStrings(2, [](std::size_t i) { return i ? "-3.25" : "1"; })), 1), -3.25f);
     // Unsigned packing of 8 bits: 255 + 255 + 1, then 3.
     const auto packing = [](std::int64_t size) {
         return bcifEncoding(
             "IntegerPacking",
             {{"byteCount", packInteger(1)}, {"isUnsigned", packBoolean(true)}, {"srcSize", packInteger(size)}});
     };
-    EXPECT_EQ(xOf(atomSite(2, bcifData("\xff\xff\x01\x03", {packing(2), bcifByteArray(4)})), 0), 511.0f);
-    EXPECT_EQ(xOf(atomSite(2, bcifData("\xff\xff\x01\x03", {packing(2), bcifByteArray(4)})), 1), 3.0f);
+    EXPECT_EQ(readX(atomSite(2, bcifData("\xff\xff\x01\x03", {packing(2), bcifByteArray(4)})), 0), 511.0f);
+    EXPECT_EQ(readX(atomSite(2, bcifData("\xff\xff\x01\x03", {packing(2), bcifByteArray(4)})), 1), 3.0f);
     // Eleven steps from -1 to 1 are 0.2 apart.
     const std::string intervals = bcifEncoding(
         "IntervalQuantization", {{"min", packNumber(-1)}, {"max", packNumber(1)}, {"numSteps", packInteger(11)}});
-    EXPECT_FLOAT_EQ(xOf(atomSite(2, bcifData(std::string("\x00\x0a", 2), {intervals, bcifByteArray(4)})), 1), 1.0f);
-    EXPECT_FLOAT_EQ(xOf(atomSite(2, bcifData(std::string("\x00\x07", 2), {intervals, bcifByteArray(4)})), 1), 0.4f);
+    EXPECT_FLOAT_EQ(readX(atomSite(2, bcifData(std::string("\x00\x0a", 2), {intervals, bcifByteArray(4)})), 1), 1.0f);
+    EXPECT_FLOAT_EQ(readX(atomSite(2, bcifData(std::string("\x00\x07", 2), {intervals, bcifByteArray(4)})), 1), 0.4f);
 }
 
 TEST(ReadBcif, MasksHideValues) {
@@ -130,7 +132,7 @@ TEST(ReadBcif, WhatIsWrong) {
                                                       {"offsetEncoding", packArray({bcifByteArray(3)})},
                                                       {"offsets", packBinary(int32Bytes(offsets))}})});
     };
-    EXPECT_EQ(xOf(atomSite(1, strings({0, 1, 4}, 1)), 0), 234.0f);
+    EXPECT_EQ(readX(atomSite(1, strings({0, 1, 4}, 1)), 0), 234.0f);
     wrong(atomSite(1, strings({0, 1, 5}, 0)), "offset of its strings is out of range");
     wrong(atomSite(1, strings({0, 3, 2}, 0)), "offset of its strings is out of range");
     wrong(atomSite(1, strings({-1, 3}, 0)), "offset of its strings is out of range");

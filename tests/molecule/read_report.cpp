@@ -36,8 +36,8 @@ int main(int count, char** arguments) try {
     report["box_origin"] = {origin.x, origin.y, origin.z};
     report["models"] = molecule.file.models.value_or(molecule.file.records.value_or(1));
     report["warnings"] = molecule.warnings;
-    for (const nacre::ReadNote& note : nacre::readingOf(molecule, nacre::drawnOrders(molecule)))
-        report["reading"].push_back(nacre::sentenceOf(note));
+    for (const nacre::ReadNote& note : nacre::listReadNotes(molecule, nacre::drawnOrders(molecule)))
+        report["reading"].push_back(nacre::describeNote(note));
     std::cout << report.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) << '\n';
     return 0;
 } catch (const std::exception& error) {

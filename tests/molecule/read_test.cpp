@@ -109,7 +109,7 @@ TEST(Read, TextOfTwoBytesALetter) {
 
 TEST(Read, MessagesAreCleanWhateverNameAndContentHold) {
     const std::string name = "a\n\x1b[31m\xff\xc3\xa9.xyz";
-    const std::string message = test::messageOf(name, "1\n\nC \x01\xfe\x80 0 0\n");
+    const std::string message = test::catchError(name, "1\n\nC \x01\xfe\x80 0 0\n");
     EXPECT_NE(message.find("a\\x0a\\x1b[31m\\xff\xc3\xa9.xyz (line 3)"), std::string::npos) << message;
     EXPECT_NE(message.find("\\x01\\xfe\\x80"), std::string::npos) << message;
     EXPECT_EQ(printable(std::string(1000, 'a'), 10), "aaaaaaaaaa...");

@@ -37,16 +37,16 @@ std::string symbols(const Molecule& molecule) {
 }
 
 /// Bonds as numbers of atoms from 1: "1-2 2-3".
-std::string bondsOf(const Molecule& molecule) {
+std::string listBonds(const Molecule& molecule) {
     std::string text;
     for (const Bond& bond : molecule.bonds)
         text += (text.empty() ? "" : " ") + std::to_string(bond.a + 1) + "-" + std::to_string(bond.b + 1);
     return text;
 }
 
-std::int64_t countOf(const Molecule& molecule, ReadAction action, std::string_view what) {
+std::int64_t countNotes(const Molecule& molecule, ReadAction action, std::string_view what) {
     std::int64_t count = 0;
-    for (const ReadNote& note : readingOf(molecule, drawnOrders(molecule)))
+    for (const ReadNote& note : listReadNotes(molecule, drawnOrders(molecule)))
         count += note.action == action && note.what == what ? note.count : 0;
     return count;
 }
@@ -67,8 +67,8 @@ protected:
 };
 
 TEST_F(Reports, BondsOfOneModelAreNotAppliedToOtherAtoms) {
-    EXPECT_EQ(bondsOf(report("r03_models_conect.pdb", 1)), "1-2 2-3");
-    EXPECT_EQ(bondsOf(report("r03_models_conect.pdb", 2)), "1-4 2-3");  // by distance: 1.4 and 1.2 Å
+    EXPECT_EQ(listBonds(report("r03_models_conect.pdb", 1)), "1-2 2-3");
+    EXPECT_EQ(listBonds(report("r03_models_conect.pdb", 2)), "1-4 2-3");  // by distance: 1.4 and 1.2 Å
     ReadOptions all;
     all.model = kAllModels;
     const Molecule joined = readMoleculeFile(test::dataFile("reports/r03_models_conect.pdb"), all);
@@ -79,7 +79,7 @@ TEST_F(Reports, BondsOfOneModelAreNotAppliedToOtherAtoms) {
 TEST_F(Reports, ExhaustiveConectRules) {
     const Molecule genome = report("r04_genome.pdb");
     EXPECT_EQ(genome.bonds.size(), 39u);
-    EXPECT_EQ(countOf(genome, ReadAction::guessed, "bonds"), 0);
+    EXPECT_EQ(countNotes(genome, ReadAction::guessed, "bonds"), 0);
 }
 
 TEST_F(Reports, NamesInSmallLettersTellElements) {
@@ -108,7 +108,7 @@ TEST_F(Reports, ShiftedColumns) {
     ASSERT_EQ(shifted.atoms.size(), 6u);
     EXPECT_EQ(shifted.atoms[3].position, glm::vec3(14.195f, 58.650f, 112.800f));
     EXPECT_EQ(shifted.residues.back().number, 10000);
-    EXPECT_EQ(bondsOf(shifted), "1-2 1-3 4-5 4-6");
+    EXPECT_EQ(listBonds(shifted), "1-2 1-3 4-5 4-6");
     EXPECT_FLOAT_EQ(shifted.atoms[3].occupancy, 1);
     EXPECT_EQ(symbols(shifted), "O H H O H H");
 }
@@ -150,7 +150,7 @@ TEST_F(Reports, ElementsThatShareASite) {
 TEST_F(Reports, DisorderMarkedByQuestionMarks) {
     const Molecule disorder = report("r35_question_marks.cif");
     EXPECT_EQ(disorder.atoms[2].name.view(), "O1");
-    EXPECT_EQ(bondsOf(disorder).find("3-4"), std::string::npos);
+    EXPECT_EQ(listBonds(disorder).find("3-4"), std::string::npos);
     EXPECT_EQ(disorder.atoms[2].alternate, 'A');
     EXPECT_EQ(disorder.atoms[3].alternate, 'B');
 }
@@ -158,12 +158,12 @@ TEST_F(Reports, DisorderMarkedByQuestionMarks) {
 TEST_F(Reports, OneOddItemIsLeftOut) {
     const Molecule charged = report("r41_chg.sdf");
     EXPECT_EQ(charged.atoms[0].charge, 1);
-    EXPECT_EQ(countOf(charged, ReadAction::leftOut, "charges"), 1);
+    EXPECT_EQ(countNotes(charged, ReadAction::leftOut, "charges"), 1);
     EXPECT_TRUE(warns(charged, "left out 1 charge, line 8"));
 
     const Molecule unplaced = report("r44_no_coordinates.cif");
     EXPECT_EQ(unplaced.atoms.size(), 2u);
-    EXPECT_EQ(countOf(unplaced, ReadAction::leftOut, "atoms"), 1);
+    EXPECT_EQ(countNotes(unplaced, ReadAction::leftOut, "atoms"), 1);
     EXPECT_TRUE(warns(unplaced, "left out 1 atom, line 16"));
 }
 
@@ -171,7 +171,7 @@ TEST_F(Reports, MeekosTypes) {
     for (int model = 1; model <= 2; ++model) {
         const Molecule docked = report("r42_glue.pdbqt", model);
         EXPECT_EQ(symbols(docked), "C C O H N As Cl Br S B Si");
-        EXPECT_EQ(countOf(docked, ReadAction::leftOut, "atoms"), 1);
+        EXPECT_EQ(countNotes(docked, ReadAction::leftOut, "atoms"), 1);
     }
 }
 
@@ -240,12 +240,12 @@ TEST_F(Reports, SegmentsAreChainsWhereThereIsNone) {
     EXPECT_EQ(segments.chains[1].name, "PROB");
     EXPECT_EQ(selected(segments, "segi PROA") + selected(segments, "segid PROB"), segments.atoms.size());
     EXPECT_EQ(selected(segments, "segi PROA"), selected(segments, "chain PROA"));
-    EXPECT_EQ(countOf(segments, ReadAction::read, "segments"), 2);
+    EXPECT_EQ(countNotes(segments, ReadAction::read, "segments"), 2);
 }
 
 TEST_F(Reports, ConnectionsByLabelsAlone) {
     const Molecule disulfide = report("t09_conn_label_only.cif");
-    EXPECT_EQ(bondsOf(disulfide), "2-3");
+    EXPECT_EQ(listBonds(disulfide), "2-3");
     EXPECT_EQ(disulfide.bonds[0].source, BondSource::file);
 }
 
@@ -270,7 +270,7 @@ TEST_F(Reports, CellsOfPoscar) {
 TEST_F(Reports, BondsOfTinker) {
     const Molecule tinker = report("r31_tinker.xyz");
     EXPECT_EQ(symbols(tinker), "C C H H O");
-    EXPECT_EQ(bondsOf(tinker), "1-2 1-3 1-4 2-5");
+    EXPECT_EQ(listBonds(tinker), "1-2 1-3 1-4 2-5");
 }
 
 // The same traits in other places.
@@ -304,7 +304,7 @@ _struct_conn.ptnr2_label_seq_id
 _struct_conn.ptnr2_label_atom_id
 c1 covale A CYS 7 SG B LIG . C1
 )");
-    EXPECT_EQ(bondsOf(covalent), "1-2");
+    EXPECT_EQ(listBonds(covalent), "1-2");
     EXPECT_EQ(covalent.bonds[0].source, BondSource::file);
 }
 
@@ -430,8 +430,8 @@ TEST(OddFiles, GrainsNamedByTheLettersOfAminoAcids) {
     const Molecule grains = readMolecule("a.pdb", text);
     EXPECT_EQ(symbols(grains), "? ? ? ? ? ?") << "no phosphorus, no potassium";
     EXPECT_EQ(grains.bonds.size(), 5u);
-    EXPECT_EQ(countOf(grains, ReadAction::guessed, "coarse grains"), 6);
-    EXPECT_EQ(countOf(grains, ReadAction::guessed, "elements"), 0);
+    EXPECT_EQ(countNotes(grains, ReadAction::guessed, "coarse grains"), 6);
+    EXPECT_EQ(countNotes(grains, ReadAction::guessed, "elements"), 0);
 }
 
 TEST(OddFiles, OneGrainPerResidue) {

@@ -16,7 +16,7 @@
 namespace nacre {
 namespace {
 
-ResidueKind kindOf(const char* name, const char* atom = "X", const char* symbol = "C") {
+ResidueKind residueKind(const char* name, const char* atom = "X", const char* symbol = "C") {
     test::MoleculeText text;
     text.residue(name).atom(atom, symbol, {0, 0, 0});
     return residueKinds(text.molecule).at(0);
@@ -24,20 +24,21 @@ ResidueKind kindOf(const char* name, const char* atom = "X", const char* symbol 
 
 TEST(ResidueKind, ByName) {
     for (const char* name : {"ALA", "MSE", "HID", "HSP", "CYX", "SEP", "UNK", "ACE", "PYL"})
-        EXPECT_EQ(kindOf(name), ResidueKind::protein) << name;
+        EXPECT_EQ(residueKind(name), ResidueKind::protein) << name;
     for (const char* name : {"A", "DA", "U", "T", "DT", "PSU", "H2U"})
-        EXPECT_EQ(kindOf(name), ResidueKind::nucleic) << name;
-    for (const char* name : {"HOH", "WAT", "DOD", "TIP3", "SOL"}) EXPECT_EQ(kindOf(name), ResidueKind::water) << name;
-    for (const char* name : {"SO4", "PO4", "NO3"}) EXPECT_EQ(kindOf(name), ResidueKind::ion) << name;
+        EXPECT_EQ(residueKind(name), ResidueKind::nucleic) << name;
+    for (const char* name : {"HOH", "WAT", "DOD", "TIP3", "SOL"})
+        EXPECT_EQ(residueKind(name), ResidueKind::water) << name;
+    for (const char* name : {"SO4", "PO4", "NO3"}) EXPECT_EQ(residueKind(name), ResidueKind::ion) << name;
     for (const char* name : {"HEM", "ATP", "NAG", "GOL", "", "QQQ"})
-        EXPECT_EQ(kindOf(name), ResidueKind::ligand) << name;
+        EXPECT_EQ(residueKind(name), ResidueKind::ligand) << name;
 }
 
 TEST(ResidueKind, SingleMetalsAndHalogensAreIonsButNobleGasesAreNot) {
-    EXPECT_EQ(kindOf("ZN", "ZN", "ZN"), ResidueKind::ion);
-    EXPECT_EQ(kindOf("CL", "CL", "CL"), ResidueKind::ion);
-    EXPECT_EQ(kindOf("XE", "XE", "XE"), ResidueKind::ligand);
-    EXPECT_EQ(kindOf("", "Au", "AU"), ResidueKind::ligand);  // an atom of a cluster in a format without residues
+    EXPECT_EQ(residueKind("ZN", "ZN", "ZN"), ResidueKind::ion);
+    EXPECT_EQ(residueKind("CL", "CL", "CL"), ResidueKind::ion);
+    EXPECT_EQ(residueKind("XE", "XE", "XE"), ResidueKind::ligand);
+    EXPECT_EQ(residueKind("", "Au", "AU"), ResidueKind::ligand);  // an atom of a cluster in a format without residues
     test::MoleculeText text;
     text.residue("CA").atom("CA", "CA", {0, 0, 0}, 'A').atom("CA", "CA", {1, 0, 0}, 'B');
     EXPECT_EQ(residueKinds(text.molecule).at(0), ResidueKind::ion);

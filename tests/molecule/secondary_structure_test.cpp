@@ -50,7 +50,8 @@ TEST(SecondaryStructure, RangesMarkResiduesInOrderOfTheFile) {
     EXPECT_EQ(fold(text.molecule), "EEHHH-");
     EXPECT_TRUE(text.molecule.statesSecondaryStructure);
     ASSERT_EQ(text.molecule.notes.size(), 1u);
-    EXPECT_EQ(sentenceOf(text.molecule.notes[0]), "left out 2 helix or strand records: of residues that are not there");
+    EXPECT_EQ(describeNote(text.molecule.notes[0]),
+              "left out 2 helix or strand records: of residues that are not there");
 }
 
 TEST(SecondaryStructure, ManyOverlappingRangesTakeLinearTime) {

@@ -67,7 +67,7 @@ Molecule ligands(std::initializer_list<std::pair<const char*, int>> residues) {
     return readMolecule("a.pdb", text);
 }
 
-std::string mainOf(const Molecule& molecule) {
+std::string listMainLigand(const Molecule& molecule) {
     const std::vector<bool> set = selectAtoms(molecule, parseSelection("mainligand"));
     std::string list;
     for (const Residue& residue : molecule.residues) {
@@ -81,10 +81,10 @@ std::string mainOf(const Molecule& molecule) {
 }
 
 TEST(SelectionWords, TheMainLigandIsTheLargestThatIsNoGlycan) {
-    EXPECT_EQ(mainOf(ligands({{"NAG", 14}, {"QQ1", 6}, {"QQ2", 10}, {"QQ2", 10}, {"SO4", 5}})), "3");
-    EXPECT_EQ(mainOf(ligands({{"GOL", 6}, {"NAG", 14}})), "2") << "for want of another one";
-    EXPECT_EQ(mainOf(ligands({{"HOH", 1}, {"HOH", 1}})), "");
-    EXPECT_EQ(mainOf(peptide()), "");
+    EXPECT_EQ(listMainLigand(ligands({{"NAG", 14}, {"QQ1", 6}, {"QQ2", 10}, {"QQ2", 10}, {"SO4", 5}})), "3");
+    EXPECT_EQ(listMainLigand(ligands({{"GOL", 6}, {"NAG", 14}})), "2") << "for want of another one";
+    EXPECT_EQ(listMainLigand(ligands({{"HOH", 1}, {"HOH", 1}})), "");
+    EXPECT_EQ(listMainLigand(peptide()), "");
 }
 
 TEST(SelectionWords, Folds) {

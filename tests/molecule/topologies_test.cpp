@@ -17,12 +17,12 @@
 namespace nacre {
 namespace {
 
-std::string seedOf(const char* file) { return std::string(NACRE_SOURCE_DIR "/tests/fuzz/seeds/") + file; }
+std::string seedPath(const char* file) { return std::string(NACRE_SOURCE_DIR "/tests/fuzz/seeds/") + file; }
 
 Molecule seed(const char* file, int model = 1) {
     ReadOptions options;
     options.model = model;
-    return readMoleculeFile(seedOf(file), options);
+    return readMoleculeFile(seedPath(file), options);
 }
 
 /// Oxygen bonded to two hydrogens, 0.96 Å apart.
@@ -75,7 +75,7 @@ TEST(Topologies, Prmtop) {
 }
 
 TEST(Topologies, CoordinatesOfAmberAreATrajectory) {
-    const auto frames = openTrajectory(seedOf("water.inpcrd"));
+    const auto frames = openTrajectory(seedPath("water.inpcrd"));
     EXPECT_EQ(frames->atoms(), 3u);
     EXPECT_EQ(frames->frames(), 1u);
     const TrajectoryFrame frame = frames->read(0);
@@ -103,7 +103,7 @@ TEST(Topologies, LammpsData) {
     EXPECT_FLOAT_EQ(water.partialCharges[0], -0.834f);
     EXPECT_EQ(water.file.box, (std::array{glm::vec3(10, 0, 0), glm::vec3(1, 11, 0), glm::vec3(0, 0, 12)}));
     EXPECT_EQ(water.file.boxOrigin, glm::vec3(0));
-    std::string text = test::contentOf(seedOf("water.data"));
+    std::string text = test::readContents(seedPath("water.data"));
     const std::size_t low = text.find("0.0 10.0 xlo");
     ASSERT_NE(low, std::string::npos);
     const Molecule shifted = readMolecule("a.data", text.replace(low, 12, "-5.0 5.0 xlo"));
@@ -174,7 +174,7 @@ TEST(Topologies, LammpsDumpIsSortedById) {
         EXPECT_EQ(beads.types[0].view(), "2");
         EXPECT_GT(beads.atoms[0].radius, 0);
     }
-    const auto frames = openTrajectory(seedOf("beads.lammpstrj"));
+    const auto frames = openTrajectory(seedPath("beads.lammpstrj"));
     ASSERT_EQ(frames->frames(), 2u);
     EXPECT_NEAR(frames->read(1).positions[2].x, 3.5, 1e-5);
 }
@@ -374,8 +374,8 @@ TEST(Topologies, RunInputsOfGromacsNameTheProgramThatReadsThem) {
 }
 
 TEST(Topologies, AreTrajectoriesOnlyWithPositions) {
-    EXPECT_THROW(openTrajectory(seedOf("water.psf")), Error);
-    EXPECT_EQ(openTrajectory(seedOf("salt.poscar"))->atoms(), 2u);
+    EXPECT_THROW(openTrajectory(seedPath("water.psf")), Error);
+    EXPECT_EQ(openTrajectory(seedPath("salt.poscar"))->atoms(), 2u);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ const std::map<std::string, Says> kKinds = {
     {".lmp", {"lammps", 0, 0.00006f}},
 };
 
-void expectWordsOf(const Molecule& sample, const Molecule& read, std::size_t atom, unsigned words) {
+void expectWords(const Molecule& sample, const Molecule& read, std::size_t atom, unsigned words) {
     const Atom &a = read.atoms[atom], &b = sample.atoms[atom];
     const Residue &in = read.residues[a.residue], &was = sample.residues[b.residue];
     if (words & kNames) {
@@ -70,21 +70,21 @@ void expectWordsOf(const Molecule& sample, const Molecule& read, std::size_t ato
     }
 }
 
-void expectAtomsOf(const Molecule& sample, const Molecule& read, const Says& says, glm::vec3 shift) {
+void expectAtoms(const Molecule& sample, const Molecule& read, const Says& says, glm::vec3 shift) {
     ASSERT_EQ(read.atoms.size(), sample.atoms.size());
     for (std::size_t i = 0; i < read.atoms.size(); ++i) {
         SCOPED_TRACE(i);
         const Atom &a = read.atoms[i], &b = sample.atoms[i];
         ASSERT_EQ(a.element, b.element);
         for (int axis = 0; axis < 3; ++axis) ASSERT_NEAR(a.position[axis] - shift[axis], b.position[axis], says.error);
-        ASSERT_NO_FATAL_FAILURE(expectWordsOf(sample, read, i, says.words));
+        ASSERT_NO_FATAL_FAILURE(expectWords(sample, read, i, says.words));
     }
     if (says.words & kNames) {
         EXPECT_EQ(read.residues.size(), sample.residues.size());
     }
 }
 
-std::set<std::vector<std::uint32_t>> bondsOf(const Molecule& molecule, bool orders) {
+std::set<std::vector<std::uint32_t>> collectBonds(const Molecule& molecule, bool orders) {
     std::set<std::vector<std::uint32_t>> bonds;
     for (const Bond& bond : molecule.bonds) bonds.insert({bond.a, bond.b, orders ? bond.order : 0u});
     return bonds;
@@ -101,8 +101,8 @@ TEST(WrittenFiles, AreTheSamples) {
         const Molecule read = readMoleculeFile(file.path);
         EXPECT_EQ(read.file.format, says.format);
         EXPECT_EQ(read.warnings, std::vector<std::string>());
-        expectAtomsOf(sample, read, says, file.kind == "_core.cif" ? test::kMiddleOfCell : glm::vec3(0));
-        EXPECT_EQ(bondsOf(read, says.words & kOrders), bondsOf(sample, says.words & kOrders));
+        expectAtoms(sample, read, says, file.kind == "_core.cif" ? test::kMiddleOfCell : glm::vec3(0));
+        EXPECT_EQ(collectBonds(read, says.words & kOrders), collectBonds(sample, says.words & kOrders));
         ++seen[file.kind];
     }
     for (const auto& [kind, says] : kKinds) EXPECT_GE(seen[kind], kind == ".pdbqt" ? 2 : 3) << kind;

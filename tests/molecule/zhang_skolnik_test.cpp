@@ -14,7 +14,7 @@
 namespace nacre {
 namespace {
 
-using test::chainOf;
+using test::buildChain;
 
 std::string foldOfCarbons(const std::vector<SecondaryStructure>& kinds) {
     std::string text;
@@ -23,27 +23,27 @@ std::string foldOfCarbons(const std::vector<SecondaryStructure>& kinds) {
 }
 
 /// The rest of the backbone gets other names.
-Molecule carbonsOf(Molecule molecule) {
+Molecule keepCarbons(Molecule molecule) {
     for (Atom& atom : molecule.atoms)
         if (atom.name != Name("CA")) atom.name = Name("X");
     return molecule;
 }
 
 TEST(ZhangSkolnik, HelicesAndStrandsByTheirTorsions) {
-    const Molecule helix = carbonsOf(chainOf(12, -57, -47)), strand = carbonsOf(chainOf(12, -120, 130));
+    const Molecule helix = keepCarbons(buildChain(12, -57, -47)), strand = keepCarbons(buildChain(12, -120, 130));
     EXPECT_EQ(foldOfCarbons(zhangSkolnik(helix)), "--HHHHHHHH--");
     EXPECT_EQ(foldOfCarbons(zhangSkolnik(strand)), "--EEEEEEEE--");
-    EXPECT_EQ(foldOfCarbons(zhangSkolnik(carbonsOf(chainOf(12, 60, 90)))), "------------");
+    EXPECT_EQ(foldOfCarbons(zhangSkolnik(keepCarbons(buildChain(12, 60, 90)))), "------------");
     EXPECT_EQ(foldOfCarbons(secondaryStructure(helix)), "--HHHHHHHH--");
 }
 
 TEST(ZhangSkolnik, WhereTheBackboneIsWholeItHasNoSay) {
-    const Molecule whole = chainOf(12, -57, -47);
+    const Molecule whole = buildChain(12, -57, -47);
     EXPECT_EQ(foldOfCarbons(zhangSkolnik(whole)), "------------");
     EXPECT_EQ(foldOfCarbons(secondaryStructure(whole)), "-HHHHHHHHHH-");
     Molecule both = whole;  // a chain of carbons behind it
     both.chains.push_back({"B", 1});
-    const Molecule carbons = carbonsOf(whole);
+    const Molecule carbons = keepCarbons(whole);
     for (Atom atom : carbons.atoms) {
         atom.residue += 12;
         both.atoms.push_back(atom);
@@ -57,18 +57,18 @@ TEST(ZhangSkolnik, WhereTheBackboneIsWholeItHasNoSay) {
 }
 
 TEST(ZhangSkolnik, BreaksShortPiecesAndCalcium) {
-    Molecule broken = carbonsOf(chainOf(16, -57, -47));
+    Molecule broken = keepCarbons(buildChain(16, -57, -47));
     for (std::size_t i = 7 * 4; i < broken.atoms.size(); ++i) broken.atoms[i].position.x += 30;
     EXPECT_EQ(foldOfCarbons(zhangSkolnik(broken)), "---------HHHHH--");  // of the first seven three would be one
-    EXPECT_EQ(foldOfCarbons(zhangSkolnik(carbonsOf(chainOf(6, -120, 130)))), "------");
-    EXPECT_EQ(foldOfCarbons(zhangSkolnik(carbonsOf(chainOf(7, -120, 130)))), "--EEE--");
-    Molecule calcium = carbonsOf(chainOf(12, -57, -47));
+    EXPECT_EQ(foldOfCarbons(zhangSkolnik(keepCarbons(buildChain(6, -120, 130)))), "------");
+    EXPECT_EQ(foldOfCarbons(zhangSkolnik(keepCarbons(buildChain(7, -120, 130)))), "--EEE--");
+    Molecule calcium = keepCarbons(buildChain(12, -57, -47));
     for (Atom& atom : calcium.atoms) atom.element = 20;
     EXPECT_EQ(foldOfCarbons(zhangSkolnik(calcium)), "------------");
 }
 
 TEST(ZhangSkolnik, PlacesThatAreNone) {
-    Molecule nowhere = carbonsOf(chainOf(12, -57, -47)), together = nowhere;
+    Molecule nowhere = keepCarbons(buildChain(12, -57, -47)), together = nowhere;
     for (Atom& atom : together.atoms) atom.position = {};
     EXPECT_EQ(foldOfCarbons(zhangSkolnik(together)), "------------");
     for (Atom& atom : nowhere.atoms) atom.position.x = std::numeric_limits<float>::quiet_NaN();
@@ -82,7 +82,7 @@ TEST(ZhangSkolnik, AgreesMostlyWithHydrogenBonds) {
     for (const char* name : {"1crn.pdb", "4hhb.pdb", "1stp-v5.cif", "gfp-1ema.cif"}) {
         const Molecule molecule = readMoleculeFile(test::dataFile(name));
         const std::string bonds = foldOfCarbons(kabschSander(molecule));
-        const std::string carbons = foldOfCarbons(zhangSkolnik(carbonsOf(molecule)));
+        const std::string carbons = foldOfCarbons(zhangSkolnik(keepCarbons(molecule)));
         for (const std::uint32_t index : drawnAtoms(molecule)) {
             if (molecule.atoms[index].name != Name("CA")) continue;
             const char b = bonds[molecule.atoms[index].residue], c = carbons[molecule.atoms[index].residue];

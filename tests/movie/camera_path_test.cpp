@@ -88,25 +88,26 @@ TEST(CameraPath, ALensShowsWhatItsViewShows) {
     const glm::dvec3 center(3, 4, 5), other(5, 3, 4), atom(1, 7, 2);
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         camera.projection = projection;
-        const View view = viewOf(camera, 20, 300, 200);
+        const View view = makeView(camera, 20, 300, 200);
         const auto pixel = [&](const View& v, const glm::dvec3& c) {
             const glm::dvec3 p = v.rotation * (atom - c);
             const double scale = v.eyeDistance > 0 ? v.eyeDistance / (v.eyeDistance - p.z) : 1;
             return (glm::dvec2(p) * scale + v.pan) * v.pixelsPerAngstrom;
         };
-        EXPECT_LT(glm::distance(pixel(view, center), pixel(viewThrough(lensOf(view, center), view, center), center)),
+        EXPECT_LT(glm::distance(pixel(view, center), pixel(viewThrough(makeLens(view, center), view, center), center)),
                   1e-9);
         // Of a molecule with another centre: exact in parallel projection, in which the eye is nowhere.
-        const glm::dvec2 moved = pixel(viewThrough(lensOf(view, center), viewOf(camera, 25, 300, 200), other), other);
+        const glm::dvec2 moved =
+            pixel(viewThrough(makeLens(view, center), makeView(camera, 25, 300, 200), other), other);
         EXPECT_LT(glm::distance(pixel(view, center), moved), projection == Projection::perspective ? 3 : 1e-9);
     }
 }
 
 TEST(Turned, IsRotateAboutThePicturesAxes) {
-    const View view = viewOf({}, 10, 100, 100);
+    const View view = makeView({}, 10, 100, 100);
     Camera camera;
     camera.rotationDegrees = {0, 40, 0};
-    EXPECT_EQ(turned(view, {0, 1, 0}, 40).rotation, viewOf(camera, 10, 100, 100).rotation);
+    EXPECT_EQ(turned(view, {0, 1, 0}, 40).rotation, makeView(camera, 10, 100, 100).rotation);
     EXPECT_EQ(turned(view, {0, 1, 0}, 360).rotation, view.rotation) << "a whole turn ends where it began";
     const glm::dvec3 axis = parseAxis("1,1,1");
     EXPECT_LT(glm::distance(turned(view, axis, 120).rotation * glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)), 1e-12);

@@ -10,15 +10,15 @@
 
 namespace nacre::app {
 
-using test::contentOf;
 using test::nacreIn;
 using test::Outcome;
+using test::readContents;
 using test::TemporaryFolder;
 
 constexpr std::size_t kFrameBytes = 3 * 64 * 48;
 inline const std::string kSmall = " --size 64x48 --occlusion 8 --cache off ";
 
-inline std::string outputOf(const std::string& command) {
+inline std::string captureOutput(const std::string& command) {
     std::string text;
     std::FILE* pipe = popen(command.c_str(), "r");
     if (!pipe) return text;
@@ -29,14 +29,14 @@ inline std::string outputOf(const std::string& command) {
 }
 
 /// Pixels of all frames, three bytes each.
-inline std::string framesOf(const std::string& path) {
-    return outputOf("ffmpeg -v error -nostdin -i '" + path +
-                    "' -fps_mode passthrough -f rawvideo -pix_fmt rgb24 - 2>&1");
+inline std::string readFrames(const std::string& path) {
+    return captureOutput("ffmpeg -v error -nostdin -i '" + path +
+                         "' -fps_mode passthrough -f rawvideo -pix_fmt rgb24 - 2>&1");
 }
 
 inline std::string probed(const std::string& path, const std::string& entries) {
-    return outputOf("ffprobe -v error -count_frames -show_entries stream=" + entries +
-                    " -of default=noprint_wrappers=1 '" + path + "' 2>&1");
+    return captureOutput("ffprobe -v error -count_frames -show_entries stream=" + entries +
+                         " -of default=noprint_wrappers=1 '" + path + "' 2>&1");
 }
 
 inline int largestDifference(const std::string& a, const std::string& b) {

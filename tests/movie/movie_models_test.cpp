@@ -25,7 +25,7 @@ TEST(Movie, GoesThroughModels) {
             << outcome.out;
     EXPECT_TRUE(std::filesystem::exists(folder / "f/frame_00003.png"));
     EXPECT_FALSE(std::filesystem::exists(folder / "f/frame_00004.png"));
-    EXPECT_NE(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "f/frame_00003.png"));
+    EXPECT_NE(readContents(folder / "f/frame_00001.png"), readContents(folder / "f/frame_00003.png"));
 }
 
 TEST(Movie, GoesThroughARangeOfModelsInStrides) {
@@ -50,7 +50,7 @@ TEST(Movie, GoesThroughARangeOfModelsInStrides) {
     const auto movie = [&](const char* title) {
         nacreIn(folder, std::string("movie m.xyz -o t.png --models --center 2,0,0 --frames 4-4 --fps 10 --title ") +
                             title + kSmall);
-        return framesOf(folder / "t.png");
+        return readFrames(folder / "t.png");
     };
     EXPECT_EQ(movie("'m {frame}'"), movie("'m 4'"));
     EXPECT_NE(movie("'m {frame}'"), movie("'m 1'"));
@@ -70,8 +70,8 @@ TEST(Movie, ModelsAreThePicturesThatRenderDraws) {
         for (const char* model : {"1", "2", "3"}) {
             ASSERT_EQ(nacreIn(folder, std::string("render m.xyz -o a.png --model ") + model + kSmall + options).code,
                       0);
-            EXPECT_TRUE(contentOf(folder / ("f/frame_0000" + std::string(model) + ".png")) ==
-                        contentOf(folder / "a.png"))
+            EXPECT_TRUE(readContents(folder / ("f/frame_0000" + std::string(model) + ".png")) ==
+                        readContents(folder / "a.png"))
                 << model << options;
         }
     }
@@ -91,7 +91,7 @@ TEST(Movie, SurfacesThatMoveHaveTheColoursOfAMap) {
     ASSERT_EQ(colored.code, 0) << colored.err;
     for (int i = 1; i <= 3; ++i) {
         const std::string name = "/frame_0000" + std::to_string(i) + ".png";
-        EXPECT_NE(contentOf(folder / ("plain" + name)), contentOf(folder / ("colored" + name))) << i;
+        EXPECT_NE(readContents(folder / ("plain" + name)), readContents(folder / ("colored" + name))) << i;
     }
 }
 
@@ -108,8 +108,8 @@ TEST(Movie, ModelsGoOnAlongViews) {
                                 smooth);
         ASSERT_EQ(movie.code, 0) << movie.err;
         for (int i = 2; i <= 4; ++i)
-            EXPECT_NE(contentOf(folder / "f/frame_00001.png"),
-                      contentOf(folder / ("f/frame_0000" + std::to_string(i) + ".png")))
+            EXPECT_NE(readContents(folder / "f/frame_00001.png"),
+                      readContents(folder / ("f/frame_0000" + std::to_string(i) + ".png")))
                 << i << smooth;
     }
 }
@@ -133,14 +133,14 @@ TEST(Movie, HoldsNoMoreOfAFileThanItsModels) {
     };
     write("few.pdb", 2);
     write("many.pdb", 120);  // 48 MB
-    const auto peakOf = [&](const char* name) {
+    const auto measurePeak = [&](const char* name) {
         const test::MeasuredRun run =
             test::runMeasured({"movie", folder / name, "--models", "--seconds", "0.3", "--fps", "10", "--size", "32x32",
                                "--occlusion", "off", "--style", "spacefill", "-o", folder / "a.png", "-q"});
         EXPECT_EQ(run.code, 0) << run.err;
         return run.peakBytes;
     };
-    const auto few = peakOf("few.pdb"), many = peakOf("many.pdb");
+    const auto few = measurePeak("few.pdb"), many = measurePeak("many.pdb");
     EXPECT_LT(many, few + (24u << 20)) << "the text is 48 MB, its positions 7";
 }
 
@@ -166,7 +166,7 @@ TEST(Movie, FitsAndSmoothsModels) {
         const Outcome outcome =
             nacreIn(folder, "movie " + molecule + ".xyz -o " + movie + " --models --fps 10 " + options + kSmall);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return framesOf(folder / movie);
+        return readFrames(folder / movie);
     };
     // Outlines that pass through centres of pixels fall to either side.
     const auto apart = [](const std::string& a, const std::string& b) {
@@ -195,20 +195,20 @@ TEST(Movie, MorphsFromModelToModelOrFromInputToInput) {
         const Outcome outcome = nacreIn(folder, "movie " + options + " -o " + movie + " --fps 4 --report -" + kSmall);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_NE(outcome.out.find(R"("frames": 8,)"), std::string::npos) << "2 s: " << outcome.out;
-        return framesOf(folder / movie);
+        return readFrames(folder / movie);
     };
     const std::string through = frames("m.xyz --morph");
     const std::size_t frame = through.size() / 8;
     const auto at = [&](const std::string& all, std::size_t i) { return all.substr(i * frame, frame); };
     ASSERT_EQ(nacreIn(folder, "movie m.xyz -o models.png --models --fps 10" + kSmall).code, 0);
-    const std::string models = framesOf(folder / "models.png");
+    const std::string models = readFrames(folder / "models.png");
     for (std::size_t i = 1; i < 8; ++i) EXPECT_NE(at(through, i), at(through, i - 1)) << i;
     EXPECT_EQ(at(through, 0), at(models, 0)) << "it begins as the first model";
     EXPECT_EQ(at(frames("a.xyz b.xyz --morph"), 0), at(through, 0));
     // Inputs are shown one by one, too.
     ASSERT_EQ(nacreIn(folder, "movie a.xyz b.xyz -o inputs.png --models --conformations --fps 10" + kSmall).code, 0);
-    EXPECT_EQ(framesOf(folder / "inputs.png").substr(0, frame), at(models, 0));
-    EXPECT_EQ(framesOf(folder / "inputs.png").size(), models.size());
+    EXPECT_EQ(readFrames(folder / "inputs.png").substr(0, frame), at(models, 0));
+    EXPECT_EQ(readFrames(folder / "inputs.png").size(), models.size());
     // There and back in the same time.
     const std::string round = frames("m.xyz --morph --loop --seconds 2 --easing linear");
     EXPECT_EQ(at(round, 0), at(through, 0));
@@ -225,7 +225,7 @@ TEST(Movie, WordsGoWithTheAtomsThatTheyName) {
         const Outcome outcome =
             nacreIn(folder, std::string("movie m.xyz --models --smooth 3 --fps 10 -o ") + movie + kSmall + options);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return framesOf(folder / movie);
+        return readFrames(folder / movie);
     };
     const std::string plain = frames("a.png", ""), named = frames("b.png", "--label 'element N=N'");
     ASSERT_EQ(plain.size(), 3 * kFrameBytes);

@@ -23,7 +23,8 @@ TEST(Movie, FramesAreTheFilesThatRenderWrites) {
                                         ",0 --zoom 1" + kSmall)
                       .code,
                   0);
-        EXPECT_EQ(contentOf(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png")), contentOf(pictures / name))
+        EXPECT_EQ(readContents(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png")),
+                  readContents(pictures / name))
             << i;
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "f/frame_00005.png")) << "the last frame leads on to the first";
@@ -37,9 +38,9 @@ TEST(Movie, ShowsInteractionsInEveryFrame) {
         const std::string turned = " --rotate 0," + std::to_string(180 * i) + ",0";
         ASSERT_EQ(nacreIn(folder, "render sample:dna -o with.png" + turned + contacts).code, 0);
         ASSERT_EQ(nacreIn(folder, "render sample:dna -o without.png" + turned + look).code, 0);
-        const std::string frame = contentOf(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png"));
-        EXPECT_EQ(frame, contentOf(folder / "with.png")) << i;
-        EXPECT_NE(frame, contentOf(folder / "without.png")) << i;
+        const std::string frame = readContents(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png"));
+        EXPECT_EQ(frame, readContents(folder / "with.png")) << i;
+        EXPECT_NE(frame, readContents(folder / "without.png")) << i;
     }
 }
 
@@ -60,9 +61,10 @@ TEST(Movie, SweepsTheLevelOfAMap) {
                                       map + kSmall)
                       .code,
                   0);
-        EXPECT_EQ(contentOf(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png")), contentOf(folder / name)) << i;
+        EXPECT_EQ(readContents(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png")), readContents(folder / name))
+            << i;
     }
-    EXPECT_NE(contentOf(folder / "0.png"), contentOf(folder / "1.png"));
+    EXPECT_NE(readContents(folder / "0.png"), readContents(folder / "1.png"));
 }
 
 TEST(Movie, EveryFormatHoldsTheFramesThatWereDrawn) {
@@ -70,7 +72,7 @@ TEST(Movie, EveryFormatHoldsTheFramesThatWereDrawn) {
     const std::string motion = "movie sample:glucose --spin x --fps 10 --seconds 0.8" + kSmall + "-o ";
     ASSERT_EQ(nacreIn(folder, motion + "f/").code, 0);
     std::string expected;
-    for (int i = 1; i <= 8; ++i) expected += framesOf(folder / ("f/frame_0000" + std::to_string(i) + ".png"));
+    for (int i = 1; i <= 8; ++i) expected += readFrames(folder / ("f/frame_0000" + std::to_string(i) + ".png"));
     ASSERT_EQ(expected.size(), 8 * kFrameBytes);
     const struct {
         const char *name, *codec;
@@ -82,7 +84,7 @@ TEST(Movie, EveryFormatHoldsTheFramesThatWereDrawn) {
         const std::string told = probed(folder / format.name, "codec_name,width,height,r_frame_rate,nb_read_frames");
         EXPECT_EQ(told, std::string("codec_name=") + format.codec +
                             "\nwidth=64\nheight=48\nr_frame_rate=10/1\nnb_read_frames=8\n");
-        const std::string frames = framesOf(folder / format.name);
+        const std::string frames = readFrames(folder / format.name);
         ASSERT_EQ(frames.size(), expected.size()) << format.name;
         EXPECT_LE(largestDifference(frames, expected), format.difference) << format.name;
         double sum = 0;  // thin sticks lose colour in video, whose colour has half the pixels
@@ -90,9 +92,9 @@ TEST(Movie, EveryFormatHoldsTheFramesThatWereDrawn) {
             sum += std::abs(static_cast<unsigned char>(frames[i]) - static_cast<unsigned char>(expected[i]));
         EXPECT_LT(sum / static_cast<double>(frames.size()), 4) << format.name;
         // The same once more, to the byte.
-        const std::string first = contentOf(folder / format.name);
+        const std::string first = readContents(folder / format.name);
         ASSERT_EQ(nacreIn(folder, motion + format.name).code, 0);
-        EXPECT_TRUE(first == contentOf(folder / format.name)) << format.name << " is not the same twice";
+        EXPECT_TRUE(first == readContents(folder / format.name)) << format.name << " is not the same twice";
     }
     EXPECT_EQ(folder.count(), 5u) << "something is left behind";
 }
@@ -106,7 +108,7 @@ TEST(Movie, KeepsTransparencyWhereTheFormatCan) {
                       .code,
                   0);
         const std::string pixels =
-            outputOf("ffmpeg -v error -nostdin -i '" + (folder / name) + "' -f rawvideo -pix_fmt rgba - 2>&1");
+            captureOutput("ffmpeg -v error -nostdin -i '" + (folder / name) + "' -f rawvideo -pix_fmt rgba - 2>&1");
         ASSERT_GE(pixels.size(), 2 * 64 * 48 * 4u) << pixels;
         EXPECT_EQ(pixels[3], 0) << name << ": the corner is not transparent";
         int opaque = 0;
@@ -127,12 +129,12 @@ TEST(Movie, KeyViewsAreThePicturesOfTheirFiles) {
             0);
     const std::string common = "movie --views a.json,b.json --size 64x48 --cache off --fps 3 --seconds ";
     ASSERT_EQ(nacreIn(folder, common + "1 -o open/").code, 0);
-    EXPECT_EQ(contentOf(folder / "open/frame_00001.png"), contentOf(folder / "a.png"));
-    EXPECT_EQ(contentOf(folder / "open/frame_00003.png"), contentOf(folder / "b.png")) << "ends at the last view";
+    EXPECT_EQ(readContents(folder / "open/frame_00001.png"), readContents(folder / "a.png"));
+    EXPECT_EQ(readContents(folder / "open/frame_00003.png"), readContents(folder / "b.png")) << "ends at the last view";
     ASSERT_EQ(nacreIn(folder, common + "1.3333 -o loop/ --loop").code, 0);
-    EXPECT_EQ(contentOf(folder / "loop/frame_00001.png"), contentOf(folder / "a.png"));
-    EXPECT_EQ(contentOf(folder / "loop/frame_00003.png"), contentOf(folder / "b.png"));
-    EXPECT_NE(contentOf(folder / "loop/frame_00004.png"), contentOf(folder / "a.png"));
+    EXPECT_EQ(readContents(folder / "loop/frame_00001.png"), readContents(folder / "a.png"));
+    EXPECT_EQ(readContents(folder / "loop/frame_00003.png"), readContents(folder / "b.png"));
+    EXPECT_NE(readContents(folder / "loop/frame_00004.png"), readContents(folder / "a.png"));
     EXPECT_FALSE(std::filesystem::exists(folder / "loop/frame_00005.png"));
 }
 
@@ -143,7 +145,7 @@ TEST(Movie, KeepsTheTransparencyOfItsViews) {
     const std::string common = " --size 64x48 --cache off -o ";
     ASSERT_EQ(nacreIn(folder, "render --view a.json" + common + "a.png").code, 0);
     ASSERT_EQ(nacreIn(folder, "movie --views a.json,b.json --seconds 0.2 --fps 10" + common + "f/").code, 0);
-    EXPECT_EQ(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "a.png"));
+    EXPECT_EQ(readContents(folder / "f/frame_00001.png"), readContents(folder / "a.png"));
     EXPECT_NE(probed(folder / "a.png", "pix_fmt").find("rgba"), std::string::npos);
 }
 
@@ -159,8 +161,8 @@ TEST(Movie, OptionsPrevailOverEachOfItsViews) {
         ASSERT_EQ(nacreIn(folder, "render --view " + std::string(name) + ".json" + options + name + ".png").code, 0);
     const Outcome movie = nacreIn(folder, "movie --views a.json,b.json --fps 4 --seconds 1" + options + "f/");
     ASSERT_EQ(movie.code, 0) << movie.err;
-    EXPECT_EQ(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "a.png"));
-    EXPECT_EQ(contentOf(folder / "f/frame_00004.png"), contentOf(folder / "b.png"));
+    EXPECT_EQ(readContents(folder / "f/frame_00001.png"), readContents(folder / "a.png"));
+    EXPECT_EQ(readContents(folder / "f/frame_00004.png"), readContents(folder / "b.png"));
 }
 
 TEST(Movie, GoesAlongViewsOfSeveralInputs) {
@@ -175,8 +177,8 @@ TEST(Movie, GoesAlongViewsOfSeveralInputs) {
         ASSERT_EQ(nacreIn(folder, "render --view " + std::string(name) + ".json" + options + name + ".png").code, 0);
     const Outcome movie = nacreIn(folder, "movie --views a.json,b.json --fps 3 --seconds 1" + options + "f/");
     ASSERT_EQ(movie.code, 0) << movie.err;
-    EXPECT_EQ(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "a.png"));
-    EXPECT_EQ(contentOf(folder / "f/frame_00003.png"), contentOf(folder / "b.png"));
+    EXPECT_EQ(readContents(folder / "f/frame_00001.png"), readContents(folder / "a.png"));
+    EXPECT_EQ(readContents(folder / "f/frame_00003.png"), readContents(folder / "b.png"));
     const Outcome other = nacreIn(folder, "movie --views a.json,c.json -o c/");
     EXPECT_NE(other.err.find("another molecule than the first: sample:glucose"), std::string::npos) << other.err;
 }
@@ -193,26 +195,26 @@ TEST(Movie, WordsAlongViewsStandAsInEachView) {
         ASSERT_EQ(nacreIn(folder, "render --view " + std::string(name) + ".json" + size + name + ".png").code, 0);
     const std::string movie = "movie --views a.json,b.json,a.json --fps 10 --seconds 0.9" + size;
     ASSERT_EQ(nacreIn(folder, movie + "f/").code, 0);
-    EXPECT_EQ(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "a.png"));
-    EXPECT_EQ(contentOf(folder / "f/frame_00005.png"), contentOf(folder / "b.png"));
-    EXPECT_EQ(contentOf(folder / "f/frame_00009.png"), contentOf(folder / "a.png"));
+    EXPECT_EQ(readContents(folder / "f/frame_00001.png"), readContents(folder / "a.png"));
+    EXPECT_EQ(readContents(folder / "f/frame_00005.png"), readContents(folder / "b.png"));
+    EXPECT_EQ(readContents(folder / "f/frame_00009.png"), readContents(folder / "a.png"));
     // A palette is made of some frames beforehand: that moves no label.
     ASSERT_EQ(nacreIn(folder, movie + "a.gif").code, 0);
     std::string drawn;
-    for (int i = 1; i <= 9; ++i) drawn += framesOf(folder / ("f/frame_0000" + std::to_string(i) + ".png"));
-    EXPECT_LE(largestDifference(framesOf(folder / "a.gif"), drawn), 60);
+    for (int i = 1; i <= 9; ++i) drawn += readFrames(folder / ("f/frame_0000" + std::to_string(i) + ".png"));
+    EXPECT_LE(largestDifference(readFrames(folder / "a.gif"), drawn), 60);
 }
 
 TEST(Movie, RocksToEitherSideAndBackWithoutAJump) {
     const TemporaryFolder folder;
     ASSERT_EQ(nacreIn(folder, "movie sample:glucose -o f/ --rock 40 --fps 8 --seconds 1" + kSmall).code, 0);
-    const auto frame = [&](int i) { return framesOf(folder / ("f/frame_0000" + std::to_string(i) + ".png")); };
+    const auto frame = [&](int i) { return readFrames(folder / ("f/frame_0000" + std::to_string(i) + ".png")); };
     const auto rotated = [&](const char* degrees) {
         EXPECT_EQ(nacreIn(folder,
                           std::string("render sample:glucose -o a.png --rotate 0,") + degrees + ",0 --zoom 1" + kSmall)
                       .code,
                   0);
-        return framesOf(folder / "a.png");
+        return readFrames(folder / "a.png");
     };
     EXPECT_EQ(frame(1), rotated("0"));
     EXPECT_EQ(frame(3), rotated("40"));
@@ -237,16 +239,16 @@ TEST(Movie, StopsCleanlyAndKeepsWhatIsWhole) {
         const TemporaryFolder folder;
         std::string said;
         for (const char* seconds : {"0.4", "1", "4", "16", "64"}) {  // until a frame is drawn, however slow the machine
-            said = outputOf("cd '" + folder.path() + "' && timeout --foreground --preserve-status -s INT " + seconds +
-                            " '" NACRE_PROGRAM "' movie sample:dna --spin y --seconds 3000 -o " + name + kSmall +
-                            "2>&1; echo code $?");
+            said = captureOutput("cd '" + folder.path() + "' && timeout --foreground --preserve-status -s INT " +
+                                 seconds + " '" NACRE_PROGRAM "' movie sample:dna --spin y --seconds 3000 -o " + name +
+                                 kSmall + "2>&1; echo code $?");
             if (said.find(" of 90000 frames") != std::string::npos) break;
         }
         EXPECT_EQ(said.find("nacre: error: stopped: "), 0u) << said;
         EXPECT_NE(said.find(" of 90000 frames are in it\ncode 1\n"), std::string::npos) << said;
         const std::string written = name == std::string("f/") ? folder / "f/frame_00001.png" : folder / name;
         ASSERT_TRUE(std::filesystem::exists(written)) << said;
-        EXPECT_GE(framesOf(written).size(), kFrameBytes) << name;
+        EXPECT_GE(readFrames(written).size(), kFrameBytes) << name;
         EXPECT_EQ(folder.count(), 1u) << name << ": something is left behind";
     }
 }
@@ -317,7 +319,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
     EXPECT_EQ(folder.count(), 4u) << "something is left behind";
-    EXPECT_EQ(contentOf(folder / "a.json"), R"({"input": "sample:glucose"})");
+    EXPECT_EQ(readContents(folder / "a.json"), R"({"input": "sample:glucose"})");
     const Outcome outcome = nacreIn(folder, "movie sample:dna -o a.mp4 --spin y", "", "PATH=/nowhere");
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("Debian: ffmpeg"), std::string::npos) << outcome.err;

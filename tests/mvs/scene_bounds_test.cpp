@@ -40,7 +40,7 @@ TEST(SceneBounds, TakeNoMemoryForCopiesOfAtoms) {
     }
     m.guide = std::make_shared<const SceneGuide>(std::move(guide));
     const long before = mostResident();
-    const Bounds bounds = boundsOf(m, std::span(&layer, 1));
+    const Bounds bounds = computeBounds(m, std::span(&layer, 1));
     EXPECT_LT(mostResident() - before, 64);
     EXPECT_EQ(bounds.center, glm::dvec3(kCopies - 1, 0, (kAtoms - 1) / 2.0));
     EXPECT_NEAR(bounds.radius, std::hypot(kCopies - 1.0, (kAtoms - 1) / 2.0), 3);

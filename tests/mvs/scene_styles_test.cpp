@@ -25,7 +25,7 @@ std::string drawn(const std::string& params, const std::string& children = "") {
     return R"({"kind": "representation", "params": )" + params + R"(, "children": [)" + children + "]}";
 }
 
-SceneLayer layerOf(const std::string& params, const std::string& selector = R"("all")") {
+SceneLayer buildLayer(const std::string& params, const std::string& selector = R"("all")") {
     return built(scene(component(selector, drawn(params)))).guide->layers.at(0);
 }
 
@@ -35,7 +35,7 @@ Representation represented(const Molecule& molecule) {
     const RepresentationOptions options;
     GuidedLayers guided;
     guided.layers = molecule.guide->layers;
-    return representLayers(facts, guided, options, boundsOf(molecule, guided.layers));
+    return representLayers(facts, guided, options, computeBounds(molecule, guided.layers));
 }
 
 /// The largest distance of a mesh's vertex from the centre of an only atom.
@@ -43,7 +43,7 @@ double meshRadius(const std::string& params) {
     return meshReach(represented(built(scene(component(R"({"atom_id": 17})", drawn(params))))));
 }
 
-std::vector<std::string> warningsOf(const std::string& json) { return built(json).guide->warnings; }
+std::vector<std::string> collectWarnings(const std::string& json) { return built(json).guide->warnings; }
 
 bool anyHas(const std::vector<std::string>& texts, const std::string& part) {
     return std::any_of(texts.begin(), texts.end(),
@@ -51,16 +51,16 @@ bool anyHas(const std::vector<std::string>& texts, const std::string& part) {
 }
 
 TEST(SceneSizes, FactorsScaleEveryStyle) {
-    EXPECT_NEAR(layerOf(R"({"type": "cartoon", "size_factor": 2})").cartoon.scale,
-                2 * layerOf(R"({"type": "cartoon"})").cartoon.scale, 1e-6);
+    EXPECT_NEAR(buildLayer(R"({"type": "cartoon", "size_factor": 2})").cartoon.scale,
+                2 * buildLayer(R"({"type": "cartoon"})").cartoon.scale, 1e-6);
     EXPECT_NEAR(meshRadius(R"({"type": "surface"})"), 1.7, 0.1);
     EXPECT_NEAR(meshRadius(R"({"type": "surface", "size_factor": 2})"), 3.4, 0.1);
     EXPECT_NEAR(meshRadius(R"({"type": "surface", "surface_type": "gaussian", "size_factor": 2})"), 3.4, 0.1);
     for (const char* type : {"ball_and_stick", "spacefill", "carbohydrate"})
-        EXPECT_EQ(layerOf(std::string(R"({"type": ")") + type + R"(", "size_factor": 3})", R"("all")").atomScale, 3)
+        EXPECT_EQ(buildLayer(std::string(R"({"type": ")") + type + R"(", "size_factor": 3})", R"("all")").atomScale, 3)
             << type;
-    EXPECT_FLOAT_EQ(layerOf(R"({"type": "backbone", "size_factor": 3})").bondScale, 2);  // 0.6 Å instead of 0.3
-    EXPECT_FLOAT_EQ(layerOf(R"({"type": "line", "size_factor": 3})").atomScale, 4);      // 6 pixels instead of 1.5
+    EXPECT_FLOAT_EQ(buildLayer(R"({"type": "backbone", "size_factor": 3})").bondScale, 2);  // 0.6 Å instead of 0.3
+    EXPECT_FLOAT_EQ(buildLayer(R"({"type": "line", "size_factor": 3})").atomScale, 4);      // 6 pixels instead of 1.5
 }
 
 TEST(SceneSizes, SurfacesHaveALargest) {
@@ -70,21 +70,21 @@ TEST(SceneSizes, SurfacesHaveALargest) {
 }
 
 TEST(SceneSizes, PuttyIsATubeOfTheFactorOrOfTheTemperatures) {
-    EXPECT_EQ(layerOf(R"({"type": "putty"})").cartoon.tube, 0);
-    EXPECT_EQ(layerOf(R"({"type": "putty", "size_theme": "uncertainty"})").cartoon.tube, 0);
-    EXPECT_NEAR(layerOf(R"({"type": "putty", "size_theme": "uniform"})").cartoon.tube, 0.2, 1e-9);
+    EXPECT_EQ(buildLayer(R"({"type": "putty"})").cartoon.tube, 0);
+    EXPECT_EQ(buildLayer(R"({"type": "putty", "size_theme": "uncertainty"})").cartoon.tube, 0);
+    EXPECT_NEAR(buildLayer(R"({"type": "putty", "size_theme": "uniform"})").cartoon.tube, 0.2, 1e-9);
 }
 
 TEST(SceneSizes, AtomsHaveTheRadiiOfMolstar) {
     EXPECT_FLOAT_EQ(molstarRadius(Element{1}), 1.1f);
     EXPECT_FLOAT_EQ(molstarRadius(Element{30}), 2.1f);  // zinc
     EXPECT_FLOAT_EQ(molstarRadius(Element{0}), 1.7f);
-    EXPECT_EQ(layerOf(R"({"type": "spacefill"})").radius(Element{30}), 2.1f);
-    EXPECT_EQ(layerOf(R"({"type": "surface"})").surface.radius(Element{30}), 2.1f);
+    EXPECT_EQ(buildLayer(R"({"type": "spacefill"})").radius(Element{30}), 2.1f);
+    EXPECT_EQ(buildLayer(R"({"type": "surface"})").surface.radius(Element{30}), 2.1f);
 }
 
 TEST(SceneSizes, CartoonsOfScenesHaveNoDisulphides) {
-    EXPECT_FALSE(layerOf(R"({"type": "cartoon"})").cartoon.disulfides);
+    EXPECT_FALSE(buildLayer(R"({"type": "cartoon"})").cartoon.disulfides);
 }
 
 TEST(SceneSizes, ManyCopiesAreCoarserTogether) {
@@ -141,15 +141,15 @@ TEST(SceneTransforms, ACentreIsThatOfAllCopies) {
                       all = component(R"("all")", balls());
     const std::string turn = R"({"kind": "transform", "params": {"rotation": [-1,0,0,0,-1,0,0,0,1],
         "rotation_center": "centroid"}},)";
-    const auto placesOf = [](const Molecule& molecule) {
+    const auto collectPlaces = [](const Molecule& molecule) {
         std::vector<glm::dvec4> places;
         for (const Atom& atom : molecule.atoms)
             for (const std::uint32_t copy : molecule.guide->lists[molecule.guide->listOfResidue[atom.residue]])
                 places.emplace_back(molecule.guide->transforms[copy] * glm::dvec4(glm::dvec3(atom.position), 1.0), 0.0);
         return places;
     };
-    const std::vector<glm::dvec4> still = placesOf(built(scene(all, "", cell))),
-                                  turned = placesOf(built(scene(turn + all, "", cell)));
+    const std::vector<glm::dvec4> still = collectPlaces(built(scene(all, "", cell))),
+                                  turned = collectPlaces(built(scene(turn + all, "", cell)));
     ASSERT_EQ(still.size(), 36u);
     ASSERT_EQ(turned.size(), still.size());
     const glm::dvec3 center = extremeSphere(still).center;
@@ -182,7 +182,7 @@ TEST(SceneTransforms, ACentreIsFoundOnceForAllInstances) {
 }
 
 TEST(SceneFaults, NodesInTheWrongPlaceAreWarnings) {
-    const auto warnings = warningsOf(scene(
+    const auto warnings = collectWarnings(scene(
         component(R"("all")", balls(R"({"kind": "transform", "params": {}})") + R"(,{"kind": "camera", "params": {}})"),
         R"(,{"kind": "structure", "params": {"type": "model"}})"));
     EXPECT_TRUE(anyHas(warnings, "transform 1: it is not drawn below a representation node"));
@@ -198,7 +198,7 @@ TEST(SceneFaults, NodesInTheWrongPlaceAreWarnings) {
 }
 
 TEST(SceneFaults, WhatIsNoNodeIsLeftOut) {
-    const auto warnings = warningsOf(scene(
+    const auto warnings = collectWarnings(scene(
         component(R"("all")", balls()),
         R"(,{"kind": null}, 7, {"kind": "focus", "params": [1]}, {"kind": "download", "children": 1}, {"a": "b"})"));
     EXPECT_TRUE(anyHas(warnings, "root/node 2: it has no \"kind\""));
@@ -239,7 +239,7 @@ TEST(SceneCamera, TheNearPlaneIsAsFarAsTheNodeSays) {
             built(scene(component(R"("all")", balls()),
                         R"(,{"kind": "camera", "params": {"target": [0,0,0], "position": [0,0,80])" + near + "}}"))
                 .guide->camera.value();
-        return viewOf(camera, {}, false, 200, 100, 100);
+        return makeView(camera, {}, false, 200, 100, 100);
     };
     const SceneView usual = cutAt(""), farther = cutAt(R"(, "near": 90)");
     EXPECT_NEAR(usual.clip.near, -40, 1e-9);
@@ -290,7 +290,7 @@ TEST(SceneNodes, HeadsOfAnArrowHaveSizesOfTheirOwn) {
 }
 
 TEST(SceneNodes, LabelOffsetsAreKnown) {
-    const auto warnings = warningsOf(
+    const auto warnings = collectWarnings(
         scene(component(R"("all")", balls()), R"(,{"kind": "primitives", "children": [{"kind": "primitive", "params":
             {"kind": "label", "position": [0,0,0], "text": "a", "label_offset": 2}}]})"));
     EXPECT_TRUE(warnings.empty());

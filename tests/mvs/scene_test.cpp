@@ -23,7 +23,7 @@
 namespace nacre::app::mvs {
 namespace {
 
-std::vector<std::uint32_t> atomsOf(const std::string& selector) {
+std::vector<std::uint32_t> selectedAtoms(const std::string& selector) {
     const Molecule molecule = built(scene(component(selector, balls())));
     return molecule.guide->layers.empty() ? std::vector<std::uint32_t>() : molecule.guide->layers.front().atoms;
 }
@@ -31,27 +31,27 @@ std::vector<std::uint32_t> atomsOf(const std::string& selector) {
 using Atoms = std::vector<std::uint32_t>;
 
 TEST(SceneSelectors, StaticNamesFollowEntities) {
-    EXPECT_EQ(atomsOf(R"("polymer")"), (Atoms{0, 1, 2, 3, 4, 5}));
-    EXPECT_EQ(atomsOf(R"("protein")"), (Atoms{0, 1, 2, 3, 4, 5}));
-    EXPECT_EQ(atomsOf(R"("ligand")"), (Atoms{6, 7}));
-    EXPECT_EQ(atomsOf(R"("water")"), (Atoms{8}));
-    EXPECT_EQ(atomsOf(R"("nucleic")"), Atoms());
-    EXPECT_EQ(atomsOf(R"("all")").size(), 9u);
+    EXPECT_EQ(selectedAtoms(R"("polymer")"), (Atoms{0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(selectedAtoms(R"("protein")"), (Atoms{0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(selectedAtoms(R"("ligand")"), (Atoms{6, 7}));
+    EXPECT_EQ(selectedAtoms(R"("water")"), (Atoms{8}));
+    EXPECT_EQ(selectedAtoms(R"("nucleic")"), Atoms());
+    EXPECT_EQ(selectedAtoms(R"("all")").size(), 9u);
 }
 
 TEST(SceneSelectors, ExpressionsTakeEveryField) {
-    EXPECT_EQ(atomsOf(R"({"label_asym_id": "B"})"), (Atoms{6, 7}));
-    EXPECT_EQ(atomsOf(R"({"auth_asym_id": "X", "auth_seq_id": 102})"), (Atoms{4, 5}));
-    EXPECT_EQ(atomsOf(R"({"label_asym_id": "A", "label_seq_id": 1})"), (Atoms{0, 1, 2, 3}));
-    EXPECT_EQ(atomsOf(R"({"beg_label_seq_id": 2, "end_label_seq_id": 9})"), (Atoms{4, 5}));
-    EXPECT_EQ(atomsOf(R"({"beg_auth_seq_id": 102, "end_auth_seq_id": 200})"), (Atoms{4, 5, 6, 7}));
-    EXPECT_EQ(atomsOf(R"({"label_entity_id": "2"})"), (Atoms{6, 7}));
-    EXPECT_EQ(atomsOf(R"({"label_atom_id": "CA"})"), (Atoms{1, 5}));
-    EXPECT_EQ(atomsOf(R"({"type_symbol": "O"})"), (Atoms{3, 7, 8}));
-    EXPECT_EQ(atomsOf(R"({"atom_id": 12})"), (Atoms{1}));
-    EXPECT_EQ(atomsOf(R"({"atom_index": 2})"), (Atoms{2}));
-    EXPECT_EQ(atomsOf(R"({"residue_index": 1})"), (Atoms{4, 5}));
-    EXPECT_EQ(atomsOf(R"([{"atom_id": 12}, {"label_asym_id": "B"}])"), (Atoms{1, 6, 7}));
+    EXPECT_EQ(selectedAtoms(R"({"label_asym_id": "B"})"), (Atoms{6, 7}));
+    EXPECT_EQ(selectedAtoms(R"({"auth_asym_id": "X", "auth_seq_id": 102})"), (Atoms{4, 5}));
+    EXPECT_EQ(selectedAtoms(R"({"label_asym_id": "A", "label_seq_id": 1})"), (Atoms{0, 1, 2, 3}));
+    EXPECT_EQ(selectedAtoms(R"({"beg_label_seq_id": 2, "end_label_seq_id": 9})"), (Atoms{4, 5}));
+    EXPECT_EQ(selectedAtoms(R"({"beg_auth_seq_id": 102, "end_auth_seq_id": 200})"), (Atoms{4, 5, 6, 7}));
+    EXPECT_EQ(selectedAtoms(R"({"label_entity_id": "2"})"), (Atoms{6, 7}));
+    EXPECT_EQ(selectedAtoms(R"({"label_atom_id": "CA"})"), (Atoms{1, 5}));
+    EXPECT_EQ(selectedAtoms(R"({"type_symbol": "O"})"), (Atoms{3, 7, 8}));
+    EXPECT_EQ(selectedAtoms(R"({"atom_id": 12})"), (Atoms{1}));
+    EXPECT_EQ(selectedAtoms(R"({"atom_index": 2})"), (Atoms{2}));
+    EXPECT_EQ(selectedAtoms(R"({"residue_index": 1})"), (Atoms{4, 5}));
+    EXPECT_EQ(selectedAtoms(R"([{"atom_id": 12}, {"label_asym_id": "B"}])"), (Atoms{1, 6, 7}));
 }
 
 TEST(SceneColors, LaterNodesOverrideEarlierOnes) {
@@ -143,9 +143,9 @@ TEST(SceneTooltips, AllThatNameAnAtomAreSaidOfIt) {
     const std::string tip = R"({"kind": "tooltip", "params": {"text": ")";
     const Molecule molecule = built(scene(component(R"("all")", tip + "whole\"}}") + "," +
                                           component(R"({"label_asym_id": "B"})", tip + "ligand\"}}")));
-    EXPECT_EQ(tooltipOf(*molecule.guide, 0), "whole");
-    EXPECT_EQ(tooltipOf(*molecule.guide, 6), "whole; ligand");
-    EXPECT_EQ(tooltipOf(*molecule.guide, 100), "");
+    EXPECT_EQ(joinTooltips(*molecule.guide, 0), "whole");
+    EXPECT_EQ(joinTooltips(*molecule.guide, 6), "whole; ligand");
+    EXPECT_EQ(joinTooltips(*molecule.guide, 100), "");
 }
 
 TEST(ScenePrimitives, InstancesAreCopies) {
@@ -274,7 +274,7 @@ TEST(SceneRefusals, OneLineEach) {
                               R"("symmetry", "ijk_min": [-900,-900,-900], "ijk_max": [900,900,900])")));
 }
 
-std::string zipOf(const std::vector<std::pair<std::string, std::string>>& entries) {
+std::string makeZip(const std::vector<std::pair<std::string, std::string>>& entries) {
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t* out = zip_source_buffer_create(nullptr, 0, 0, &error);
@@ -306,18 +306,18 @@ TEST(SceneFiles, AreKnownByWordsThatComeLate) {
 
 TEST(SceneArchives, HoldTheirFilesAndNothingElse) {
     const std::string index = scene(component(R"("all")", balls()));
-    const SceneFile file("a.mvsx", zipOf({{"index.mvsj", index}, {"a.cif", kStructure}}));
+    const SceneFile file("a.mvsx", makeZip({{"index.mvsj", index}, {"a.cif", kStructure}}));
     ASSERT_TRUE(file.archive);
     EXPECT_EQ(file.archive->read("a.cif"), kStructure);
     EXPECT_THROW(file.archive->read("b.cif"), Error);
-    EXPECT_THROW(SceneFile("a.mvsx", zipOf({{"a.cif", kStructure}})), Error);
-    EXPECT_THROW(SceneFile("a.mvsx", zipOf({{"index.mvsj", index}, {"../a.cif", kStructure}})), Error);
+    EXPECT_THROW(SceneFile("a.mvsx", makeZip({{"a.cif", kStructure}})), Error);
+    EXPECT_THROW(SceneFile("a.mvsx", makeZip({{"index.mvsj", index}, {"../a.cif", kStructure}})), Error);
     EXPECT_THROW(SceneFile("a.mvsx", "PK\x03\x04 and no more"), Error);
 }
 
 TEST(SceneArchives, BombsAreRefusedByTheirStatedSizes) {
-    const SceneFile file("a.mvsx", zipOf({{"index.mvsj", scene(component(R"("all")", balls()))},
-                                          {"zeros", std::string(64 << 20, '\0')}}));
+    const SceneFile file("a.mvsx", makeZip({{"index.mvsj", scene(component(R"("all")", balls()))},
+                                            {"zeros", std::string(64 << 20, '\0')}}));
     EXPECT_THROW(file.archive->read("zeros"), Error);
 }
 

@@ -65,7 +65,7 @@ TEST(WrittenScenes, ReadBackAreTheSame) {
     const SceneGuide& guide = *again.guide;
     EXPECT_TRUE(guide.warnings.empty()) << guide.warnings.front();
     const ResidueFacts facts(m);
-    const std::vector<SceneLayer> layers = layersOf(appearanceOf(facts, drawnAtoms(m), d.look), d.look);
+    const std::vector<SceneLayer> layers = splitLayers(makeAppearance(facts, drawnAtoms(m), d.look), d.look);
     ASSERT_EQ(guide.layers.size(), layers.size());
     for (std::size_t i = 0; i < layers.size(); ++i) {
         EXPECT_EQ(guide.layers[i].style, layers[i].style);
@@ -140,10 +140,10 @@ TEST(WrittenScenes, HaveVolumes) {
 TEST(WrittenScenes, NameFilesFromTheirFolder) {
     const test::TemporaryFolder folder;
     std::vector<std::string> outside;
-    EXPECT_EQ(addressOf(folder / "a/m.pdb", folder / "out.mvsj", outside), "a/m.pdb");
-    EXPECT_EQ(addressOf("pdb:1CRN", folder / "out.mvsj", outside), "https://files.wwpdb.org/download/1crn.cif");
+    EXPECT_EQ(sceneAddress(folder / "a/m.pdb", folder / "out.mvsj", outside), "a/m.pdb");
+    EXPECT_EQ(sceneAddress("pdb:1CRN", folder / "out.mvsj", outside), "https://files.wwpdb.org/download/1crn.cif");
     EXPECT_TRUE(outside.empty());
-    EXPECT_EQ(addressOf(folder / "m.pdb", folder / "a/out.mvsj", outside), "m.pdb");
+    EXPECT_EQ(sceneAddress(folder / "m.pdb", folder / "a/out.mvsj", outside), "m.pdb");
     EXPECT_EQ(outside, std::vector<std::string>{folder / "m.pdb"});
 }
 

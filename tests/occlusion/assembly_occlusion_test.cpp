@@ -26,7 +26,7 @@ Molecule cluster(std::initializer_list<double> degrees) {
     return m;
 }
 
-Representation sceneOf(const Molecule& m, bool instanced) {
+Representation makeScene(const Molecule& m, bool instanced) {
     RepresentationOptions options;
     options.style = Style::spacefill;
     if (instanced) options.assembly = "1";
@@ -63,8 +63,8 @@ LayerDifference difference(const LayerPicture& a, const LayerPicture& b) {
 TEST(AssemblyOcclusion, OfARingIsThatOfItsAtomsWrittenOut) {
     const Molecule m = cluster({0, 90, 180, 270});
     ValidatedRenderer renderer(Visibility::automatic);
-    const LayerPicture whole = baked(*renderer.operator->(), sceneOf(writtenOut(m, m.assemblies[0]), false), 256);
-    const LayerPicture copies = baked(*renderer.operator->(), sceneOf(m, true), 256);
+    const LayerPicture whole = baked(*renderer.operator->(), makeScene(writtenOut(m, m.assemblies[0]), false), 256);
+    const LayerPicture copies = baked(*renderer.operator->(), makeScene(m, true), 256);
     const LayerDifference d = difference(copies, whole);
     std::cout << "mean " << d.mean << ", RMS " << d.rootMeanSquare << "\n";
     // Each copy written out meets the directions in other places.
@@ -75,9 +75,9 @@ TEST(AssemblyOcclusion, OfARingIsThatOfItsAtomsWrittenOut) {
 TEST(AssemblyOcclusion, OfCopiesThatDifferIsTheirMean) {
     // Three in a row about a corner: the one in the middle has two neighbours.
     const Molecule m = cluster({0, 70, 140});
-    const Representation r = sceneOf(m, true);
+    const Representation r = makeScene(m, true);
     ValidatedRenderer renderer(Visibility::automatic);
-    const LayerPicture whole = baked(*renderer.operator->(), sceneOf(writtenOut(m, m.assemblies[0]), false), 255);
+    const LayerPicture whole = baked(*renderer.operator->(), makeScene(writtenOut(m, m.assemblies[0]), false), 255);
     const LayerPicture copies = baked(*renderer.operator->(), r, 255);
     const LayerDifference d = difference(copies, whole);
     std::cout << "mean " << d.mean << ", RMS " << d.rootMeanSquare << "\n";
@@ -86,7 +86,7 @@ TEST(AssemblyOcclusion, OfCopiesThatDifferIsTheirMean) {
     // Alone, without its neighbours, the first is lighter.
     Molecule alone = m;
     alone.assemblies[0].parts[0].transforms.resize(1);
-    const LayerPicture lone = baked(*renderer.operator->(), sceneOf(alone, true), 255);
+    const LayerPicture lone = baked(*renderer.operator->(), makeScene(alone, true), 255);
     double sumOfLone = 0, sumOfCopies = 0;
     std::size_t countLone = 0, countCopies = 0;
     for (std::size_t i = 0; i < lone.id.size(); ++i) {
@@ -117,8 +117,8 @@ TEST(AssemblyOcclusion, OfTwoPartsWithTheirOwnCopies) {
     beside[3] = {9.5f, 0, 0};
     m.assemblies = {{"1", "", {{{here}, {0}}, {{beside}, {1}}}}};
     ValidatedRenderer renderer(Visibility::automatic);
-    const LayerPicture whole = baked(*renderer.operator->(), sceneOf(writtenOut(m, m.assemblies[0]), false), 128);
-    const LayerPicture parts = baked(*renderer.operator->(), sceneOf(m, true), 128);
+    const LayerPicture whole = baked(*renderer.operator->(), makeScene(writtenOut(m, m.assemblies[0]), false), 128);
+    const LayerPicture parts = baked(*renderer.operator->(), makeScene(m, true), 128);
     const LayerDifference d = difference(parts, whole);
     std::cout << "mean " << d.mean << ", RMS " << d.rootMeanSquare << "\n";
     EXPECT_LE(std::abs(d.mean), 0.005);
@@ -129,7 +129,7 @@ TEST(AssemblyOcclusion, OfTwoPartsWithTheirOwnCopies) {
 TEST(OcclusionSteps, OfAnyNumberOfDirectionsGiveTheSame) {
     const gpu::Device device{DeviceOptions{}};
     gpu::Executor executor{device};
-    for (const Representation& r : {meshScene(), sceneOf(cluster({0, 70, 140}), true)}) {
+    for (const Representation& r : {meshScene(), makeScene(cluster({0, 70, 140}), true)}) {
         const passes::SceneBuffers buffers = passes::makeSceneBuffers(device, r);
         std::vector<std::uint8_t> single;
         for (const std::uint32_t most : {1u, 3u, 7u, 16u}) {
@@ -148,7 +148,7 @@ TEST(AssemblyOcclusion, MeshesInManyCopiesHaveCoarserMaps) {
     r.radius = 313;
     r.triangles.resize(86'000);
     r.meshLooks.resize(4000);
-    const auto sizesOf = [&](std::size_t copies) {
+    const auto measureSizes = [&](std::size_t copies) {
         std::vector<std::uint32_t> all(copies);
         for (std::uint32_t i = 0; i < copies; ++i) all[i] = i;
         r.copies.transforms.assign(copies, glm::dmat4x3(1.0));
@@ -156,7 +156,7 @@ TEST(AssemblyOcclusion, MeshesInManyCopiesHaveCoarserMaps) {
         r.copies.triangles = {{0, 86'000, 0, {}, 0}};
         return occlusion::DepthMapSizes::pixelsFor(r, 64u << 20, 32);
     };
-    const std::uint32_t few = sizesOf(40), many = sizesOf(216), most = sizesOf(20'000);
+    const std::uint32_t few = measureSizes(40), many = measureSizes(216), most = measureSizes(20'000);
     EXPECT_EQ(few, 1568u);
     const double share = std::sqrt(8e6 / (216 * 86e3));
     EXPECT_NEAR(many, 1568 * share, 8);

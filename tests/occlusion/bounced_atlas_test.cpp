@@ -20,7 +20,7 @@ double linear(std::uint32_t byte) {
     const double c = (byte & 0xff) / 255.0;
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
-glm::dvec3 linearOf(std::uint32_t color) { return {linear(color), linear(color >> 8), linear(color >> 16)}; }
+glm::dvec3 toLinear(std::uint32_t color) { return {linear(color), linear(color >> 8), linear(color >> 16)}; }
 
 void addBall(Representation& r, const glm::vec3& center, float radius, std::uint32_t color) {
     r.spheres.push_back({center, radius});
@@ -52,7 +52,7 @@ TEST(BouncedAtlas, OfTwoBallsSolvesTheirEquations) {
     r.radius = 5;
     const OcclusionLayout l = layoutWith(r, 6);
     const std::vector<std::uint8_t> texels = bounced(r, l, 51);
-    const glm::dvec3 a = linearOf(kA), b = linearOf(kB), one(1), keeps(1 - kOpen);
+    const glm::dvec3 a = toLinear(kA), b = toLinear(kB), one(1), keeps(1 - kOpen);
     const glm::dvec3 ofA = b * kOpen * (one + keeps * a) / (one - keeps * keeps * a * b);
     const glm::dvec3 ofB = a * kOpen * (one + keeps * b) / (one - keeps * keeps * a * b);
     for (std::size_t ball = 0; ball < 2; ++ball)
@@ -109,7 +109,7 @@ TEST(BouncedAtlas, OfTheColoursAroundIsTheirMean) {
             for (int i = 0; i < 2000; ++i) {
                 const double square = rays.unit(), turn = rays.unit();
                 const auto hit = truth.nearest(point + 1e-3 * n, reference::cosineDirection(n, square, turn));
-                if (hit) sum += linearOf(r.sphereLooks[hit->primitive].color), ++met;
+                if (hit) sum += toLinear(r.sphereLooks[hit->primitive].color), ++met;
             }
             if (met < 400) continue;  // few rays say little
             const std::size_t texel = (ball / l.spherePatches() * 6 + static_cast<std::size_t>(place.y)) * l.width +

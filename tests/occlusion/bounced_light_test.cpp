@@ -16,7 +16,7 @@ struct Pictures {
     LayerPicture layers;
     std::vector<float> drawn, open, base;  // as drawn, without occlusion, without light
 };
-Pictures picturesOf(const Lit& lit, const Light& light) {
+Pictures renderPictures(const Lit& lit, const Light& light) {
     RenderSettings s = lit.settings;
     s.fine = true;
     s.occlusion.directions = 128;
@@ -31,7 +31,7 @@ Pictures picturesOf(const Lit& lit, const Light& light) {
     return p;
 }
 
-glm::dvec3 pixelOf(const std::vector<float>& rgba, std::size_t i) {
+glm::dvec3 readPixel(const std::vector<float>& rgba, std::size_t i) {
     return {rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]};
 }
 
@@ -49,8 +49,8 @@ protected:
 struct Errors {
     SquaredErrors drawn, before;
 };
-Errors errorsOf(const Lit& scene, const Light& light, const reference::Sky& sky) {
-    const Pictures p = picturesOf(scene, light);
+Errors measureErrors(const Lit& scene, const Light& light, const reference::Sky& sky) {
+    const Pictures p = renderPictures(scene, light);
     const TracedLight truth = traceLight(scene, p.layers, sky);
     Errors errors;
     for (std::size_t k = 0; k < truth.pixels.size(); ++k) {
@@ -68,7 +68,7 @@ Errors errorsOf(const Lit& scene, const Light& light, const reference::Sky& sky)
 TEST_P(BouncedLight, IsNearPaths) {
     if (GetParam() == std::string("Pocket")) NACRE_NEEDS_DATA();
     const Lit scene = lit();
-    const Errors errors = errorsOf(scene, ambientAlone(), sky());
+    const Errors errors = measureErrors(scene, ambientAlone(), sky());
     EXPECT_LT(errors.drawn.rms(), 0.025);
     EXPECT_LT(errors.drawn.rms(), 0.6 * errors.before.rms());
 }
@@ -81,13 +81,13 @@ TEST_P(BouncedLight, IsNearerToPathsWithDirectLight) {
     reference::Sky withSun = sky();
     withSun.sun = glm::dvec3(0.74);
     withSun.toSun = glm::normalize(glm::dvec3(layout::kLightX, layout::kLightY, layout::kLightZ));
-    const Errors errors = errorsOf(lit(), matt, withSun);
+    const Errors errors = measureErrors(lit(), matt, withSun);
     EXPECT_LT(errors.drawn.rms(), 0.95 * errors.before.rms());
 }
 
 TEST_P(BouncedLight, LeavesNoPlaceBlack) {
     if (GetParam() == std::string("Pocket")) NACRE_NEEDS_DATA();
-    const Pictures p = picturesOf(lit(), Light());
+    const Pictures p = renderPictures(lit(), Light());
     for (std::size_t i = 0; i < p.layers.id.size(); ++i)
         for (std::size_t c = 4 * i; p.layers.id[i] && c < 4 * i + 3; ++c)
             ASSERT_GE(p.drawn[c], 0.04f * p.base[c]) << i % p.layers.width << ", " << i / p.layers.width;
@@ -97,18 +97,18 @@ INSTANTIATE_TEST_SUITE_P(Scenes, BouncedLight, testing::Values("Well", "DnaSpher
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(BouncedLightInTheDark, RunsIntoTheLeastWithoutABorder) {
-    const Pictures p = picturesOf(well(), ambientAlone());
+    const Pictures p = renderPictures(well(), ambientAlone());
     std::size_t closed = 0, nearlyClosed = 0;
     for (std::size_t i = 0; i < p.layers.id.size(); ++i) {
         const float open = p.layers.occlusion[i];
         if (!p.layers.id[i] || open > 0.03f) continue;
         ++(open == 0 ? closed : nearlyClosed);
-        const glm::dvec3 base = pixelOf(p.base, i), drawn = pixelOf(p.drawn, i);
+        const glm::dvec3 base = readPixel(p.base, i), drawn = readPixel(p.drawn, i);
         const double albedo = (base.x + base.y + base.z) / 3;
         // As Jimenez et al. (2016) have it.
         const double least = 0.08, a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417,
                      c = 2.7552 * albedo + 0.6903, there = std::max(least, ((least * a + b) * least + c) * least);
-        const glm::dvec3 share = drawn / pixelOf(p.open, i);
+        const glm::dvec3 share = drawn / readPixel(p.open, i);
         for (int channel = 0; channel < 3; ++channel)
             ASSERT_NEAR(share[channel], there, open == 0 ? 1e-5 : 0.012) << open;
     }

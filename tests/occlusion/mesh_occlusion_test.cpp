@@ -27,7 +27,7 @@ struct MeshOcclusionCase {
 };
 void PrintTo(const MeshOcclusionCase& c, std::ostream* out) { *out << c.name; }
 
-Representation meshOf(const std::string& file, Made made) {
+Representation makeMeshScene(const std::string& file, Made made) {
     const Molecule m = molecule(file);
     const std::vector<std::uint32_t> drawn = drawnAtoms(m);
     Representation r;
@@ -58,7 +58,7 @@ class MeshOcclusion : public testing::TestWithParam<MeshOcclusionCase> {};
 TEST_P(MeshOcclusion, IsNearTheRayTraced) {
     const MeshOcclusionCase& c = GetParam();
     if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
-    const Representation r = c.made == Made::tubes ? meshScene() : meshOf(c.file, c.made);
+    const Representation r = c.made == Made::tubes ? meshScene() : makeMeshScene(c.file, c.made);
     ASSERT_FALSE(r.triangles.empty());
     expectNearRays(r, 0.042);
 }

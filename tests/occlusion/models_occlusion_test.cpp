@@ -40,7 +40,7 @@ Molecule ensemble(int models) {
     return all;
 }
 
-Representation sceneOf(const Molecule& m, Style style, bool modelsOcclude) {
+Representation makeScene(const Molecule& m, Style style, bool modelsOcclude) {
     RepresentationOptions options;
     options.style = style;
     options.bondOrders = BondOrders::off;  // dashes of aromatic bonds are spheres, too
@@ -76,10 +76,10 @@ class ModelsOcclusion : public SharedRenderers<std::tuple<Style, OcclusionMaps>>
 
 TEST_P(ModelsOcclusion, OfEachIsWhatItIsAlone) {
     const auto [style, maps] = GetParam();
-    const Representation all = sceneOf(ensemble(3), style, false);
+    const Representation all = makeScene(ensemble(3), style, false);
     ASSERT_EQ(all.sphereModels.size(), 3u);
     ASSERT_EQ(all.cylinderModels.empty(), style == Style::spacefill);
-    ValidatedRenderer& renderer = rendererOf(Visibility::automatic);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic);
     RenderSettings s = settings(all, 240, Projection::orthographic, {20, 40, 0});
     s.occlusion.directions = 48;  // deep texels are dropped on the way
     s.occlusion.bytes = 24'000'000;
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, ModelsOcclusion,
                                           testing::Values(OcclusionMaps::tiles, OcclusionMaps::encoded,
                                                           OcclusionMaps::fragdepth)));
 
-double meanOf(const LayerPicture& p) {
+double computeMean(const LayerPicture& p) {
     double sum = 0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < p.id.size(); ++i)
@@ -115,18 +115,18 @@ double meanOf(const LayerPicture& p) {
 TEST(ModelsOcclusion, OfAllTogetherIsDarker) {
     const Molecule m = ensemble(12);
     ValidatedRenderer renderer(Visibility::automatic);
-    const Representation apart = sceneOf(m, Style::licorice, false), whole = sceneOf(m, Style::licorice, true);
+    const Representation apart = makeScene(m, Style::licorice, false), whole = makeScene(m, Style::licorice, true);
     EXPECT_TRUE(whole.sphereModels.empty());
     RenderSettings s = settings(apart, 200, Projection::orthographic);
     s.occlusion.directions = 32;
-    const double own = meanOf(baked(*renderer.operator->(), apart, s));
-    const double all = meanOf(baked(*renderer.operator->(), whole, s));
+    const double own = computeMean(baked(*renderer.operator->(), apart, s));
+    const double all = computeMean(baked(*renderer.operator->(), whole, s));
     std::cout << "own " << own << ", all " << all << "\n";
     EXPECT_GT(own, all + 0.1);
 }
 
 TEST(ModelsOcclusion, IsBakedLittleByLittleToTheSameEnd) {
-    const Representation all = sceneOf(ensemble(3), Style::spacefill, false);
+    const Representation all = makeScene(ensemble(3), Style::spacefill, false);
     ValidatedRenderer renderer(Visibility::automatic);
     RenderSettings s = settings(all, 160, Projection::orthographic);
     s.occlusion.directions = 40;

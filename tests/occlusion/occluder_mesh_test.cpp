@@ -17,14 +17,14 @@
 namespace nacre::test {
 namespace {
 
-Representation sceneOf(const Mesh& mesh) {
+Representation makeScene(const Mesh& mesh) {
     Representation r;
     appendMesh(mesh, glm::dvec3(0), testLook, r);
     return r;
 }
 
-occlusion::OccluderMesh occluderOf(const Mesh& mesh, float pixel) {
-    const Representation r = sceneOf(mesh);
+occlusion::OccluderMesh makeOccluder(const Mesh& mesh, float pixel) {
+    const Representation r = makeScene(mesh);
     return occlusion::occluderMesh(r, 0, static_cast<std::uint32_t>(r.triangles.size()), pixel);
 }
 
@@ -42,7 +42,7 @@ bool hasNoBorder(const std::vector<glm::uvec3>& triangles) {
 TEST(OccluderMesh, OfSmallTrianglesHasFewer) {
     constexpr float kRadius = 5, kPixel = 0.4f;
     const Mesh ball = icosphere({0, 0, 0}, kRadius, 5, 0);
-    const occlusion::OccluderMesh coarse = occluderOf(ball, kPixel);
+    const occlusion::OccluderMesh coarse = makeOccluder(ball, kPixel);
     EXPECT_LT(coarse.triangles.size(), ball.triangles.size() / 4);
     EXPECT_TRUE(coarse.closed);
     EXPECT_TRUE(hasNoBorder(coarse.triangles));
@@ -55,16 +55,16 @@ TEST(OccluderMesh, OfSmallTrianglesHasFewer) {
 
 TEST(OccluderMesh, OfLargeTrianglesIsTheMesh) {
     const Mesh ball = icosphere({1, 2, 3}, 4, 2, 0);
-    const Representation r = sceneOf(ball);
+    const Representation r = makeScene(ball);
     const auto count = static_cast<std::uint32_t>(r.triangles.size());
     const occlusion::OccluderMesh same = occlusion::occluderMesh(r, 0, count, 0.1f);
     ASSERT_EQ(same.triangles.size(), count);
     EXPECT_EQ(same.positions.size(), r.meshVertices.size());
     for (std::uint32_t i = 0; i < count; ++i) {
         const Triangle& t = r.triangles[i];
-        EXPECT_EQ(same.positions[same.triangles[i].x], positionOf(r.meshVertices[t.a], t.step()));
-        EXPECT_EQ(same.positions[same.triangles[i].y], positionOf(r.meshVertices[t.b], t.step()));
-        EXPECT_EQ(same.positions[same.triangles[i].z], positionOf(r.meshVertices[t.c], t.step()));
+        EXPECT_EQ(same.positions[same.triangles[i].x], decodePosition(r.meshVertices[t.a], t.step()));
+        EXPECT_EQ(same.positions[same.triangles[i].y], decodePosition(r.meshVertices[t.b], t.step()));
+        EXPECT_EQ(same.positions[same.triangles[i].z], decodePosition(r.meshVertices[t.c], t.step()));
     }
     // A part of it has edges without another side.
     EXPECT_TRUE(same.closed);
@@ -84,9 +84,9 @@ TEST(OccluderMesh, IsClosedWhereTheSidesOfACreaseMeet) {
         }
         creased.triangles.emplace_back(first, first + 1, first + 2);
     }
-    EXPECT_TRUE(occluderOf(creased, 0.01f).closed);
+    EXPECT_TRUE(makeOccluder(creased, 0.01f).closed);
     creased.triangles.pop_back();
-    EXPECT_FALSE(occluderOf(creased, 0.01f).closed);
+    EXPECT_FALSE(makeOccluder(creased, 0.01f).closed);
 }
 
 TEST(OccluderMesh, KeepsTheSidesOfASheetApart) {
@@ -105,7 +105,7 @@ TEST(OccluderMesh, KeepsTheSidesOfASheetApart) {
             sheet.triangles.emplace_back(a + 1, side > 0 ? b + 1 : b, side > 0 ? b : b + 1);
         }
     }
-    const occlusion::OccluderMesh coarse = occluderOf(sheet, 1.0f);
+    const occlusion::OccluderMesh coarse = makeOccluder(sheet, 1.0f);
     EXPECT_LT(coarse.triangles.size(), sheet.triangles.size() / 4);
     std::set<bool> sides;
     for (const glm::vec3& p : coarse.positions) {

@@ -78,7 +78,7 @@ TEST_P(OcclusionCache, OtherSettingsAreOtherBakes) {
 TEST_P(OcclusionCache, ADamagedFileIsBakedAnewAndReplaced) {
     const Run fresh = run();
     const fs::path file = files().at(0);
-    const std::string whole = contentOf(file.string());
+    const std::string whole = readContents(file.string());
     const auto put = [&](const std::string& content) { std::ofstream(file, std::ios::binary) << content; };
     std::string flipped = whole;
     flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 4);
@@ -87,7 +87,7 @@ TEST_P(OcclusionCache, ADamagedFileIsBakedAnewAndReplaced) {
         const Run again = run();
         EXPECT_FALSE(again.stats.cached);
         expectSame(fresh, again);
-        EXPECT_EQ(contentOf(file.string()), whole);
+        EXPECT_EQ(readContents(file.string()), whole);
     }
 }
 

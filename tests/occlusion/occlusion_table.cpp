@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
             std::cerr << s.name << ": no test data (set NACRE_DATA)\n";
             continue;
         }
-        const Representation scene = test::sceneOf(s);
+        const Representation scene = test::makeScene(s);
         renderer.setScene(scene);
         const auto points = test::tracePoints(renderer, scene, count, rays);
         std::cout << "| " << s.name << " |";

@@ -43,12 +43,12 @@ class OcclusionOf : public testing::TestWithParam<OcclusionScene> {};
 
 TEST_P(OcclusionOf, MoleculeIsNearTheRayTraced) {
     if (!isSample(GetParam())) NACRE_NEEDS_DATA();
-    expectNearRays(sceneOf(GetParam()), 0.035);
+    expectNearRays(makeScene(GetParam()), 0.035);
 }
 
-std::string nameOf(const testing::TestParamInfo<OcclusionScene>& test) { return testName(test.param.name); }
-INSTANTIATE_TEST_SUITE_P(Molecules, OcclusionOf, testing::ValuesIn(kSmallOcclusionScenes), nameOf);
-INSTANTIATE_TEST_SUITE_P(Large, OcclusionOf, testing::ValuesIn(kLargeOcclusionScenes), nameOf);  // on one driver
+std::string sceneName(const testing::TestParamInfo<OcclusionScene>& test) { return testName(test.param.name); }
+INSTANTIATE_TEST_SUITE_P(Molecules, OcclusionOf, testing::ValuesIn(kSmallOcclusionScenes), sceneName);
+INSTANTIATE_TEST_SUITE_P(Large, OcclusionOf, testing::ValuesIn(kLargeOcclusionScenes), sceneName);  // on one driver
 
 TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
     const Representation r = scene("sample:dna", Style::spacefill);

@@ -24,14 +24,14 @@ Representation crowd(std::uint32_t seed) {
     return r;
 }
 
-OcclusionLayout layoutOf(const Representation& r, std::uint32_t edge) {
+OcclusionLayout findLayout(const Representation& r, std::uint32_t edge) {
     for (const OcclusionLayout& layout : occlusionLayouts(r.spheres.size(), 0, 0, 4096))
         if (layout.sphereEdge == edge) return layout;
     return {};
 }
 
 /// A texel's point on the unit sphere, as shaders have it.
-glm::vec3 normalOf(glm::ivec2 texel, std::uint32_t edge) {
+glm::vec3 decodeNormal(glm::ivec2 texel, std::uint32_t edge) {
     const glm::vec2 p = glm::vec2(texel) / static_cast<float>(edge - 1) * 2.0f - 1.0f;
     glm::vec3 n(p, 1 - std::abs(p.x) - std::abs(p.y));
     if (n.z < 0)
@@ -40,7 +40,7 @@ glm::vec3 normalOf(glm::ivec2 texel, std::uint32_t edge) {
 }
 
 /// How deep a point is in any other sphere, Å; negative: how far from all.
-double depthOf(const Representation& r, std::size_t self, const glm::vec3& p) {
+double measureDepth(const Representation& r, std::size_t self, const glm::vec3& p) {
     double deepest = -1e9;
     for (std::size_t i = 0; i < r.spheres.size(); ++i)
         if (i != self)
@@ -64,14 +64,14 @@ class OpenTexelsTest : public testing::TestWithParam<std::uint32_t> {};
 TEST_P(OpenTexelsTest, AreThoseOutsideAllOthers) {
     const std::uint32_t edge = GetParam();
     const Representation r = crowd(edge);
-    const OpenTexels open = openTexels(layoutOf(r, edge), r, PrimitiveTree(r));
+    const OpenTexels open = openTexels(findLayout(r, edge), r, PrimitiveTree(r));
     EXPECT_TRUE(std::is_sorted(open.texels.begin(), open.texels.end()));
     EXPECT_EQ(open.sphereTexels, open.texels.size());
     std::size_t buried = 0;
     for (std::uint32_t t = 0; t < r.spheres.size() * edge * edge; ++t) {
         const std::uint32_t self = t / (edge * edge), at = t % (edge * edge);
         const Sphere& s = r.spheres[self];
-        const double depth = depthOf(r, self, s.center + normalOf({at % edge, at / edge}, edge) * s.radius);
+        const double depth = measureDepth(r, self, s.center + decodeNormal({at % edge, at / edge}, edge) * s.radius);
         const bool listed = std::binary_search(open.texels.begin(), open.texels.end(), t);
         EXPECT_FALSE(listed && depth > 2e-3) << t;
         EXPECT_TRUE(listed || depth >= 0) << t;
@@ -84,7 +84,7 @@ TEST_P(OpenTexelsTest, GiveTheirValuesToTheNearestBuriedOnes) {
     const int edge = static_cast<int>(GetParam());
     const auto patch = static_cast<std::uint32_t>(edge * edge);
     const Representation r = crowd(GetParam() + 100);
-    const OcclusionLayout layout = layoutOf(r, GetParam());
+    const OcclusionLayout layout = findLayout(r, GetParam());
     const OpenTexels open = openTexels(layout, r, PrimitiveTree(r));
     std::map<std::uint32_t, const AtlasWord*> words;
     for (const AtlasWord& word : open.words) EXPECT_TRUE(words.emplace(word.address, &word).second);

@@ -14,7 +14,7 @@ constexpr OcclusionScene kScenes[] = {{"sample:dna", "sample:dna", Style::spacef
 
 class OcclusionOfScene : public testing::TestWithParam<OcclusionScene> {
 protected:
-    Representation scene_ = sceneOf(GetParam());
+    Representation scene_ = makeScene(GetParam());
     RenderSettings settings_ = [this] {
         RenderSettings s = settings(scene_, 200, Projection::orthographic);
         s.occlusion.directions = 38;  // no multiple of a batch

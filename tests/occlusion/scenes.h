@@ -33,6 +33,6 @@ inline constexpr OcclusionScene kMeshOcclusionScenes[] = {
 inline void PrintTo(const OcclusionScene& s, std::ostream* out) { *out << s.name; }
 inline bool isSample(const OcclusionScene& s) { return std::string_view(s.file).starts_with("sample:"); }
 
-inline Representation sceneOf(const OcclusionScene& s) { return scene(s.file, s.style); }
+inline Representation makeScene(const OcclusionScene& s) { return scene(s.file, s.style); }
 
 }  // namespace nacre::test

@@ -25,7 +25,7 @@ RenderSettings layerSettings(const View& view) {
     return s;
 }
 
-Difference differenceOf(const std::vector<double>& values, const std::vector<TracedPoint>& points) {
+Difference measureDifference(const std::vector<double>& values, const std::vector<TracedPoint>& points) {
     Difference d;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double difference = values[i] - points[i].open;
@@ -48,7 +48,7 @@ std::vector<View> tracedViews(const Representation& scene) {
     for (std::size_t v = 0; v < kViews; ++v) {
         Camera camera;
         camera.rotationDegrees = {degrees(random), degrees(random), degrees(random)};
-        views.push_back(viewOf(camera, scene.radius, kSide, kSide));
+        views.push_back(makeView(camera, scene.radius, kSide, kSide));
     }
     return views;
 }
@@ -90,7 +90,7 @@ Difference bakedDifference(Renderer& renderer, const Representation& scene, Rend
         for (const TracedPoint& point : points)
             if (point.view == v) values.push_back(p.occlusion[point.pixel]);
     }
-    return differenceOf(values, points);
+    return measureDifference(values, points);
 }
 
 void expectNearRays(const Representation& scene, double bound) {
@@ -133,7 +133,7 @@ Difference directionsDifference(const Representation& scene, const std::vector<W
             if (glm::dot(d.direction, p.normal) > 0 && truth.openTowards(p.position, p.normal, d.direction))
                 values[i] += d.weight;
     });
-    return differenceOf(values, points);
+    return measureDifference(values, points);
 }
 
 }  // namespace nacre::test

@@ -56,7 +56,7 @@ TEST(Fingers, HitEveryControl) {
 }
 
 /// Where a text of the page stands, which moves with it. Not a number: nowhere
-float placeOf(const Bench& b, const std::string& name) {
+float findPlace(const Bench& b, const std::string& name) {
     for (const Control& c : b.panel.controls())
         if (c.name == name && c.window == "Nacre") return c.top;
     return std::nanf("");
@@ -66,7 +66,7 @@ TEST(Fingers, ALetGoListGlidesOnAndComesToRest) {
     Bench b("sample:dna", kPhone, 1, PanelHand::fingers);
     b.panel.togglePanel();
     b.settle();
-    const auto place = [&] { return placeOf(b, "Background"); };
+    const auto place = [&] { return findPlace(b, "Background"); };
     const auto drag = [&](double to, bool rests) {
         const double x = 180, from = 600;
         EXPECT_TRUE(b.panel.input().touch({1, TouchPhase::began, {x, from}}));

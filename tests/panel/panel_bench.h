@@ -33,7 +33,7 @@ inline Sources sampleSources() {
         if (v.input.further.empty()) return sample(v.input.path);
         std::vector<Molecule> all{sample(v.input.path)};
         for (const FurtherInput& further : v.input.further) all.push_back(sample(further.path));
-        const InputOptions input = inputOf(v);
+        const InputOptions input = makeInput(v);
         const auto join = input.conformations ? joinConformations : joinInputs;
         return join(input, std::move(all), [](const std::string&) {});
     }};
@@ -52,7 +52,7 @@ struct Bench {
     Bench(const std::string& input, PixelSize points, double pixelsPerPoint = 1, PanelHand hand = PanelHand::mouse,
           const Sources& sources = sampleSources(), const std::function<void(PanelHost&)>& lend = {},
           int textPercent = 100)
-        : viewer(screen, sources, viewOf(input), staying()),
+        : viewer(screen, sources, makeView(input), staying()),
           panel(pixelsPerPoint, host(lend), hand, textPercent),
           size{static_cast<std::uint32_t>(points.width * pixelsPerPoint),
                static_cast<std::uint32_t>(points.height * pixelsPerPoint)},
@@ -69,7 +69,7 @@ struct Bench {
         options.errorsStay = true;
         return options;
     }
-    static PictureDescription viewOf(const std::string& input) {
+    static PictureDescription makeView(const std::string& input) {
         PictureDescription v;
         v.input.path = input;
         return v;

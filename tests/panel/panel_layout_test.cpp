@@ -51,7 +51,7 @@ constexpr Place kPlaces[] = {{kUsual, 1, PanelHand::mouse},    {kNarrow, 1, Pane
                              {kNarrow, 2, PanelHand::fingers}, {kWide, 1.5, PanelHand::fingers},
                              {kSmall, 1, PanelHand::fingers},  {{210, 380}, 2, PanelHand::mouse}};
 
-std::string nameOf(const Place& p) {
+std::string describePlace(const Place& p) {
     return std::to_string(p.points.width) + "x" + std::to_string(p.points.height) + " at " + std::to_string(p.scale) +
            (p.hand == PanelHand::fingers ? " for fingers" : "");
 }
@@ -63,14 +63,14 @@ TEST(Panel, EveryPageIsReadableEverywhere) {
         for (const std::string_view page : kPages) {
             b.panel.showPage(page);
             b.settle();
-            EXPECT_GT(expectReadable(b, nameOf(place) + ", page " + std::string(page)), 12u);
+            EXPECT_GT(expectReadable(b, describePlace(place) + ", page " + std::string(page)), 12u);
         }
     }
 }
 
 TEST(Panel, EveryCardIsReadableEverywhere) {
     for (const Place& place : kPlaces) {
-        const std::string where = nameOf(place);
+        const std::string where = describePlace(place);
         Bench b("sample:dna", place.points, place.scale, place.hand, sampleSources(), [](PanelHost& host) {
             host.record = [](const RecordingWish&, const std::vector<PictureDescription>&) {};
             host.browses = true;
@@ -132,7 +132,7 @@ TEST(Panel, KeepsItsSizeAndLeavesTheMoleculeTheRest) {
             b.settle();
             const View view = b.viewer.frames().settings().view;
             if (!pan) pan = view.pan;
-            EXPECT_EQ(view.pan, *pan) << nameOf(place);
+            EXPECT_EQ(view.pan, *pan) << describePlace(place);
             // The sphere about the molecule lies in the window, beside the panel.
             const double middle = view.width / 2.0 + view.pan.x * view.pixelsPerAngstrom,
                          r = view.radius * view.pixelsPerAngstrom;
@@ -145,7 +145,7 @@ TEST(Panel, KeepsItsSizeAndLeavesTheMoleculeTheRest) {
             for (const Control& c : b.panel.controls())
                 EXPECT_FALSE(c.window == "Nacre" && c.seen() && c.seenLeft < high.x - 1 && c.seenRight > low.x + 1 &&
                              c.seenTop < high.y - 1 && c.seenBottom > low.y + 1)
-                    << nameOf(place) << " " << c.name;
+                    << describePlace(place) << " " << c.name;
         }
         b.panel.togglePanel();
         b.settle();

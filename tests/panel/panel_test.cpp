@@ -327,8 +327,8 @@ TEST(Panel, LabelsOfAnaglyphsHaveTheDepthOfTheirAtoms) {
     const Document& document = *b.viewer.document();
     const glm::dvec3 atom = glm::dvec3(document.placed->atoms[0].position) - document.drawing.scene().center;
     const std::vector<FreePart> parts = b.viewer.frames().freeParts();
-    const auto columnOf = [&](const FreePart& part) { return b.viewer.frames().pointOf(atom, part.view).x; };
-    const double apart = columnOf(parts[1]) - columnOf(parts[0]);
+    const auto measureColumn = [&](const FreePart& part) { return b.viewer.frames().projectPoint(atom, part.view).x; };
+    const double apart = measureColumn(parts[1]) - measureColumn(parts[0]);
     EXPECT_GT(std::abs(apart), 1.5);
     EXPECT_NEAR(sum[2] / count[2] - sum[1] / count[1], apart, 1.1);  // text stands on whole pixels
 }

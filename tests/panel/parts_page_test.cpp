@@ -137,7 +137,7 @@ TEST(Panel, StructuresAreRenamedAndRemoved) {
 }
 
 TEST(Panel, SwatchesAndSequenceShowTheDrawnColor) {
-    PictureDescription picture = Bench::viewOf("sample:dna");
+    PictureDescription picture = Bench::makeView("sample:dna");
     picture.look.style = Style::cartoon;
     picture.look.color = ColorScheme::chainCarbons;
     Bench b("sample:dna", {1000, 1000});

@@ -63,9 +63,9 @@ constexpr PlateShape kShapes[] = {PlateShape::square, PlateShape::octagon, Plate
 
 TEST(Plates, LieInsideTheirSphereAndLeaveRoomForTheNext) {
     for (const PlateShape shape : kShapes) {
-        ASSERT_FALSE(platesOf(shape).empty());
+        ASSERT_FALSE(listPlates(shape).empty());
         float outer = 1;
-        for (const Plate& plate : platesOf(shape)) {
+        for (const Plate& plate : listPlates(shape)) {
             EXPECT_TRUE(plate.corners == 4 || plate.corners == 8);
             // Corners on the sphere: all else of the polygon is nearer to the axis, hence inside.
             EXPECT_GT(plate.rim, 0.0f);
@@ -73,7 +73,7 @@ TEST(Plates, LieInsideTheirSphereAndLeaveRoomForTheNext) {
             outer = plate.rim;
         }
     }
-    EXPECT_TRUE(platesOf(PlateShape::none).empty());
+    EXPECT_TRUE(listPlates(PlateShape::none).empty());
 }
 
 TEST(Plates, ShapesAreThoseThatCostLeast) {
@@ -122,7 +122,7 @@ TEST(Plates, ShapesStayWhereAZoomGoesToAndFro) {
 }
 
 TEST(Plates, TheOctagonIsTheOriginals) {
-    const auto octagon = platesOf(PlateShape::octagon);
+    const auto octagon = listPlates(PlateShape::octagon);
     ASSERT_EQ(octagon.size(), 1u);
     EXPECT_EQ(octagon[0].corners, 8u);
     EXPECT_NEAR(octagon[0].rim, 0.91017 / std::cos(std::numbers::pi / 8), 1e-5);
@@ -136,7 +136,7 @@ TEST(Plates, MoreOfThemHideMoreOfTheSphere) {
         double sum = 0;
         for (double r = 0.005; r < 1; r += 0.01) {
             double height = -1;  // of the nearest plate over this ring, in radii
-            for (const Plate& plate : platesOf(shape))
+            for (const Plate& plate : listPlates(shape))
                 if (r < plate.rim * std::cos(std::numbers::pi / plate.corners))
                     height = std::max(height, std::sqrt(1.0 - double{plate.rim} * plate.rim));
             sum += (height + 1) * r;

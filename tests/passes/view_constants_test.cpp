@@ -8,14 +8,16 @@ namespace {
 View viewOfSphere(Projection projection) {
     Camera camera;
     camera.projection = projection;
-    return viewOf(camera, 10, 200, 100);
+    return makeView(camera, 10, 200, 100);
 }
 
-layout::ViewConstants constantsOf(const View& view) { return viewConstants(view, view.width / 2.0, view.height / 2.0); }
+layout::ViewConstants makeConstants(const View& view) {
+    return viewConstants(view, view.width / 2.0, view.height / 2.0);
+}
 
 TEST(ViewConstants, TheEdgesOfThePictureAreThoseOfTheClipSpace) {
     const View view = viewOfSphere(Projection::orthographic);
-    const layout::ViewConstants c = constantsOf(view);
+    const layout::ViewConstants c = makeConstants(view);
     // Å from the middle to the right and to the upper edge; Vulkan's y points down.
     EXPECT_EQ(c.extent, view.width | view.height << 16);
     EXPECT_NEAR(c.pixel * view.pixelsPerAngstrom, 1, 1e-6);
@@ -24,7 +26,7 @@ TEST(ViewConstants, TheEdgesOfThePictureAreThoseOfTheClipSpace) {
 TEST(ViewConstants, DepthSpansTheSphereAndAnAngstromBeforeAndBehindIt) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         const View view = viewOfSphere(projection);
-        const layout::ViewConstants c = constantsOf(view);
+        const layout::ViewConstants c = makeConstants(view);
         const auto depth = [&](double z) { return (c.origin - z - c.depthStart) * c.perRange; };
         EXPECT_NEAR(depth(view.radius + 1), 0, 1e-5);
         EXPECT_NEAR(depth(-view.radius - 1), 1, 1e-5);
@@ -34,8 +36,8 @@ TEST(ViewConstants, DepthSpansTheSphereAndAnAngstromBeforeAndBehindIt) {
 
 TEST(ViewConstants, DistancesCountFromTheEyeOrFromTheNearestPlane) {
     const View ortho = viewOfSphere(Projection::orthographic), perspective = viewOfSphere(Projection::perspective);
-    EXPECT_FLOAT_EQ(constantsOf(ortho).origin, static_cast<float>(ortho.radius));
-    EXPECT_FLOAT_EQ(constantsOf(perspective).origin, static_cast<float>(perspective.eyeDistance));
+    EXPECT_FLOAT_EQ(makeConstants(ortho).origin, static_cast<float>(ortho.radius));
+    EXPECT_FLOAT_EQ(makeConstants(perspective).origin, static_cast<float>(perspective.eyeDistance));
     EXPECT_GT(perspective.eyeDistance, perspective.radius);
 }
 
@@ -46,7 +48,7 @@ TEST(ViewConstants, PanMovesTheMiddleAndTurnsWithTheImage) {
     const glm::vec2 expected[] = {{130, 43}, {107, 80}, {70, 57}, {93, 20}};
     for (int turns = 0; turns < 4; ++turns) {
         view.quarterTurns = turns;
-        const glm::vec2 middle = constantsOf(view).axisPixel;
+        const glm::vec2 middle = makeConstants(view).axisPixel;
         EXPECT_NEAR(middle.x, expected[turns].x, 1e-4) << turns;
         EXPECT_NEAR(middle.y, expected[turns].y, 1e-4) << turns;
     }

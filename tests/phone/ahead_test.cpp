@@ -49,7 +49,7 @@ void neitherAZoomNorAnotherQualityWaits(const DeviceOptions& options) {
     const auto show = [&](double zoom, const WindowFrame& frame = {}) {
         Camera camera;
         camera.zoom = zoom;
-        s.view = viewOf(camera, r.radius, size.width, size.height);
+        s.view = makeView(camera, r.radius, size.width, size.height);
         EXPECT_EQ(renderer.present(s, frame), FrameOutcome::shown);
     };
     show(0.002);  // spheres of a pixel
@@ -105,7 +105,7 @@ public:
         const PixelSize size = renderer_.windowSize();
         Camera camera;
         camera.zoom = zoom;
-        settings_.view = viewOf(camera, scene_.radius, size.width, size.height);
+        settings_.view = makeView(camera, scene_.radius, size.width, size.height);
         std::ofstream(file_, std::ios::trunc).close();
         EXPECT_EQ(renderer_.present(settings_, frame), FrameOutcome::shown);
         std::ostringstream draws;
@@ -140,21 +140,21 @@ private:
 // A timestamp is an encoder of its own over Metal: frames that nobody measures have none.
 TEST(PipelinesAhead, OnlyLiveFramesAreTimed) {
     Shapes shapes;
-    const auto stampsOf = [&](const WindowFrame& frame) {
+    const auto countStamps = [&](const WindowFrame& frame) {
         std::istringstream lines(shapes.at(1, frame));
         int count = 0;
         for (std::string line; std::getline(lines, line);) count += line == "stamp";
         return count;
     };
-    EXPECT_EQ(stampsOf({}), 2);
+    EXPECT_EQ(countStamps({}), 2);
     WindowFrame still;
     still.quality = WindowFrame::Quality::refined;
     still.samples = 4;
-    EXPECT_EQ(stampsOf(still), 0);
+    EXPECT_EQ(countStamps(still), 0);
     still.quality = WindowFrame::Quality::kept;
-    EXPECT_EQ(stampsOf(still), 0);
-    EXPECT_EQ(stampsOf({}), 2);
-    stampsOf({});
+    EXPECT_EQ(countStamps(still), 0);
+    EXPECT_EQ(countStamps({}), 2);
+    countStamps({});
     EXPECT_GT(shapes.windowMilliseconds(), 0);
 }
 

@@ -26,7 +26,7 @@ TEST(Compiler, IsEnteredByOneThreadAtATime) {
             const Representation r = represent(molecule, drawnAtoms(molecule), {});
             renderer->setScene(r);
             RenderSettings settings;
-            settings.view = viewOf(Camera{}, r.radius, 32, 32);
+            settings.view = makeView(Camera{}, r.radius, 32, 32);
             settings.occlusion.directions = 2;
             renderer->render(settings);
         });

@@ -57,13 +57,13 @@ TEST(CountedTraffic, IsToldInWords) {
 }
 
 TEST(CountedTraffic, TakesCountersOfMemoryOutsideTheChip) {
-    EXPECT_EQ(wayOf("ExtBusRdBytes", "External memory", "Bytes read from external memory"), TrafficWay::read);
-    EXPECT_EQ(wayOf("Main memory write bytes", "", ""), TrafficWay::written);
-    EXPECT_EQ(wayOf("VBIF bytes", "", "Bytes that were written"), TrafficWay::written);
-    EXPECT_EQ(wayOf("Memory read and write bytes", "", "Both"), TrafficWay::neither);
-    EXPECT_EQ(wayOf("L2 read bytes", "L2 cache", "Bytes of the memory"), TrafficWay::neither);
-    EXPECT_EQ(wayOf("Tile buffer writes", "Memory", ""), TrafficWay::neither);
-    EXPECT_EQ(wayOf("Vertices read", "Geometry", ""), TrafficWay::neither);
+    EXPECT_EQ(trafficWay("ExtBusRdBytes", "External memory", "Bytes read from external memory"), TrafficWay::read);
+    EXPECT_EQ(trafficWay("Main memory write bytes", "", ""), TrafficWay::written);
+    EXPECT_EQ(trafficWay("VBIF bytes", "", "Bytes that were written"), TrafficWay::written);
+    EXPECT_EQ(trafficWay("Memory read and write bytes", "", "Both"), TrafficWay::neither);
+    EXPECT_EQ(trafficWay("L2 read bytes", "L2 cache", "Bytes of the memory"), TrafficWay::neither);
+    EXPECT_EQ(trafficWay("Tile buffer writes", "Memory", ""), TrafficWay::neither);
+    EXPECT_EQ(trafficWay("Vertices read", "Geometry", ""), TrafficWay::neither);
 }
 
 }  // namespace

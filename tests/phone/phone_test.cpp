@@ -187,7 +187,7 @@ struct SmallTile {
     ~SmallTile() { unsetenv("NACRE_PHONE_TILE"); }
 };
 
-DriverFeedback feedbackOf(Visibility path) {
+DriverFeedback readFeedback(Visibility path) {
     ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
     const Representation r = scene("sample:glucose", Style::spacefill);
     renderer->setScene(r);
@@ -197,7 +197,7 @@ DriverFeedback feedbackOf(Visibility path) {
 
 // The driver says what became of the plan: how many subpasses it merged, and what it had to give the tile's images.
 TEST(Phone, TheDriverTellsWhatLeftTheTile) {
-    const DriverFeedback large = feedbackOf(onMoltenVk() ? Visibility::fragdepth : Visibility::encoded);
+    const DriverFeedback large = readFeedback(onMoltenVk() ? Visibility::fragdepth : Visibility::encoded);
     ASSERT_FALSE(large.transients.empty());
     for (const TransientImage& image : large.transients) {
         EXPECT_GE(image.bytes, 64u * 64 * 4) << image.name;
@@ -216,7 +216,7 @@ TEST(Phone, TheDriverTellsWhatLeftTheTile) {
     EXPECT_NE(describe(large).find(": 0.0 of "), std::string::npos) << describe(large);
 
     const SmallTile tile;
-    const DriverFeedback small = feedbackOf(Visibility::encoded);
+    const DriverFeedback small = readFeedback(Visibility::encoded);
     ASSERT_EQ(small.merges.size(), 1u);
     EXPECT_EQ(small.merges[0].carried, 3u);
     EXPECT_NE(small.merges[0].why.find("the tile is full"), std::string::npos) << small.merges[0].why;

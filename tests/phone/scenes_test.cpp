@@ -15,7 +15,7 @@
 namespace nacre::app {
 namespace {
 
-std::string sceneOf(const std::string& url) {
+std::string makeScene(const std::string& url) {
     return R"({"root": {"kind": "root", "children": [{"kind": "download", "params": {"url": ")" + url +
            R"("}, "children": [{"kind": "parse", "params": {"format": "xyz"}, "children": [{"kind": "structure",
         "params": {"type": "model"}, "children": [{"kind": "component", "params": {"selector": "all"}, "children": [
@@ -27,7 +27,7 @@ std::string sceneOf(const std::string& url) {
 class ScenePhone {
 public:
     explicit ScenePhone(const std::string& url) {
-        std::ofstream(folder_ / "s.mvsj") << sceneOf(url);
+        std::ofstream(folder_ / "s.mvsj") << makeScene(url);
         std::ofstream(folder_ / "m.xyz") << "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
         PhoneHost host;
         host.validate = true;

@@ -32,7 +32,7 @@ DeviceInfo started(const TemporaryFolder& folder, int* tries = nullptr) {
     return renderer.stats().device;
 }
 
-Outcome outcomeOf(const SelfTest& test, Visibility path) {
+Outcome findOutcome(const SelfTest& test, Visibility path) {
     for (const PathResult& r : test)
         if (r.visibility == path) return r.outcome;
     ADD_FAILURE() << visibilityName(path) << " was not tried";
@@ -88,9 +88,9 @@ TEST(SelfTest, APathThatDrawsWronglyIsNeverTaken) {
     }
     const auto kept = keptSelfTest(folder / "devices", key);
     ASSERT_TRUE(kept);
-    EXPECT_EQ(outcomeOf(*kept, Visibility::encoded), Outcome::wrong);
-    EXPECT_EQ(outcomeOf(*kept, Visibility::fragdepth), Outcome::right);
-    EXPECT_EQ(outcomeOf(*kept, Visibility::deferred), Outcome::right);
+    EXPECT_EQ(findOutcome(*kept, Visibility::encoded), Outcome::wrong);
+    EXPECT_EQ(findOutcome(*kept, Visibility::fragdepth), Outcome::right);
+    EXPECT_EQ(findOutcome(*kept, Visibility::deferred), Outcome::right);
     // The answer is kept, not found out again: the driver is right by now.
     EXPECT_NE(started(folder).visibility, "encoded");
     // Whoever asks for it gets it.

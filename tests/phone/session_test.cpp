@@ -93,7 +93,7 @@ public:
     double now = 100;
 };
 
-PictureDescription viewOf(const std::string& input) {
+PictureDescription makeView(const std::string& input) {
     PictureDescription view;
     view.input.path = input;
     view.look.style = Style::spacefill;
@@ -101,7 +101,7 @@ PictureDescription viewOf(const std::string& input) {
     return view;
 }
 
-std::uint64_t framesOf(const PhoneSession& session) { return session.renderer()->stats().windowFrames; }
+std::uint64_t countFrames(const PhoneSession& session) { return session.renderer()->stats().windowFrames; }
 
 void expectValid(const PhoneSession& session) {
     for (const std::string& message : session.renderer()->validationMessages()) ADD_FAILURE() << message;
@@ -116,15 +116,15 @@ void begin(PhoneSession& session) {
 
 TEST(PhoneSession, DrawsComesToRestAndPicks) {
     Host host;
-    PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
+    PhoneSession session(host.lend(), makeView("/far/water.xyz"));
     begin(session);
     host.run(session);
     ASSERT_TRUE(session.viewer().document());
-    const std::uint64_t drawn = framesOf(session);
+    const std::uint64_t drawn = countFrames(session);
     EXPECT_GT(drawn, 0u);
     host.now += 60;
     EXPECT_TRUE(std::isinf(session.step()));
-    EXPECT_EQ(framesOf(session), drawn) << "a picture that stands still is not drawn again";
+    EXPECT_EQ(countFrames(session), drawn) << "a picture that stands still is not drawn again";
 
     // A tap in the middle; the display link wakes for the time that a second one would take.
     session.viewer().touch({1, TouchPhase::began, {160, 90}}, host.now);
@@ -147,7 +147,7 @@ TEST(PhoneSession, DrawsComesToRestAndPicks) {
 
 TEST(PhoneSession, TheDebugPageTellsWhatTheRendererDoes) {
     Host host;
-    PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
+    PhoneSession session(host.lend(), makeView("/far/water.xyz"));
     session.setSeen(true);
     session.resize(kSize, 0.125);  // all of the panel has room
     session.viewer().frames().setMostSamples(1);
@@ -180,17 +180,17 @@ TEST(PhoneSession, TheDebugPageTellsWhatTheRendererDoes) {
 
 TEST(PhoneSession, SubmitsNothingInTheBackgroundAndComesBackWithWhatItHad) {
     Host host;
-    PhoneSession session(host.lend(), viewOf("sample:glucose"));
+    PhoneSession session(host.lend(), makeView("sample:glucose"));
     begin(session);
     host.run(session);
     const PictureBytes before = session.picture(1);
     const std::string state = session.state();
 
     session.setSeen(false);
-    const std::uint64_t drawn = framesOf(session);
+    const std::uint64_t drawn = countFrames(session);
     session.viewer().run(ViewerCommand::autoRotate, host.now);
     for (int i = 0; i < 10; ++i, host.now += 1) EXPECT_TRUE(std::isinf(session.step()));
-    EXPECT_EQ(framesOf(session), drawn);
+    EXPECT_EQ(countFrames(session), drawn);
     session.viewer().run(ViewerCommand::autoRotate, host.now);
 
     session.lowMemory();
@@ -201,7 +201,7 @@ TEST(PhoneSession, SubmitsNothingInTheBackgroundAndComesBackWithWhatItHad) {
     session.setSeen(true);
     host.run(session);
     EXPECT_EQ(host.surfaces, 2);
-    EXPECT_GT(framesOf(session), 0u);
+    EXPECT_GT(countFrames(session), 0u);
     EXPECT_EQ(session.picture(1).rgba, before.rgba);
     expectValid(session);
 
@@ -212,7 +212,7 @@ TEST(PhoneSession, SubmitsNothingInTheBackgroundAndComesBackWithWhatItHad) {
 
 TEST(PhoneSession, WaitsForSubmittedWorkInTheBackgroundAndNoLonger) {
     Host host;
-    PhoneSession session(host.lend(), viewOf("sample:glucose"));
+    PhoneSession session(host.lend(), makeView("sample:glucose"));
     EXPECT_TRUE(session.awaitSubmitted(1)) << "without a device there is nothing to wait for";
     begin(session);
     host.run(session);
@@ -237,7 +237,7 @@ TEST(PhoneSession, IsRestoredFromItsState) {
     PictureBytes picture;
     std::string state;
     {
-        PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
+        PhoneSession session(host.lend(), makeView("/far/water.xyz"));
         begin(session);
         host.run(session);
         session.viewer().run(ViewerCommand::rotateLeft, host.now);
@@ -262,7 +262,7 @@ TEST(PhoneSession, DrawsInteractions) {
     Host host;
     std::vector<std::uint8_t> plain;
     for (const bool shown : {false, true}) {
-        PictureDescription view = viewOf("/far/touch.pdb");
+        PictureDescription view = makeView("/far/touch.pdb");
         view.look.style = Style::licorice;
         if (shown) view.look.contacts.of = parseSelection("chain B");
         PhoneSession session(host.lend(), view);
@@ -279,7 +279,7 @@ TEST(PhoneSession, DrawsInteractions) {
 
 TEST(PhoneSession, ALostDeviceIsReplacedAndTheLossIsSaid) {
     Host host;
-    PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
+    PhoneSession session(host.lend(), makeView("/far/water.xyz"));
     begin(session);
     host.run(session);
     const PictureBytes shown = session.picture(1);
@@ -328,7 +328,7 @@ TEST(PhoneSession, ShowsAPictureBeforeItTestsTheDeviceAndUsesTheResultAtTheNextS
     for (int start = 0; start < 2; ++start) {
         Host host;
         const Phone phone("min");
-        PhoneSession session(onPhone(host, folder / "cache"), viewOf("/far/water.xyz"));
+        PhoneSession session(onPhone(host, folder / "cache"), makeView("/far/water.xyz"));
         begin(session);
         host.run(session);
         const DeviceInfo device = session.renderer()->stats().device;
@@ -359,11 +359,12 @@ TEST(PhoneStart, InTheFolderThatIsNamed) {
     if (!folder) GTEST_SKIP() << "PhoneStart.SurvivesADriverThatEndsTheProgram runs this";
     Host host;
     const Phone phone("cache");
-    PhoneSession session(onPhone(host, folder), viewOf("/far/water.xyz"));
+    PhoneSession session(onPhone(host, folder), makeView("/far/water.xyz"));
     begin(session);
-    for (int steps = 0; steps < 1000 && (!session.renderer() || framesOf(session) < 3); ++steps, host.now += 1.0 / 60)
+    for (int steps = 0; steps < 1000 && (!session.renderer() || countFrames(session) < 3);
+         ++steps, host.now += 1.0 / 60)
         session.step();
-    EXPECT_GE(framesOf(session), 3u);
+    EXPECT_GE(countFrames(session), 3u);
 }
 
 TEST(PhoneStart, SurvivesADriverThatEndsTheProgram) {
@@ -414,7 +415,7 @@ TEST(PhoneStart, TakesFewerRisksEachTimeAndSaysSoInTheEnd) {
 
 TEST(PhoneSession, SaysWhyAFileIsNotShown) {
     Host host;
-    PhoneSession session(host.lend(), viewOf("sample:glucose"));
+    PhoneSession session(host.lend(), makeView("sample:glucose"));
     begin(session);
     host.run(session);
     session.viewer().reading().open("/far/gone.pdb", host.now);
@@ -434,7 +435,7 @@ TEST(PhoneSession, OcclusionTakesAPartOfTheMemoryThatMayBeUsed) {
 
 TEST(PhoneSession, APointerThatTouchesNothingNamesTheAtomBelow) {
     Host host;
-    PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
+    PhoneSession session(host.lend(), makeView("/far/water.xyz"));
     begin(session);
     host.run(session);
     session.hover(glm::dvec2(160, 90));
@@ -458,7 +459,7 @@ TEST(PhoneSession, VoiceOverHearsAndMovesEveryControl) {
         EXPECT_EQ(parseSavedView(text, name).input.path, "pair.pdb") << "another device has it elsewhere";
         shared.push_back(name);
     };
-    PhoneSession session(std::move(lent), viewOf("/far/pair.pdb"));
+    PhoneSession session(std::move(lent), makeView("/far/pair.pdb"));
     begin(session);
     session.resize(kSize, 0.25);  // as large as a tablet
     host.run(session);

@@ -22,9 +22,9 @@ TEST(Looks, EachIsOneThatAFileCanHoldToo) {
         EXPECT_TRUE(seen.insert(lookJson(view)).second) << look.name << " is another one's twin";
         std::ofstream(path) << lookJson(look);
         PictureDescription read;
-        applyLook(lookOf(path), read);
+        applyLook(readLook(path), read);
         EXPECT_EQ(savedViewJson(read), savedViewJson(view)) << look.name;
-        EXPECT_EQ(lookOf(look.name).options, look.options);
+        EXPECT_EQ(readLook(look.name).options, look.options);
     }
     EXPECT_EQ(looks()[0].name, "default");
     PictureDescription view;
@@ -37,7 +37,7 @@ TEST(Looks, TakeThePlaceOfTheOneBeforeAndLeaveWhatIsSeen) {
         R"({"input": "a.pdb", "style": "licorice", "zoom": 2, "clip": "1,7", "cap": "dark", "color": "residue",
             "contours": 4, "background": "navy", "lighting": "off"})",
         "test");
-    applyLook(lookOf("glossy"), view);
+    applyLook(readLook("glossy"), view);
     EXPECT_EQ(view.effects.contours.width, 0);
     EXPECT_TRUE(view.lighting);
     EXPECT_EQ(view.background, parseColor("white"));
@@ -48,7 +48,7 @@ TEST(Looks, TakeThePlaceOfTheOneBeforeAndLeaveWhatIsSeen) {
     EXPECT_EQ(view.camera.zoom, 2);
     EXPECT_EQ(view.look.style, Style::licorice);
     EXPECT_EQ(view.look.color, Coloring(ColorScheme::residue));
-    applyLook(lookOf("illustrative"), view);
+    applyLook(readLook("illustrative"), view);
     EXPECT_EQ(view.look.color, Coloring(ColorScheme::chain));
 }
 
@@ -58,7 +58,7 @@ TEST(Looks, ASavedViewServesAsOne) {
         parseSavedView(R"({"input": "b.pdb", "zoom": 3, "contours": 2.5, "fog": "-3,9", "clip": 0})", "test");
     std::ofstream(path) << savedViewJson(saved);
     PictureDescription view = parseSavedView(R"({"input": "a.pdb"})", "test");
-    applyLook(lookOf(path), view);
+    applyLook(readLook(path), view);
     EXPECT_EQ(view.input.path, "a.pdb");
     EXPECT_EQ(view.camera.zoom, 1);
     EXPECT_FALSE(view.effects.clip.on());
@@ -68,12 +68,12 @@ TEST(Looks, ASavedViewServesAsOne) {
 }
 
 TEST(Looks, WhatIsNoneIsRefused) {
-    EXPECT_THROW(lookOf("glosy"), std::invalid_argument);
-    EXPECT_THROW(lookOf(testing::TempDir() + "absent.json"), Error);
+    EXPECT_THROW(readLook("glosy"), std::invalid_argument);
+    EXPECT_THROW(readLook(testing::TempDir() + "absent.json"), Error);
     const std::string path = testing::TempDir() + "bad.json";
     for (const char* bad : {"{\"contours\": -1}", "{\"shininess\": 3}", "[]", "{\"fog\": \"9,3\"}"}) {
         std::ofstream(path) << bad;
-        EXPECT_THROW(lookOf(path), Error) << bad;
+        EXPECT_THROW(readLook(path), Error) << bad;
     }
 }
 

@@ -9,7 +9,7 @@
 namespace nacre::app {
 namespace {
 
-std::string errorOf(const char* key, const char* value) {
+std::string catchError(const char* key, const char* value) {
     PictureDescription picture;
     try {
         setOption(option(key), value, picture);
@@ -22,7 +22,7 @@ std::string errorOf(const char* key, const char* value) {
 }
 
 void expectError(const char* key, const char* value, const char* words) {
-    const std::string error = errorOf(key, value);
+    const std::string error = catchError(key, value);
     EXPECT_NE(error.find(words), std::string::npos) << "--" << key << " " << value << ": " << error;
 }
 
@@ -46,23 +46,23 @@ TEST(OptionErrors, NameTheUnknownPart) {
 }
 
 TEST(OptionErrors, SpacesAndListsAreNone) {
-    EXPECT_EQ(errorOf("show", "chain A = licorice"), "");
-    EXPECT_EQ(errorOf("interactions", "chain A,B"), "");
-    EXPECT_EQ(errorOf("interactions", "ligand,protein"), "");
+    EXPECT_EQ(catchError("show", "chain A = licorice"), "");
+    EXPECT_EQ(catchError("interactions", "chain A,B"), "");
+    EXPECT_EQ(catchError("interactions", "ligand,protein"), "");
     for (const char* source : {"pae.csv", "pae.csv:0..30:viridis", "data/a.b:value=x", "csv:chain,value\nA,1"})
-        EXPECT_EQ(errorOf("color-from", source), "") << source;
+        EXPECT_EQ(catchError("color-from", source), "") << source;
 }
 
 TEST(OptionErrors, BooleansSwitchWhatCanBeOff) {
-    const auto valueOf = [](const char* json) { return optionValuesOf(json).at(0).value; };
-    EXPECT_EQ(valueOf(R"({"fog": true})"), "auto");
-    EXPECT_EQ(valueOf(R"({"fog": false})"), "off");
-    EXPECT_EQ(valueOf(R"({"gaps": true})"), "dashed");
-    EXPECT_EQ(valueOf(R"({"occlusion": true})"), "128");
-    EXPECT_EQ(valueOf(R"({"carbohydrates": true})"), "on");
-    EXPECT_EQ(valueOf(R"({"interaction_labels": true})"), "distance");
-    EXPECT_THROW(valueOf(R"({"halos": true})"), UsageError);
-    EXPECT_THROW(valueOf(R"({"zoom": false})"), UsageError);
+    const auto parseValue = [](const char* json) { return parseOptionValues(json).at(0).value; };
+    EXPECT_EQ(parseValue(R"({"fog": true})"), "auto");
+    EXPECT_EQ(parseValue(R"({"fog": false})"), "off");
+    EXPECT_EQ(parseValue(R"({"gaps": true})"), "dashed");
+    EXPECT_EQ(parseValue(R"({"occlusion": true})"), "128");
+    EXPECT_EQ(parseValue(R"({"carbohydrates": true})"), "on");
+    EXPECT_EQ(parseValue(R"({"interaction_labels": true})"), "distance");
+    EXPECT_THROW(parseValue(R"({"halos": true})"), UsageError);
+    EXPECT_THROW(parseValue(R"({"zoom": false})"), UsageError);
 }
 
 }  // namespace

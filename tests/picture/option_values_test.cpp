@@ -18,7 +18,7 @@
 namespace nacre::app {
 namespace {
 
-std::string reasonOf(const std::function<void()>& call) {
+std::string catchError(const std::function<void()>& call) {
     try {
         call();
     } catch (const std::invalid_argument& error) {
@@ -33,13 +33,13 @@ TEST(OptionValues, Size) {
     EXPECT_EQ(parseSize("32768x1").width, 32768u);
     for (const char* text : {"", "x", "640", "640x", "x480", "0x10", "10x0", "32769x10", "10x32769", "-1x10",
                              "10x10x10", "10 x10", "1e3x10", "99999999999x10", "+5x5", "nanxnan"})
-        EXPECT_NE(reasonOf([&] { parseSize(text); }), "") << text;
+        EXPECT_NE(catchError([&] { parseSize(text); }), "") << text;
 }
 
 TEST(OptionValues, Rotation) {
     EXPECT_EQ(parseRotation("-20,45.5,0"), glm::dvec3(-20, 45.5, 0));
     for (const char* text : {"", "1", "1,2", "1,2,", ",,", "1,2,3,4", "nan,0,0", "0,inf,0", "a,b,c", "1, 2,3"})
-        EXPECT_NE(reasonOf([&] { parseRotation(text); }), "") << text;
+        EXPECT_NE(catchError([&] { parseRotation(text); }), "") << text;
 }
 
 TEST(OptionValues, Color) {
@@ -51,7 +51,7 @@ TEST(OptionValues, Color) {
     EXPECT_EQ(parseColor("#a5c"), parseColor("#aa55cc"));
     for (const char* text : {"", "#", "#12", "#1234", "#12345", "#1234567", "#123456789", "ff0000", "#-12345", "#ggg",
                              "mauve-ish", "#0xff00"})
-        EXPECT_NE(reasonOf([&] { parseColor(text); }), "") << text;
+        EXPECT_NE(catchError([&] { parseColor(text); }), "") << text;
 }
 
 TEST(OptionValues, RampsAreNotCounted) {
@@ -67,26 +67,26 @@ TEST(OptionValues, NumbersKeepTheirLimits) {
     EXPECT_EQ(parseNumber("1.5", 1, 2), 1.5);
     EXPECT_EQ(parseNumber("2", 1, 2), 2.0);
     for (const char* text : {"", "nan", "inf", "-inf", "0.999", "2.001", "1.5x", " 1.5", "1e400"})
-        EXPECT_NE(reasonOf([&] { parseNumber(text, 1, 2); }), "") << text;
+        EXPECT_NE(catchError([&] { parseNumber(text, 1, 2); }), "") << text;
     EXPECT_EQ(parseInteger("8", 1, 8), 8);
     for (const char* text : {"", "0", "9", "1.5", "nan", "1e0", "99999999999999999999"})
-        EXPECT_NE(reasonOf([&] { parseInteger(text, 1, 8); }), "") << text;
+        EXPECT_NE(catchError([&] { parseInteger(text, 1, 8); }), "") << text;
     EXPECT_EQ(parseOcclusion("off"), 0);
     EXPECT_EQ(parseOcclusion("4096"), 4096);
-    for (const char* text : {"0", "-1", "4097", "on", "nan"}) EXPECT_NE(reasonOf([&] { parseOcclusion(text); }), "");
+    for (const char* text : {"0", "-1", "4097", "on", "nan"}) EXPECT_NE(catchError([&] { parseOcclusion(text); }), "");
 }
 
 TEST(OptionValues, AReasonNamesTheLimitsAndTheValue) {
-    EXPECT_EQ(reasonOf([] { parseNumber("0", 1e-4, 1e4); }), "expected a number from 0.0001 to 10000, not '0'");
-    EXPECT_EQ(reasonOf([] { parseChoice("c", {"a", "b", "d"}); }), "expected a, b or d, not 'c'");
+    EXPECT_EQ(catchError([] { parseNumber("0", 1e-4, 1e4); }), "expected a number from 0.0001 to 10000, not '0'");
+    EXPECT_EQ(catchError([] { parseChoice("c", {"a", "b", "d"}); }), "expected a, b or d, not 'c'");
     EXPECT_EQ(parseChoice("b", {"a", "b"}), 1u);
 }
 
 TEST(OptionValues, SamplesAreBounded) {
     checkSamples({16384, 8192}, 1, kMostSamplesHeld);
-    EXPECT_NE(reasonOf([] { checkSamples({16384, 8193}, 1, kMostSamplesHeld); }), "");
+    EXPECT_NE(catchError([] { checkSamples({16384, 8193}, 1, kMostSamplesHeld); }), "");
     checkSamples({32768, 32768}, 2);
-    EXPECT_NE(reasonOf([] { checkSamples({32768, 32768}, 3); }), "");
+    EXPECT_NE(catchError([] { checkSamples({32768, 32768}, 3); }), "");
 }
 
 TEST(OptionValues, LengthsArePixelsOrPaper) {
@@ -94,15 +94,15 @@ TEST(OptionValues, LengthsArePixelsOrPaper) {
     EXPECT_NEAR(parseLength("8.5cm").pixels(300), 85 / 25.4 * 300, 1e-9);
     EXPECT_NEAR(parseLength("3.3in").pixels(100), 330, 1e-9);
     EXPECT_EQ(parseLength("1200px").pixels(300), 1200);
-    EXPECT_EQ(reasonOf([&] { parseLength("85"); }), "a length needs a unit: 85mm or 85px");
+    EXPECT_EQ(catchError([&] { parseLength("85"); }), "a length needs a unit: 85mm or 85px");
     for (const char* text : {"", "mm", "85 mm", "-1mm", "0mm", "nanin", "85pt", "1e9cm", "85mmm", "px"})
-        EXPECT_NE(reasonOf([&] { parseLength(text); }), "") << text;
-    EXPECT_EQ(pointsOf("1.5pt"), 1.5);
-    EXPECT_EQ(pointsOf("1.5"), std::nullopt);
+        EXPECT_NE(catchError([&] { parseLength(text); }), "") << text;
+    EXPECT_EQ(parsePoints("1.5pt"), 1.5);
+    EXPECT_EQ(parsePoints("1.5"), std::nullopt);
     EXPECT_EQ(parsePixels("3pt", 1, 5), 4);
     EXPECT_EQ(parsePixels("3px", 1, 5), 3);
     for (const char* text : {"", "pt", "4pt", "0.5pt", "6px", "nanpt"})
-        EXPECT_NE(reasonOf([&] { parsePixels(text, 1, 5); }), "") << text;
+        EXPECT_NE(catchError([&] { parsePixels(text, 1, 5); }), "") << text;
 }
 
 TEST(Srgb, EveryCodeSurvivesTheWayToLinearLightAndBack) {

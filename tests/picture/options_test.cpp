@@ -161,10 +161,11 @@ TEST(Options, DifferenceIsInThePartsThatDiffer) {
 
 TEST(OptionJson, TakesWhatACommandLineTakes) {
     PictureDescription job;
-    setOptions(optionValuesOf(R"({"input": ["a=a.pdb", "b=b.sdf"], "output": "a.png", "size": [64, 48], "legend": true,
+    setOptions(
+        parseOptionValues(R"({"input": ["a=a.pdb", "b=b.sdf"], "output": "a.png", "size": [64, 48], "legend": true,
                                   "rotate": [1, 2, 3], "validate": true, "fit": ["/b", "/a"], "zoom": 2, "title": null,
                                   "rules": [{"hide": "water"}, {"show": "ligand=licorice"}]})"),
-               job);
+        job);
     EXPECT_EQ(job.input.name, "a");
     EXPECT_EQ(job.input.further.at(0).path, "b.sdf");
     EXPECT_EQ(job.size.width, 64u);
@@ -175,9 +176,9 @@ TEST(OptionJson, TakesWhatACommandLineTakes) {
     EXPECT_TRUE(job.given.contains("zoom") && !job.given.contains("title"));
     for (const char* bad : {"[]", "{\"zoom\": true}", "{\"zom\": 2}", "{\"zoom\": 1, \"zoom\": 2}", "{\"output\": 3}",
                             "{\"hash\": \"1-2\"}"})
-        EXPECT_THROW(optionValuesOf(bad), UsageError) << bad;
-    EXPECT_THROW(setOptions(optionValuesOf(R"({"clip": "1", "slab": 3})"), job), UsageError);
-    EXPECT_THROW(setOptions(optionValuesOf(R"({"zoom": -1})"), job), UsageError);
+        EXPECT_THROW(parseOptionValues(bad), UsageError) << bad;
+    EXPECT_THROW(setOptions(parseOptionValues(R"({"clip": "1", "slab": 3})"), job), UsageError);
+    EXPECT_THROW(setOptions(parseOptionValues(R"({"zoom": -1})"), job), UsageError);
 }
 
 TEST(Options, ChoicesOfControlsAreTheirValues) {

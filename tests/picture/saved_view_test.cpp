@@ -52,7 +52,7 @@ TEST(SavedView, StatesFilesFromItsFolderOn) {
     InputOptions input;  // which leads there again
     input.path = "sub/1bna.pdb";
     input.namedBy = "/data/a.view.json";
-    EXPECT_EQ(filePathOf(input), "/data/sub/1bna.pdb");
+    EXPECT_EQ(resolveInputPath(input), "/data/sub/1bna.pdb");
 }
 
 TEST(SavedView, AnEmptyObjectIsTheDefault) {
@@ -100,7 +100,7 @@ TEST(SavedView, IsRefusedWhereItIsNestedTooDeep) {
         return R"({"title": ")" + std::string(100, '[') + R"(\"", "rules": )" + std::string(levels, '[') +
                std::string(levels, ']') + "}";
     };
-    const auto faultOf = [](const std::string& json) -> std::string {
+    const auto catchError = [](const std::string& json) -> std::string {
         try {
             parseSavedView(json, "v.json");
         } catch (const Error& error) {
@@ -109,9 +109,9 @@ TEST(SavedView, IsRefusedWhereItIsNestedTooDeep) {
         return "";
     };
     const std::string tooDeep = "cannot read view: v.json: it is nested more than 64 levels deep";
-    EXPECT_EQ(faultOf(nested(64)), tooDeep);
-    EXPECT_EQ(faultOf(nested(100'000)), tooDeep);
-    EXPECT_NE(faultOf(nested(63)), tooDeep) << "brackets in strings do not count";
+    EXPECT_EQ(catchError(nested(64)), tooDeep);
+    EXPECT_EQ(catchError(nested(100'000)), tooDeep);
+    EXPECT_NE(catchError(nested(63)), tooDeep) << "brackets in strings do not count";
 }
 
 TEST(SavedView, ManyKeysAreNoBurden) {

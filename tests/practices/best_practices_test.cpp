@@ -110,7 +110,7 @@ void draw(const std::string& arguments, Said& said, const std::string& enables =
         nacreIn(folder, "render sample:glucose -o a.png --size 128x128 --cache off --supersample " + arguments);
     unsetenv("VK_LAYER_SETTINGS_PATH");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    const std::string text = contentOf(settings / "log");
+    const std::string text = readContents(settings / "log");
     ASSERT_NE(text.find("Current Enables: " + enables.substr(0, enables.find(','))), std::string::npos) << text;
     std::istringstream log(text);
     const std::regex identifier(R"(\[ (\S+) \])");

@@ -47,7 +47,7 @@ void occludeByRod(const RTCOccludedFunctionNArguments* arguments) {
     }
 }
 
-RTCRay rayOf(const glm::dvec3& start, const glm::dvec3& direction) {
+RTCRay makeRay(const glm::dvec3& start, const glm::dvec3& direction) {
     RTCRay ray{};
     ray.org_x = static_cast<float>(start.x);
     ray.org_y = static_cast<float>(start.y);
@@ -130,7 +130,7 @@ void OcclusionScene::addMesh(const Representation& scene) {
     unsigned next = 0;
     for (const Triangle& t : scene.triangles)
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
-            const glm::vec3 p = positionOf(scene.meshVertices[v], t.step());
+            const glm::vec3 p = decodePosition(scene.meshVertices[v], t.step());
             *points++ = p.x;
             *points++ = p.y;
             *points++ = p.z;
@@ -146,7 +146,7 @@ bool OcclusionScene::openTowards(const glm::dvec3& point, const glm::dvec3& norm
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
 #endif
-    RTCRay ray = rayOf(point + kLift * normal, direction);
+    RTCRay ray = makeRay(point + kLift * normal, direction);
 #if RTC_VERSION_MAJOR >= 4
     rtcOccluded1(scene_.get(), &ray);
 #else
@@ -162,7 +162,7 @@ std::optional<OcclusionScene::Hit> OcclusionScene::nearest(const glm::dvec3& sta
     rtcInitIntersectContext(&context);
 #endif
     RTCRayHit ray{};
-    ray.ray = rayOf(start, direction);
+    ray.ray = makeRay(start, direction);
     ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 #if RTC_VERSION_MAJOR >= 4
     rtcIntersect1(scene_.get(), &ray);

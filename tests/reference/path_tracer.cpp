@@ -14,7 +14,7 @@ namespace {
 
 /// As IEC 61966-2-1 has it.
 double linear(double coded) { return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4); }
-glm::dvec3 linearOf(std::uint32_t color) {
+glm::dvec3 toLinear(std::uint32_t color) {
     glm::dvec3 c;
     for (int i = 0; i < 3; ++i) c[i] = linear(static_cast<double>(color >> (8 * i) & 0xffu) / 255.0);
     return c;
@@ -28,8 +28,8 @@ public:
           sky_(sky),
           toView_(view.rotation),
           toSun_(glm::transpose(view.rotation) * sky.toSun) {
-        for (const SphereLook& look : scene.sphereLooks) spheres_.push_back(linearOf(look.color));
-        for (const SphereLook& look : scene.meshLooks) mesh_.push_back(linearOf(look.color));
+        for (const SphereLook& look : scene.sphereLooks) spheres_.push_back(toLinear(look.color));
+        for (const SphereLook& look : scene.meshLooks) mesh_.push_back(toLinear(look.color));
     }
 
     glm::dvec3 mean(const Line& line, std::size_t paths, std::uint64_t seed) const {
@@ -46,7 +46,7 @@ private:
         constexpr int kMostBounces = 64;  // the brightest surfaces keep less than 1e-3 after as many
         glm::dvec3 kept(1.0), light(0.0);
         for (int bounce = 0; bounce < kMostBounces; ++bounce) {
-            kept *= baseOf(at);
+            kept *= baseColor(at);
             const double facing = glm::dot(at.normal, toSun_);
             if (sky_.sun != glm::dvec3(0.0) && facing > 0 && solids_.openTowards(at.position, at.normal, toSun_))
                 light += kept * sky_.sun * facing;
@@ -62,7 +62,7 @@ private:
     glm::dvec3 skyIn(const glm::dvec3& direction) const {
         return sky_.level + 1.5 * sky_.slope * (toView_ * direction).y;
     }
-    glm::dvec3 baseOf(const OcclusionScene::Hit& hit) const {
+    glm::dvec3 baseColor(const OcclusionScene::Hit& hit) const {
         if (!hit.ofTriangle) return spheres_[hit.primitive];
         return mesh_[scene_.meshVertices[scene_.triangles[hit.primitive].a].look];
     }

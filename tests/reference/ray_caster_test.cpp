@@ -19,7 +19,7 @@ namespace nacre::reference {
 namespace {
 
 /// A pixel's place on the plane z = 0, written out from camera.h once more.
-glm::dvec2 placeOf(const View& view, std::uint32_t column, std::uint32_t row) {
+glm::dvec2 planePoint(const View& view, std::uint32_t column, std::uint32_t row) {
     return {(2.0 * column + 1.0 - view.width) / (2.0 * view.pixelsPerAngstrom),
             (view.height - 2.0 * row - 1.0) / (2.0 * view.pixelsPerAngstrom)};
 }
@@ -46,7 +46,7 @@ TEST(RayCaster, OrthographicSphereHasItsExactDepthAndNormal) {
     const Layers layers = castRays(scene, view);
     int covered = 0;
     forEachPixel(layers, [&](std::uint32_t column, std::uint32_t row, std::size_t at) {
-        const glm::dvec2 off = placeOf(view, column, row) - glm::dvec2(1.0, -0.5);
+        const glm::dvec2 off = planePoint(view, column, row) - glm::dvec2(1.0, -0.5);
         const double rest = 1.5 * 1.5 - off.x * off.x - off.y * off.y;
         if (rest < 0.0) return expectBackground(layers, at);
         ++covered;
@@ -68,7 +68,7 @@ TEST(RayCaster, PerspectiveSphereLiesOnItsRayAndInItsTangentCone) {
     const double cone = std::asin(1.5 / glm::length(toCenter));
     int covered = 0;
     forEachPixel(layers, [&](std::uint32_t column, std::uint32_t row, std::size_t at) {
-        const glm::dvec2 place = placeOf(view, column, row);
+        const glm::dvec2 place = planePoint(view, column, row);
         const glm::dvec3 ray(place, -view.eyeDistance);
         const double angle = std::atan2(glm::length(glm::cross(ray, toCenter)), glm::dot(ray, toCenter));
         if (angle > cone) return expectBackground(layers, at);
@@ -105,7 +105,7 @@ TEST(RayCaster, TwoSpheresMeetInTheirRadicalPlane) {
     const double plane = (1.5 * 1.5 + 2.0 * 2.0 - 1.25 * 1.25) / 3.0;
     int first = 0, second = 0;
     forEachPixel(layers, [&](std::uint32_t column, std::uint32_t row, std::size_t at) {
-        const glm::dvec2 place = placeOf(view, column, row);
+        const glm::dvec2 place = planePoint(view, column, row);
         const double one = 4.0 - glm::dot(place, place);
         const double two = 1.5625 - (place.x - 1.5) * (place.x - 1.5) - place.y * place.y;
         if (one < 0.0 && two < 0.0) return expectBackground(layers, at);
@@ -150,7 +150,7 @@ TEST(RayCaster, RodShowsItsTwoHalvesAndItsCaps) {
     const View flat = viewOfScene(scene, Projection::orthographic, 121, 61);
     const Layers side = castRays(scene, flat);
     forEachPixel(side, [&](std::uint32_t column, std::uint32_t row, std::size_t at) {
-        const glm::dvec2 place = placeOf(flat, column, row);
+        const glm::dvec2 place = planePoint(flat, column, row);
         if (std::abs(place.x) > 3.0 || std::abs(place.y) > 0.5) return expectBackground(side, at);
         const bool atMiddle = std::abs(place.x) < 1e-9;  // either half may own it
         EXPECT_TRUE(atMiddle || side.id[at] == (place.x < 0.0 ? 11u : 12u));
@@ -223,7 +223,7 @@ TEST(RayCaster, WideFieldsOfViewCutNothingOff) {
     Camera camera;
     camera.projection = Projection::perspective;
     camera.fovDegrees = 120.0;
-    const View view = viewOf(camera, scene.radius, 200, 160);
+    const View view = makeView(camera, scene.radius, 200, 160);
     const Layers layers = castRays(scene, view);
     EXPECT_EQ(layers.id, withoutBounds(scene, view).id);
     for (const std::uint32_t atom : {1u, 2u, 3u}) EXPECT_GT(std::count(layers.id.begin(), layers.id.end(), atom), 100);

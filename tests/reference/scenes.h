@@ -33,7 +33,7 @@ inline View viewOfScene(const Representation& scene, Projection projection, std:
     camera.projection = projection;
     camera.rotationDegrees = rotationDegrees;
     camera.zoom = zoom;
-    return viewOf(camera, scene.radius, width, height);
+    return makeView(camera, scene.radius, width, height);
 }
 
 }  // namespace nacre::reference

@@ -55,11 +55,11 @@ Molecule twoParts() {
     return m;
 }
 
-Molecule moleculeOf(const AssemblyCase& c) {
+Molecule makeMolecule(const AssemblyCase& c) {
     return std::string(c.file) == "two parts" ? twoParts() : molecule(c.file);
 }
 
-Representation sceneOf(const Molecule& m, const AssemblyCase& c, bool instanced) {
+Representation makeScene(const Molecule& m, const AssemblyCase& c, bool instanced) {
     RepresentationOptions options;
     options.style = c.style;
     options.bondOrders = BondOrders::off;  // dashes of aromatic bonds are spheres, too
@@ -72,12 +72,12 @@ class AssemblyPicture : public SharedRenderers<AssemblyCase> {};
 TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
     const AssemblyCase& c = GetParam();
     if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
-    const Representation r = sceneOf(moleculeOf(c), c, true);
+    const Representation r = makeScene(makeMolecule(c), c, true);
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120}, c.zoom);
     std::vector<LayerPicture> pictures;
     std::vector<Picture> colors;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false}) {
             s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
@@ -98,16 +98,16 @@ TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
 TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
     const AssemblyCase& c = GetParam();
     if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
-    const Molecule m = moleculeOf(c);
+    const Molecule m = makeMolecule(c);
     const auto assembly =
         std::find_if(m.assemblies.begin(), m.assemblies.end(), [&](const Assembly& a) { return a.id == c.assembly; });
     ASSERT_NE(assembly, m.assemblies.end());
-    const Representation whole = sceneOf(writtenOut(m, *assembly), c, false);
-    const Representation r = sceneOf(m, c, true);
+    const Representation whole = makeScene(writtenOut(m, *assembly), c, false);
+    const Representation r = makeScene(m, c, true);
     EXPECT_LT(r.spheres.size(), whole.spheres.size());
     // The same view for both: centres differ by rounding.
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120}, c.zoom);
-    ValidatedRenderer& renderer = rendererOf(Visibility::automatic);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic);
     renderer->setScene(whole);
     const LayerPicture expected = renderer->layers(s);
     renderer->setScene(r);
@@ -131,9 +131,9 @@ TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
 TEST_P(AssemblyPicture, NamesAtomsByTheirPlaceInTheFile) {
     const AssemblyCase& c = GetParam();
     if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
-    const Molecule m = moleculeOf(c);
-    const Representation r = sceneOf(m, c, true);
-    ValidatedRenderer& renderer = rendererOf(Visibility::automatic);
+    const Molecule m = makeMolecule(c);
+    const Representation r = makeScene(m, c, true);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic);
     renderer->setScene(r);
     const LayerPicture p = renderer->layers(settings(r, 128, c.projection, {10, 20, 30}, c.zoom));
     for (const std::uint32_t id : p.id) ASSERT_LE(id, m.atoms.size());
@@ -189,12 +189,12 @@ TEST_P(CopyColors, EachCopyHasItsColourOnEveryPath) {
     RenderSettings s = settings(r, 256, Projection::orthographic, {75, -40, 120});
     s.occlusion.directions = 0;
     s.lighting = false;
-    ValidatedRenderer& usual = rendererOf(Visibility::automatic);
+    ValidatedRenderer& usual = sharedRenderer(Visibility::automatic);
     usual->setScene(copiesStored(r));
     const Picture expected = usual->render(s);
     std::vector<Picture> pictures;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         pictures.push_back(renderer->render(s));
         EXPECT_EQ(pictures.front().rgba, pictures.back().rgba) << static_cast<int>(visibility);

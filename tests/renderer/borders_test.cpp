@@ -13,7 +13,7 @@ struct Misfit {
 };
 
 /// Judges each pixel by the distances of its drawn point from the spheres of all atoms.
-Misfit misfitOf(const Representation& r, const LayerPicture& layers, const View& view) {
+Misfit measureMisfit(const Representation& r, const LayerPicture& layers, const View& view) {
     Misfit misfit;
     for (std::uint32_t y = 0; y < layers.height; ++y)
         for (std::uint32_t x = 0; x < layers.width; ++x) {
@@ -52,7 +52,7 @@ TEST(Borders, RunWhereTwoAtomsAreEquallyNear) {
     }
     ValidatedRenderer renderer(Visibility::tiles);
     renderer->setScene(plain);
-    const Misfit exact = misfitOf(r, first, s.view), stairs = misfitOf(r, renderer->layers(s), s.view);
+    const Misfit exact = measureMisfit(r, first, s.view), stairs = measureMisfit(r, renderer->layers(s), s.view);
     ASSERT_GT(exact.pixels, 7'000u);
     EXPECT_LT(exact.mean, 0.01);
     EXPECT_LT(exact.mean, 0.6 * stairs.mean) << stairs.mean;

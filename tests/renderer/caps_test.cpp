@@ -18,7 +18,7 @@ public:
         : r_(r), vertices_(turnedVertices(r, view)), view_(view), height_(height) {}
 
     /// A point of the plane, as a pixel sees it.
-    glm::dvec3 placeOf(std::uint32_t x, std::uint32_t y) const {
+    glm::dvec3 planePoint(std::uint32_t x, std::uint32_t y) const {
         const glm::dvec2 q((x + 0.5 - view_.width / 2.0) / view_.pixelsPerAngstrom,
                            (view_.height / 2.0 - y - 0.5) / view_.pixelsPerAngstrom);
         if (view_.projection == Projection::orthographic) return {q, height_};
@@ -80,7 +80,7 @@ class Caps : public SharedRenderers<CapCase> {};
 
 TEST_P(Caps, AreOnThePlaneOnEveryPath) {
     const Representation r = scene("sample:dna", GetParam().style);
-    for (const Visibility path : kPaths) rendererOf(path)->setScene(r);
+    for (const Visibility path : kPaths) sharedRenderer(path)->setScene(r);
     // The scene stays; views and planes change, as in a window.
     for (const auto& [rotation, near] :
          {std::pair(glm::dvec3(20, 30, 10), 0.0), {glm::dvec3(50, -70, 0), 0.0}, {glm::dvec3(50, -70, 0), 3.5}}) {
@@ -89,7 +89,7 @@ TEST_P(Caps, AreOnThePlaneOnEveryPath) {
         LayerPicture first;
         std::vector<float> picture;
         for (const Visibility path : kPaths) {
-            ValidatedRenderer& renderer = rendererOf(path);
+            ValidatedRenderer& renderer = sharedRenderer(path);
             const LayerPicture layers = renderer->layers(s);
             const Picture drawn = renderer->render(s);
             if (first.id.empty()) first = layers, picture = drawn.rgba;
@@ -105,7 +105,7 @@ TEST_P(Caps, AreOnThePlaneOnEveryPath) {
         for (std::uint32_t y = 0; y < 100; y += 3)
             for (std::uint32_t x = 0; x < 100; x += 3) {
                 const std::size_t i = y * std::size_t{100} + x;
-                const glm::dvec3 place = inside.placeOf(x, y);
+                const glm::dvec3 place = inside.planePoint(x, y);
                 const std::optional<bool> capped = inside.has(place);
                 if (!capped) continue;
                 ++compared;

@@ -31,7 +31,7 @@ TEST_P(CodedAtOnce, HasTheBytesOfThePicture) {
     s.effects.halos.width = c.halos;
     for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
         SCOPED_TRACE(static_cast<int>(path));
-        ValidatedRenderer& renderer = rendererOf(path);
+        ValidatedRenderer& renderer = sharedRenderer(path);
         renderer->setScene(r);
         const Picture picture = renderer->render(s);
         const std::uint64_t covered = renderer->stats().coveredPixels;
@@ -73,14 +73,14 @@ TEST(PicturesInFlight, AreThoseOfOneAfterTheOther) {
             s.supersample = i == 7 ? 2 : i == 8 ? 1 : RenderSettings::kEdges;
             all.push_back(s);
         }
-        const auto sceneOf = [&](std::size_t i) -> const Representation& { return i == 5 ? other : r; };
+        const auto pickScene = [&](std::size_t i) -> const Representation& { return i == 5 ? other : r; };
         std::vector<CodedPicture> wanted, drawn;
         for (std::size_t i = 0; i < all.size(); ++i) {
-            renderer->setScene(sceneOf(i));
+            renderer->setScene(pickScene(i));
             wanted.push_back(renderer->renderCoded(all[i], true));
         }
         for (std::size_t i = 0; i < all.size(); ++i) {
-            if (i == 0 || &sceneOf(i) != &sceneOf(i - 1)) renderer->setScene(sceneOf(i));
+            if (i == 0 || &pickScene(i) != &pickScene(i - 1)) renderer->setScene(pickScene(i));
             renderer->startCoded(all[i], true);
             if (renderer->started() > 2) drawn.push_back(renderer->finishCoded());
         }

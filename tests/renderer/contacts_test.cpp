@@ -31,7 +31,7 @@ TEST_P(ContactScenes, AreTheSameOnEveryPath) {
     LayerPicture first;
     Picture picture;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         const LayerPicture l = renderer->layers(s);
         const Picture p = renderer->render(s);
@@ -43,10 +43,10 @@ TEST_P(ContactScenes, AreTheSameOnEveryPath) {
     }
     std::size_t dashed = 0, dark = 0, missed = 0;
     for (std::uint32_t i = 0; i < first.id.size(); ++i) {
-        if (!r.contactOf(first.id[i])) continue;
+        if (!r.findContact(first.id[i])) continue;
         dark += first.occlusion[i] < 1;
         if (++dashed % 60 == 0)
-            missed += rendererOf(Visibility::tiles)->atomAt(s, i % 96 + 0.5, i / 96 + 0.5, 0) != first.id[i];
+            missed += sharedRenderer(Visibility::tiles)->atomAt(s, i % 96 + 0.5, i / 96 + 0.5, 0) != first.id[i];
     }
     EXPECT_GT(dashed, 120u);
     EXPECT_GT(dark, dashed / 2);  // between the bases it is dark

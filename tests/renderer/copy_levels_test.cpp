@@ -31,7 +31,7 @@ Representation crowdOfDna() {
 }
 
 /// As in multisample_test.cpp.
-double decibelsOf(const Picture& a, const Picture& b) {
+double measureDecibels(const Picture& a, const Picture& b) {
     double sum = 1e-9;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4)
         for (std::size_t c = i; c < i + 3; ++c) {
@@ -65,7 +65,7 @@ class CopyLevels : public SharedRenderers<Projection> {};
 
 TEST_P(CopyLevels, ShowWhatTheAtomsShow) {
     const Representation r = crowdOfDna();
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     for (const std::uint32_t supersample : {RenderSettings::kEdges, 4u})
         for (const double zoom : {0.3, 0.7, 1.5, 6.0}) {
@@ -89,13 +89,13 @@ TEST_P(CopyLevels, ShowWhatTheAtomsShow) {
             if (zoom > 2) {
                 EXPECT_EQ(renderer->stats().copyLevels.back().error, 0);
             }
-            EXPECT_GE(decibelsOf(whole, levels), 38) << zoom << ", " << supersample;
+            EXPECT_GE(measureDecibels(whole, levels), 38) << zoom << ", " << supersample;
         }
 }
 
 TEST_P(CopyLevels, AreCutByPlanes) {
     const Representation r = crowdOfDna();
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     RenderSettings s = settings(r, 160, GetParam(), {12, 20, 5}, 6);
     s.supersample = 4;
@@ -105,15 +105,15 @@ TEST_P(CopyLevels, AreCutByPlanes) {
     const Picture levels = renderer->render(s);
     s.levelsFrom = UINT64_MAX;
     const Picture whole = renderer->render(s);
-    EXPECT_GE(decibelsOf(whole, levels), 38);
-    EXPECT_LT(decibelsOf(uncut, levels), 30);
+    EXPECT_GE(measureDecibels(whole, levels), 38);
+    EXPECT_LT(measureDecibels(uncut, levels), 30);
 }
 
 // One sample per pixel, as in motion, shows atoms below a pixel by chance: levels come as near to the picture of many
 // samples.
 TEST_P(CopyLevels, AreNoWorseInMotion) {
     const Representation r = crowdOfDna();
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     for (const double zoom : {0.3, 0.7, 1.5}) {
         RenderSettings s = settings(r, 160, GetParam(), {12, 20, 5}, zoom);
@@ -123,13 +123,13 @@ TEST_P(CopyLevels, AreNoWorseInMotion) {
         const Picture best = renderer->render(s);
         s.supersample = 1;
         s.levelsFrom = 0;
-        EXPECT_GT(decibelsOf(renderer->render(s), best), decibelsOf(whole, best) - 0.5) << zoom;
+        EXPECT_GT(measureDecibels(renderer->render(s), best), measureDecibels(whole, best) - 0.5) << zoom;
     }
 }
 
 TEST_P(CopyLevels, HaveOutlinesWithinHalfAPixel) {
     const Representation r = crowdOfDna();
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     constexpr int kFiner = 8;  // samples per pixel and side
     constexpr double kFew = 0.0006;
@@ -155,7 +155,7 @@ TEST_P(CopyLevels, AreTheSameOnEveryPathAndByAnyNumberOfThreads) {
     for (const Visibility path : kPaths)
         for (const unsigned threads : {1u, 2u}) {
             setThreadsPerTask(threads);
-            ValidatedRenderer& renderer = rendererOf(path);
+            ValidatedRenderer& renderer = sharedRenderer(path);
             renderer->setScene(r);
             const Picture p = renderer->render(s);
             if (first.empty()) first = p.rgba;
@@ -170,10 +170,10 @@ INSTANTIATE_TEST_SUITE_P(Projections, CopyLevels, testing::Values(Projection::or
                          });
 
 TEST(SeenCopies, TakeBoundedMemoryForLargePictures) {
-    EXPECT_EQ(LevelScenes::gridOf(640, 960), 4u);
-    EXPECT_EQ(LevelScenes::gridOf(2048, 2048), 4u);
-    EXPECT_EQ(LevelScenes::gridOf(4096, 4096), 2u);
-    EXPECT_EQ(LevelScenes::gridOf(16384, 16384), 1u);
+    EXPECT_EQ(LevelScenes::chooseGrid(640, 960), 4u);
+    EXPECT_EQ(LevelScenes::chooseGrid(2048, 2048), 4u);
+    EXPECT_EQ(LevelScenes::chooseGrid(4096, 4096), 2u);
+    EXPECT_EQ(LevelScenes::chooseGrid(16384, 16384), 1u);
 }
 
 // Samples beside a pixel's centre may show what no centre shows.

@@ -35,7 +35,7 @@ TEST_P(Culling, NeverChangesABit) {
     std::uniform_real_distribution<double> unit(-1, 1);
     std::uint64_t most = 0, least = UINT64_MAX, hidden = 0;
     for (const Visibility path : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(path);
+        ValidatedRenderer& renderer = sharedRenderer(path);
         renderer->setScene(r);
         for (const double zoom : {0.1, 1.0, 3.0, 9.0, 30.0}) {
             if (zoom < 1 && c.style != Style::spacefill) continue;  // atoms under a pixel

@@ -15,7 +15,7 @@ using Rgb = std::array<int, 3>;
 constexpr Rgb kWhite{255, 255, 255};
 
 /// A picture's bytes, as a PNG holds them.
-std::vector<Rgb> bytesOf(const Picture& picture) {
+std::vector<Rgb> toBytes(const Picture& picture) {
     std::vector<Rgb> bytes(std::size_t{picture.width} * picture.height);
     for (std::size_t i = 0; i < bytes.size(); ++i)
         for (std::size_t c = 0; c < 3; ++c) {
@@ -28,7 +28,7 @@ std::vector<Rgb> bytesOf(const Picture& picture) {
 
 std::vector<Rgb> show(ValidatedRenderer& renderer, RenderSettings s, DebugView view) {
     s.debug = view;
-    return bytesOf(renderer->render(s));
+    return toBytes(renderer->render(s));
 }
 
 bool near(const Rgb& a, double r, double g, double b, double by) {
@@ -48,7 +48,7 @@ Rgb heat(double fragments) {
     return color;
 }
 
-int fragmentsOf(const Rgb& color) {
+int decodeFragments(const Rgb& color) {
     if (color == kWhite) return 0;
     for (int n = 1; n <= 64; ++n)
         if (const Rgb h = heat(n); near(color, h[0], h[1], h[2], 1)) return n;
@@ -112,7 +112,7 @@ TEST(DebugView, OverdrawIsWhatTheCountersCount) {
         s.tuning.countFragments = false;
         std::uint64_t shown = 0;
         const auto overdraw = show(renderer, s, DebugView::overdraw);
-        for (const Rgb& color : overdraw) shown += static_cast<std::uint64_t>(fragmentsOf(color));
+        for (const Rgb& color : overdraw) shown += static_cast<std::uint64_t>(decodeFragments(color));
         EXPECT_GT(counted, 4000u);
         EXPECT_EQ(shown, counted);
 
@@ -124,7 +124,7 @@ TEST(DebugView, OverdrawIsWhatTheCountersCount) {
                 for (std::uint32_t y = ty; y < ty + 16; ++y)
                     for (std::uint32_t x = tx; x < tx + 16; ++x) {
                         const std::size_t at = std::size_t{y} * kSize + x;
-                        sum += fragmentsOf(overdraw[at]);
+                        sum += decodeFragments(overdraw[at]);
                         if (x > tx && y > ty && overdraw[at] != kWhite) busy = at;
                     }
                 if (busy == 0) continue;
@@ -141,7 +141,7 @@ TEST(DebugView, PlatesAreThePictureWhereThePrepassCoversIt) {
         renderer->setScene(r);
         RenderSettings s = settings(r, kSize, Projection::orthographic);
         s.tuning.plates = PlateShape::octagon;
-        const auto picture = bytesOf(renderer->render(s));
+        const auto picture = toBytes(renderer->render(s));
         const auto covered = [&] {
             const auto shown = show(renderer, s, DebugView::plates);
             std::size_t full = 0;
@@ -180,7 +180,7 @@ TEST(DebugView, EncodedIsTheAttachmentOnEveryRung) {
         RenderSettings s = settings(r, kSize, Projection::orthographic);
         const LayerPicture layers = renderer.layers(s);
         s.debug = DebugView::encoded;
-        const auto shown = bytesOf(renderer.render(s));
+        const auto shown = toBytes(renderer.render(s));
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < shown.size(); ++i) {
             const double d = (layers.z[i] + 1) / (2 * (s.view.radius + 1));

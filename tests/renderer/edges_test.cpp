@@ -58,7 +58,7 @@ TEST_P(Edges, LookAsIfEveryPixelHadManySamples) {
     RenderSettings s = wanted(r, 160);
     for (const Visibility path : {Visibility::tiles, Visibility::fragdepth}) {
         SCOPED_TRACE(static_cast<int>(path));
-        ValidatedRenderer& renderer = rendererOf(path);
+        ValidatedRenderer& renderer = sharedRenderer(path);
         renderer->setScene(r);
         s.supersample = 8;
         const Picture truth = renderer->render(s);
@@ -177,7 +177,7 @@ TEST(EdgesOf, OddPictures) {
     Camera camera;
     camera.pan = {1.3, -0.7};
     RenderSettings s = settings(r, 64, Projection::orthographic);
-    s.view = viewOf(camera, r.radius, 131, 77);
+    s.view = makeView(camera, r.radius, 131, 77);
     s.supersample = 8;
     const Picture truth = renderer->render(s);
     s.supersample = RenderSettings::kEdges;
@@ -210,7 +210,7 @@ TEST(EdgesOf, HalosHaveNoSeams) {
     Camera camera;
     camera.zoom = 8;
     RenderSettings s = settings(r, 64, Projection::orthographic);
-    s.view = viewOf(camera, r.radius, 432, 48);
+    s.view = makeView(camera, r.radius, 432, 48);
     s.effects.halos.width = 24;
     s.background = {0, 0, 0, 0};
     s.supersample = 8;
@@ -290,7 +290,7 @@ TEST(EdgesOf, PlacesAskForTheTilesAroundThem) {
     for (std::uint32_t y = 0; y < kDown; ++y)
         for (std::uint32_t x = 32; x < kAcross; ++x) seen[y * kAcross + x] = 0xff0000ff;
     const FinerPlaces places(seen.data(), kAcross, {kAcross, kDown});
-    const auto [edges, mask] = places.edgesOf({16, 8, 40, 32}, {20, 12, 32, 20});
+    const auto [edges, mask] = places.findEdges({16, 8, 40, 32}, {20, 12, 32, 20});
     ASSERT_EQ(edges.across, 40u);
     for (std::uint32_t y = 0; y < 32; ++y)
         for (std::uint32_t x = 0; x < 40; ++x) {
@@ -306,7 +306,7 @@ TEST(EdgesOf, PicturesAreCounted) {
     RenderSettings s = settings(r, 96, Projection::orthographic);
     s.supersample = RenderSettings::kEdges;
     s.tuning.countFragments = true;
-    const auto countOf = [&](Visibility path, const std::string& pass) {
+    const auto countTriangles = [&](Visibility path, const std::string& pass) {
         ValidatedRenderer renderer(path);
         renderer->setScene(r);
         renderer->render(s);
@@ -314,8 +314,8 @@ TEST(EdgesOf, PicturesAreCounted) {
             if (count.name == pass) return count.shadedFragments;
         return std::uint64_t{0};
     };
-    const std::uint64_t covered = countOf(Visibility::tiles, "impostor colour");
-    const std::uint64_t edges = countOf(Visibility::tiles, "edge samples");
+    const std::uint64_t covered = countTriangles(Visibility::tiles, "impostor colour");
+    const std::uint64_t edges = countTriangles(Visibility::tiles, "edge samples");
     EXPECT_GT(covered, 2000u);
     EXPECT_GT(edges, covered / 4);
     EXPECT_LT(edges, covered * 3);
@@ -323,11 +323,11 @@ TEST(EdgesOf, PicturesAreCounted) {
     s = settings(r, 96, Projection::orthographic, {20, 0, 0}, 6);
     s.supersample = RenderSettings::kEdges;
     s.tuning.countFragments = true;
-    const std::uint64_t near = countOf(Visibility::tiles, "impostor colour");
-    const std::uint64_t deferred = countOf(Visibility::deferred, "impostor colour");
+    const std::uint64_t near = countTriangles(Visibility::tiles, "impostor colour");
+    const std::uint64_t deferred = countTriangles(Visibility::deferred, "impostor colour");
     EXPECT_GE(deferred, near * 2);
     EXPECT_LT(deferred, near * 3);
-    EXPECT_GT(countOf(Visibility::deferred, "edge samples"), near / 4);
+    EXPECT_GT(countTriangles(Visibility::deferred, "edge samples"), near / 4);
 }
 
 }  // namespace

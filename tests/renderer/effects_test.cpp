@@ -42,7 +42,7 @@ TEST_P(Effect, IsTheSamePictureOnEveryPath) {
     LayerPicture layers;
     std::vector<float> picture, rimmed;
     for (const Visibility path : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(path);
+        ValidatedRenderer& renderer = sharedRenderer(path);
         renderer->setScene(r);
         const std::vector<float> withRims = renderer->render(rims).rgba;
         if (rimmed.empty()) rimmed = withRims;
@@ -74,7 +74,7 @@ struct Inside {
     std::uint32_t atom;
 };
 
-std::vector<Inside> solidsOf(const Representation& r, const View& view, const reference::Line& line, double near) {
+std::vector<Inside> findSolids(const Representation& r, const View& view, const reference::Line& line, double near) {
     std::vector<Inside> found;
     const glm::dvec3 point = line.origin + line.direction * (near / -line.direction.z);
     for (std::size_t i = 0; i < r.spheres.size(); ++i) {
@@ -103,7 +103,7 @@ std::vector<Inside> solidsOf(const Representation& r, const View& view, const re
 TEST_P(Effect, PlanesCutAsExactRaysSay) {
     const Representation r = scene(GetParam().molecule, GetParam().style);
     RenderSettings s = all(r);
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     const LayerPicture layers = renderer->layers(s);
     const double center = s.view.projection == Projection::perspective ? s.view.eyeDistance : s.view.radius;
@@ -111,7 +111,7 @@ TEST_P(Effect, PlanesCutAsExactRaysSay) {
     int caps = 0, skins = 0, skinsOnPlane = 0, wrong = 0, wrongOwners = 0;
     for (std::uint32_t y = 0; y < layers.height; ++y)
         for (std::uint32_t x = 0; x < layers.width; ++x) {
-            const auto solids = solidsOf(r, s.view, reference::pixelLine(s.view, x, y), near);
+            const auto solids = findSolids(r, s.view, reference::pixelLine(s.view, x, y), near);
             double nearest = std::numeric_limits<double>::infinity(), deepest = 0;
             for (const Inside& i : solids)
                 if (i.leave > near && std::max(i.enter, near) <= far)
@@ -149,7 +149,7 @@ TEST_P(Effect, LinesStandWhereDepthJumpsAndNowhereElse) {
     const Representation r = scene(GetParam().molecule, GetParam().style);
     RenderSettings s = settings(r, 160, GetParam().projection, {40, -70, 15});
     s.lighting = false;
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     const LayerPicture layers = renderer->layers(s);
     const std::vector<float> plain = renderer->render(s).rgba;
@@ -203,12 +203,12 @@ TEST_P(Effect, WidthOfLinesAndDensityOfHalosFollowWhatStandsBehind) {
     s.lighting = false;
     s.effects.contours = {4, 1.5, 3, {0, 0, 1}};
     s.effects.halos = {9, 8, 0.5, {1, 0, 0}};
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     const LayerPicture layers = renderer->layers(s);
     const std::vector<float> drawn = renderer->render(s).rgba;
     const double perPixel = 1 / s.view.pixelsPerAngstrom;
-    const auto residueOf = [&](std::uint32_t atom) { return m.atoms[atom - 1].residue; };
+    const auto findResidue = [&](std::uint32_t atom) { return m.atoms[atom - 1].residue; };
     const auto expected = [&](const glm::dvec2& q, std::uint32_t seen, double Z) {
         Rims rims;
         for (std::size_t i = 0; i < r.spheres.size(); ++i) {
@@ -219,7 +219,7 @@ TEST_P(Effect, WidthOfLinesAndDensityOfHalosFollowWhatStandsBehind) {
             rims.halo = std::max(rims.halo, t * t * (3 - 2 * t) * std::clamp(behind / 8, 0.0, 1.0));
             double share = 1;
             if (seen) {
-                const std::uint32_t a = residueOf(seen), b = residueOf(r.sphereLooks[i].atom);
+                const std::uint32_t a = findResidue(seen), b = findResidue(r.sphereLooks[i].atom);
                 const bool far = std::abs(static_cast<int>(a) - static_cast<int>(b)) > 6;
                 const bool chain = m.residues[a].chain != m.residues[b].chain;
                 share = behind < -0.5 ? 0 : chain ? 1 : far ? 0.67 : behind > 1.5 ? 0.34 : 0;
@@ -251,7 +251,7 @@ TEST_P(Effect, FogTakesColourToTheBackgroundInProportionToDepth) {
     const Representation r = scene(GetParam().molecule, GetParam().style);
     RenderSettings s = settings(r, 96, GetParam().projection);
     s.background = {0, 1, 0, 1};
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     const LayerPicture clear = renderer->layers(s);
     s.effects.fog = {Fog::Range::given, -2, 6, 0.5};
@@ -270,7 +270,7 @@ TEST_P(Effect, ShadowsFallWhereARayToTheLightIsBlocked) {
     const Representation r = scene(GetParam().molecule, GetParam().style);
     RenderSettings s = settings(r, 128, GetParam().projection, {40, -70, 15});
     s.effects.light.ambient = s.effects.light.highlight = 0;
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     const LayerPicture bare = renderer->layers(s);
     s.effects.shadow.strength = 1;

@@ -9,12 +9,12 @@ namespace nacre::test {
 namespace {
 
 /// A view of two eyes: parallel, 4 Å apart.
-View eyesOf(View view) {
+View makeEyes(View view) {
     constexpr double kApart = 4;
     return paired(fromAside(view, -kApart / 2, view.eyeDistance), fromAside(view, kApart / 2, view.eyeDistance));
 }
 
-std::string viewsOf(const Renderer& renderer) {
+std::string describeViews(const Renderer& renderer) {
     for (const Decision& decision : renderer.decisions())
         if (decision.what == "views") return decision.how + ": " + decision.why;
     return {};
@@ -41,7 +41,7 @@ protected:
         Renderer& renderer = *validated.operator->();
         s.supersample = 2;
         const std::array<Picture, 2> pictures = renderer.renderEyes(s);
-        const std::string how = viewsOf(renderer);
+        const std::string how = describeViews(renderer);
         const std::array<LayerPicture, 2> layers = renderer.layersOfEyes(s);
         RenderSettings one = s;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -63,10 +63,10 @@ protected:
 TEST_P(Eyes, HaveThePixelsOfFramesOfTheirOwn) {
     const Representation r = scene("sample:dna", GetParam().style);
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         RenderSettings s = settings(r, 160, Projection::perspective, {75, -40, 120});
-        s.view = eyesOf(s.view);
+        s.view = makeEyes(s.view);
         for (const bool merge : {true, false}) {
             s.tuning.merge = merge;
             const std::string what = visibilityName(visibility) + std::string(merge ? "" : ", unmerged");
@@ -98,12 +98,12 @@ TEST_P(EyesOfOthers, CopiesOfAnAssembly) {
     RepresentationOptions look{Style::spacefill, ColorScheme::element};
     look.assembly = "1";
     const Representation r = represent(m, drawnAtoms(m), look);
-    ValidatedRenderer& renderer = rendererOf(GetParam());
+    ValidatedRenderer& renderer = sharedRenderer(GetParam());
     renderer->setScene(r);
     RenderSettings s = settings(r, 160, Projection::perspective, {10, 20, 30});
-    s.view = eyesOf(s.view);
+    s.view = makeEyes(s.view);
     const std::array<LayerPicture, 2> layers = renderer->layersOfEyes(s);
-    const std::string how = viewsOf(*renderer.operator->());
+    const std::string how = describeViews(*renderer.operator->());
     EXPECT_TRUE(how.starts_with(GetParam() == Visibility::tiles ? "a frame for each eye" : "both eyes in one frame"))
         << how;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -119,14 +119,14 @@ TEST_P(EyesOfOthers, CopiesOfAnAssembly) {
 
 TEST_P(EyesOfOthers, WhatOneFrameCannotDrawIsTwoFramesAndSaidSo) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer& renderer = rendererOf(GetParam());
+    ValidatedRenderer& renderer = sharedRenderer(GetParam());
     renderer->setScene(r);
     RenderSettings s = settings(r, 96, Projection::perspective, {10, 20, 30});
-    s.view = eyesOf(s.view);
+    s.view = makeEyes(s.view);
     s.supersample = 1;
     s.effects.shadow.strength = 0.6;
     const std::array<Picture, 2> eyes = renderer->renderEyes(s);
-    const std::string how = viewsOf(*renderer.operator->());
+    const std::string how = describeViews(*renderer.operator->());
     const char* why = GetParam() == Visibility::tiles ? "a frame for each eye: tiles" : "a frame for each eye: shadows";
     EXPECT_TRUE(how.starts_with(why)) << how;
     for (std::size_t i = 0; i < 2; ++i) {

@@ -13,13 +13,13 @@
 namespace nacre::test {
 namespace {
 
-Frame frameBy(Visibility path) { return frameOf(shapeOf(path, {1170, 2532})); }
+Frame frameBy(Visibility path) { return makeFrame(makeShape(path, {1170, 2532})); }
 
 /// Varyings of a corner in a pass of a path.
 enum Kind { sphere, cylinder, triangle };
 std::uint64_t bytesOfCorner(Visibility path, std::size_t pass, Kind kind) {
     const SceneCounts one{kind == sphere, kind == cylinder, kind == triangle, 1, false};
-    const auto geometry = geometryOf(frameBy(path).graph, one, {}, PlateShape::square, ImpostorShape::square);
+    const auto geometry = describeGeometry(frameBy(path).graph, one, {}, PlateShape::square, ImpostorShape::square);
     return geometry[pass].varyingBytes / geometry[pass].vertices;
 }
 
@@ -47,7 +47,7 @@ TEST(Geometry, PassesNumbersWhereVertexOutputsGoThroughMemory) {
     constexpr std::uint32_t kPosition = 16;
     const auto corner = [&](std::size_t pass, const SceneCounts& one) {
         const auto geometry =
-            geometryOf(frameBy(Visibility::encoded).graph, one, mali, PlateShape::square, ImpostorShape::square);
+            describeGeometry(frameBy(Visibility::encoded).graph, one, mali, PlateShape::square, ImpostorShape::square);
         return geometry[pass].varyingBytes / geometry[pass].vertices;
     };
     const std::uint32_t fetched = outputBytes(shaders::lookSphereFetchedVertex);
@@ -63,8 +63,8 @@ TEST(Geometry, OfALargeProteinIsAQuarterOfWhatPyramidsWithoutIndicesTook) {
     const SceneCounts counts{58'870, 0, 0, 9.4, false};
     const graph::GeometryCaps& mali = graph::capabilitySet("mali").plan.geometry;
     ASSERT_TRUE(mali.storesVaryings);
-    const PassGeometry sum = sumOf(
-        geometryOf(frameBy(Visibility::encoded).graph, counts, mali, PlateShape::automatic, ImpostorShape::automatic));
+    const PassGeometry sum = sumGeometry(describeGeometry(frameBy(Visibility::encoded).graph, counts, mali,
+                                                          PlateShape::automatic, ImpostorShape::automatic));
     EXPECT_EQ(sum.varyingBytes, 58'870u * (8 * 16 + 4 * 32 + 4 * 32));
     EXPECT_LE(4 * sum.varyingBytes, 58'870u * 2'208u);
 }

@@ -36,7 +36,7 @@ std::uint64_t takenByATurn(Renderer& renderer, RenderSettings s, double radius) 
         for (int i = 0; i < kTurn; ++i) {
             Camera camera;
             camera.rotationDegrees.y = 360.0 * i / kTurn;
-            s.view = viewOf(camera, radius, 64, 64);
+            s.view = makeView(camera, radius, 64, 64);
             renderer.drawFrame(s);
         }
     };

@@ -48,7 +48,7 @@ class Lens : public SharedRenderers<Projection> {};
 
 TEST_P(Lens, IsTheMeanOfPicturesThroughIt) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     for (const double strength : {0.05, 0.15})
         for (const double focus : {-0.5 * r.radius, 0.0}) {
@@ -71,7 +71,7 @@ TEST_P(Lens, ShowsTheSamePictureOnEveryPath) {
         s.effects.contours.width = 2;
         std::vector<float> first;
         for (const Visibility path : kPaths) {
-            ValidatedRenderer& renderer = rendererOf(path);
+            ValidatedRenderer& renderer = sharedRenderer(path);
             renderer->setScene(r);
             const std::vector<float> picture = renderer->render(s).rgba;
             EXPECT_EQ(renderer->stats().frames, 2u);
@@ -91,7 +91,7 @@ TEST_P(Lens, ReadsTheImageThatAllPathsAndSamplesEndIn) {
             s.effects.halos.width = halos;
             std::vector<float> first;
             for (const Visibility path : kPaths) {
-                ValidatedRenderer& renderer = rendererOf(path);
+                ValidatedRenderer& renderer = sharedRenderer(path);
                 renderer->setScene(r);
                 const std::vector<float> picture = renderer->render(s).rgba;
                 EXPECT_EQ(renderer->planText().find("upload"), std::string::npos);
@@ -104,7 +104,7 @@ TEST_P(Lens, ReadsTheImageThatAllPathsAndSamplesEndIn) {
 TEST_P(Lens, ReadsTheImageThatAFrameDrawsTo) {
     const Representation r = scene("sample:dna", Style::spacefill);
     for (const Visibility path : {Visibility::encoded, Visibility::fragdepth}) {
-        ValidatedRenderer& renderer = rendererOf(path);
+        ValidatedRenderer& renderer = sharedRenderer(path);
         renderer->setScene(r);
         RenderSettings s = lensSettings(r, GetParam(), 0.1, 0);
         s.tuning.timePasses = true;
@@ -117,7 +117,7 @@ TEST_P(Lens, ReadsTheImageThatAFrameDrawsTo) {
 TEST_P(Lens, AddsSamplesOnlyWhereItIsSharp) {
     const Representation r = scene("sample:dna", Style::spacefill);
     for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
-        ValidatedRenderer& renderer = rendererOf(path);
+        ValidatedRenderer& renderer = sharedRenderer(path);
         renderer->setScene(r);
         for (const double halos : {0.0, 4.0}) {
             if (halos == 0 && path == Visibility::tiles) continue;  // draws its edges in one frame
@@ -200,7 +200,7 @@ TEST_P(Lens, KeepsWhatIsBlurredInPlace) {
     r.radius = 12;
     RenderSettings s = lensSettings(r, GetParam(), 0, -r.radius);
     s.background = {0, 0, 0, 0};
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     const auto middle = [&] {
         const std::vector<float> picture = renderer->render(s).rgba;
@@ -225,7 +225,7 @@ TEST_P(Lens, ShowsNoGrain) {
     RenderSettings s = lensSettings(r, GetParam(), 0.5, -2 * r.radius);
     s.background = {0, 0, 0, 1};
     s.lighting = false;
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     const std::vector<float> picture = renderer->render(s).rgba;
     float grain = 0, most = 0, least = 1;
@@ -239,7 +239,7 @@ TEST_P(Lens, ShowsNoGrain) {
 
 TEST_P(Lens, CostsNothingWhenOff) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     RenderSettings s = lensSettings(r, GetParam(), 0, -5);
     const std::vector<float> off = renderer->render(s).rgba;
@@ -254,7 +254,7 @@ TEST_P(Lens, CostsNothingWhenOff) {
 
 TEST_P(Lens, ShinesNothingBlurredOverWhatIsSharpAndNearer) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     RenderSettings s = lensSettings(r, GetParam(), 0, 0);
     const LayerPicture layers = renderer->layers(s);
@@ -263,7 +263,7 @@ TEST_P(Lens, ShinesNothingBlurredOverWhatIsSharpAndNearer) {
     const double center = s.view.projection == Projection::perspective ? s.view.eyeDistance : s.view.radius;
     s.effects.depthOfField = {0.5, front - center};  // nothing is before the focus
     const std::vector<float> blurred = renderer->render(s).rgba;
-    const passes::Lens lens = lensOf(s, s.view);
+    const passes::Lens lens = makeLens(s, s.view);
     int same = 0, changed = 0;
     for (std::size_t i = 0; i < layers.z.size(); ++i) {
         const bool is = std::equal(&sharp[4 * i], &sharp[4 * i] + 4, &blurred[4 * i]);
@@ -293,7 +293,7 @@ TEST_P(Lens, LeavesNoHardEdgeOfWhatIsBlurred) {
     s.view.rotation = glm::dmat3(1);
     s.view.pixelsPerAngstrom *= 2;
     s.lighting = false;
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     const auto steepest = [&] {
         const std::vector<float> picture = renderer->render(s).rgba;
@@ -311,7 +311,7 @@ TEST_P(Lens, LeavesNoHardEdgeOfWhatIsBlurred) {
 
 TEST_P(Lens, BlursWhatIsTransparentAsWhatLiesOnABackground) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
     renderer->setScene(r);
     RenderSettings s = lensSettings(r, GetParam(), 0.1, 0);
     const std::vector<float> onWhite = renderer->render(s).rgba;

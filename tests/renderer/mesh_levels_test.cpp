@@ -60,7 +60,7 @@ TEST_P(MeshLevelsPicture, IsTheSameOnEveryPath) {
     LayerPicture first;
     Picture picture;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         const LayerPicture l = renderer->layers(s);
         const Picture p = renderer->render(s);
@@ -87,7 +87,7 @@ TEST_P(MeshLevelsPicture, IsTheSameOnEveryPath) {
     for (std::uint32_t i = 0; i < first.id.size(); ++i) {
         if (first.id[i] == 0) continue;
         if (++covered % 60 == 0)
-            picked += rendererOf(Visibility::tiles)->atomAt(s, i % 72 + 0.5, i / 72 + 0.5, 0) != first.id[i];
+            picked += sharedRenderer(Visibility::tiles)->atomAt(s, i % 72 + 0.5, i / 72 + 0.5, 0) != first.id[i];
     }
     EXPECT_GT(covered, 200u);
     EXPECT_EQ(picked, 0u);  // a pick draws as the picture did
@@ -206,7 +206,7 @@ std::vector<glm::vec3> drawnPlaces(const Representation& r, double error) {
     for (const PrimitiveRun& run : drawnRuns(r, error))
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
             const Triangle& t = drawnTriangle(r, i);
-            for (const std::uint32_t v : {t.a, t.b, t.c}) places.push_back(positionOf(r.meshVertices[v], t.step()));
+            for (const std::uint32_t v : {t.a, t.b, t.c}) places.push_back(decodePosition(r.meshVertices[v], t.step()));
         }
     return places;
 }

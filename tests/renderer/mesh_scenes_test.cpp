@@ -15,7 +15,7 @@ struct MeshSceneCase {
 void PrintTo(const MeshSceneCase& c, std::ostream* out) { *out << c.name; }
 
 /// The DNA's cartoon: three of it side by side, or each strand a model.
-Representation meshSceneOf(const MeshSceneCase& c) {
+Representation makeMeshScene(const MeshSceneCase& c) {
     Molecule m = molecule("sample:dna");
     RepresentationOptions options{Style::cartoon, ColorScheme::element};
     if (c.copies) {
@@ -35,7 +35,7 @@ class MeshScenes : public SharedRenderers<MeshSceneCase> {};
 
 TEST_P(MeshScenes, AreTheSameOnEveryPath) {
     const MeshSceneCase& c = GetParam();
-    const Representation r = meshSceneOf(c);
+    const Representation r = makeMeshScene(c);
     ASSERT_GT(r.triangles.size(), 1000u);
     RenderSettings s = settings(r, 72, c.projection);
     s.meshError = 0;  // every triangle is counted
@@ -50,7 +50,7 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
     LayerPicture first;
     Picture picture;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         const LayerPicture l = renderer->layers(s);
         const Picture p = renderer->render(s);
@@ -71,7 +71,7 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
     for (std::uint32_t i = 0; i < first.id.size(); ++i) {
         if (first.id[i] == 0 || ++covered % 60 != 0) continue;
         ++picked;
-        missed += rendererOf(Visibility::tiles)->atomAt(s, i % 72 + 0.5, i / 72 + 0.5, 0) != first.id[i];
+        missed += sharedRenderer(Visibility::tiles)->atomAt(s, i % 72 + 0.5, i / 72 + 0.5, 0) != first.id[i];
     }
     EXPECT_GT(picked, 2u);
     EXPECT_EQ(missed, 0u);
@@ -83,7 +83,7 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
         EXPECT_FALSE(renderer->layers(s).z == first.z);
     }
     if (c.fog || c.clip || c.contours) {
-        EXPECT_FALSE(rendererOf(Visibility::tiles)->render(plain).rgba == picture.rgba);
+        EXPECT_FALSE(sharedRenderer(Visibility::tiles)->render(plain).rgba == picture.rgba);
     }
 }
 

@@ -19,7 +19,7 @@ struct MeshCase {
 };
 void PrintTo(const MeshCase& c, std::ostream* out) { *out << c.name; }
 
-RenderSettings settingsOf(const MeshCase& c, const Representation& r, std::uint32_t size) {
+RenderSettings makeSettings(const MeshCase& c, const Representation& r, std::uint32_t size) {
     RenderSettings s = settings(r, size, c.projection, {20, 30, 10}, c.zoom);
     if (c.clipped) s.effects.clip = {-2, 6, Clip::Cap::hatched};
     if (c.contours) s.effects.contours.width = 2;
@@ -31,11 +31,11 @@ class MeshPicture : public SharedRenderers<MeshCase> {};
 TEST_P(MeshPicture, IsTheSameOnEveryPath) {
     const MeshCase& c = GetParam();
     const Representation r = meshScene();
-    RenderSettings s = settingsOf(c, r, 160);
+    RenderSettings s = makeSettings(c, r, 160);
     LayerPicture layers;
     std::vector<float> picture;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false}) {
             s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;

@@ -122,7 +122,7 @@ inline std::vector<glm::dvec3> turnedVertices(const Representation& r, const Vie
     std::vector<glm::dvec3> turned(r.meshVertices.size());
     for (const Triangle& t : r.triangles)
         for (const std::uint32_t i : {t.a, t.b, t.c})
-            turned[i] = view.rotation * glm::dvec3(positionOf(r.meshVertices[i], t.step()));
+            turned[i] = view.rotation * glm::dvec3(decodePosition(r.meshVertices[i], t.step()));
     return turned;
 }
 

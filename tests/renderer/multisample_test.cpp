@@ -16,13 +16,13 @@ constexpr glm::dvec2 kPlaces[] = {{-0.125, -0.375}, {0.375, -0.125}, {-0.375, 0.
 /// A validated renderer whose pictures of one sample have four.
 class Multisampled {
 public:
-    explicit Multisampled(Visibility path) : renderer_(optionsOf(path)) {}
+    explicit Multisampled(Visibility path) : renderer_(makeOptions(path)) {}
     ~Multisampled() {
         for (const std::string& message : renderer_.validationMessages()) ADD_FAILURE() << message;
     }
     Renderer* operator->() { return &renderer_; }
 
-    static DeviceOptions optionsOf(Visibility path) {
+    static DeviceOptions makeOptions(Visibility path) {
         DeviceOptions options;
         options.validate = true;
         options.visibility = path;
@@ -81,7 +81,7 @@ TEST_P(FourSamples, IsNearerToSixteenSamples) {
     RenderSettings s = wanted(r, 160);
     for (const Visibility path : kSampledPaths) {
         SCOPED_TRACE(visibilityName(path));
-        ValidatedRenderer& plain = rendererOf(path);
+        ValidatedRenderer& plain = sharedRenderer(path);
         plain->setScene(r);
         const Picture one = plain->render(s);
         RenderSettings fine = s;
@@ -106,7 +106,7 @@ TEST_P(FourSamples, CoversTheSamplesThatPicturesThereCover) {
     if (s.view.quarterTurns != 0) GTEST_SKIP() << "pictures are upright";
     for (const Visibility path : kSampledPaths) {
         SCOPED_TRACE(visibilityName(path));
-        ValidatedRenderer& plain = rendererOf(path);
+        ValidatedRenderer& plain = sharedRenderer(path);
         plain->setScene(r);
         const Picture middle = plain->render(s);
         std::vector<float> coverage(middle.rgba.size() / 4);
@@ -191,7 +191,7 @@ TEST(MultisamplingOf, NothingLeavesTheTileButThePicture) {
     }
 }
 
-std::string refusalOf(Visibility path, const std::function<void(RenderSettings&)>& change = {}) {
+std::string catchError(Visibility path, const std::function<void(RenderSettings&)>& change = {}) {
     try {
         Multisampled renderer(path);
         const Representation r = scene("sample:glucose", Style::ballAndStick);
@@ -206,14 +206,14 @@ std::string refusalOf(Visibility path, const std::function<void(RenderSettings&)
 }
 
 TEST(MultisamplingOf, WhatCannotTakeItSaysSo) {
-    EXPECT_EQ(refusalOf(Visibility::fragdepth), "");
+    EXPECT_EQ(catchError(Visibility::fragdepth), "");
     for (const Visibility path : {Visibility::encoded, Visibility::deferred, Visibility::tiles})
-        EXPECT_NE(refusalOf(path).find(std::string("--visibility ") + visibilityName(path)), std::string::npos)
-            << refusalOf(path);
+        EXPECT_NE(catchError(path).find(std::string("--visibility ") + visibilityName(path)), std::string::npos)
+            << catchError(path);
     const auto contours = [](RenderSettings& s) { s.effects.contours.width = 2; };
-    EXPECT_NE(refusalOf(Visibility::fragdepth, contours).find("outlines"), std::string::npos);
+    EXPECT_NE(catchError(Visibility::fragdepth, contours).find("outlines"), std::string::npos);
     const auto fine = [](RenderSettings& s) { s.fine = true; };
-    EXPECT_NE(refusalOf(Visibility::fragdepth, fine).find("16 bits per channel"), std::string::npos);
+    EXPECT_NE(catchError(Visibility::fragdepth, fine).find("16 bits per channel"), std::string::npos);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST_P(Parts, AreThePictureToTheBit) {
     camera.zoom = 1.6;
     camera.pan = {0.71, -1.3};
     RenderSettings s;
-    s.view = viewOf(camera, r.radius, 147, 101);
+    s.view = makeView(camera, r.radius, 147, 101);
     s.supersample = GetParam().supersample;
     s.fine = GetParam().fine;
     s.background = {0.2f, 0.3f, 0.9f, 0.5f};
@@ -40,7 +40,7 @@ TEST_P(Parts, AreThePictureToTheBit) {
     s.effects.clip = {-0.4 * r.radius, 0.7 * r.radius, Clip::Cap::hatched};
     for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
         SCOPED_TRACE(static_cast<int>(path));
-        ValidatedRenderer& renderer = rendererOf(path);
+        ValidatedRenderer& renderer = sharedRenderer(path);
         renderer->setScene(r);
         const Picture whole = renderer->render(s);
         const std::uint64_t covered = renderer->stats().coveredPixels;

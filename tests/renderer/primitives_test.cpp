@@ -65,7 +65,7 @@ TEST(PrimitivePictures, HaveNumbersDepthAndOcclusion) {
     float darkest = 1;
     for (std::size_t i = 0; i < picture.id.size(); ++i) {
         ++seen[picture.id[i]];
-        if (r.noteOf(picture.id[i]) == 0) continue;
+        if (r.noteNumber(picture.id[i]) == 0) continue;
         EXPECT_TRUE(std::isfinite(picture.z[i]));
         darkest = std::min(darkest, picture.occlusion[i]);
     }
@@ -74,7 +74,7 @@ TEST(PrimitivePictures, HaveNumbersDepthAndOcclusion) {
     EXPECT_EQ(seen[first + 1], 0u) << "layers show what hides more than half";
     EXPECT_LT(darkest, 0.8f);
     const std::uint32_t at = renderer->atomAt(s, 100 + 5 * s.view.pixelsPerAngstrom, 100, 1);
-    EXPECT_EQ(r.noteOf(at), 1u) << "the red ball";
+    EXPECT_EQ(r.noteNumber(at), 1u) << "the red ball";
 }
 
 }  // namespace

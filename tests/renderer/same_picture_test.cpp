@@ -43,7 +43,7 @@ TEST_P(SamePicture, WhateverThePath) {
     RenderSettings s = settings(r, 160, c.projection, {75, -40, 120});
     std::vector<LayerPicture> pictures;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false})
             for (const bool merge : {true, false}) {
@@ -63,7 +63,7 @@ TEST_P(SamePicture, WhateverThePlatesAndImpostors) {
     const Representation r = scene(c.file, c.style);
     RenderSettings s = settings(r, 160, c.projection, {33, 190, -70});
     for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         s.tuning.plates = PlateShape::none;
         s.tuning.impostor = ImpostorShape::square;
@@ -86,7 +86,7 @@ TEST_P(SamePicture, OfColourToo) {
     RenderSettings s = settings(r, 128, c.projection);
     std::vector<float> first;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false})
             for (const bool merge : {true, false}) {
@@ -205,7 +205,7 @@ TEST(Frame, OfNothingIsTheBackground) {
             if (set) renderer->setScene({});
             RenderSettings s;
             s.supersample = 1;
-            s.view = viewOf({}, 1, 40, 30);
+            s.view = makeView({}, 1, 40, 30);
             s.background = {1, 0, 0, 1};
             s.occlusion.directions = 8;
             const std::vector<float> rgba = renderer->render(s).rgba;

@@ -120,7 +120,7 @@ private:
 template <typename Case>
 class SharedRenderers : public testing::TestWithParam<Case> {
 protected:
-    static ValidatedRenderer& rendererOf(Visibility visibility) { return renderers_[visibility]; }
+    static ValidatedRenderer& sharedRenderer(Visibility visibility) { return renderers_[visibility]; }
     static void TearDownTestSuite() { renderers_.clear(); }
 
 private:
@@ -134,7 +134,7 @@ inline RenderSettings settings(const Representation& r, std::uint32_t size, Proj
     camera.projection = projection;
     camera.rotationDegrees = rotation;
     RenderSettings s;
-    s.view = viewOf(camera, r.radius, size, size);
+    s.view = makeView(camera, r.radius, size, size);
     s.occlusion.directions = 0;
     s.supersample = 1;
     return s;

@@ -21,15 +21,15 @@ constexpr std::uint32_t kOuter = 0, kInner = 1, kBall = 2;  // atoms, from 0
 /// A ball in a shell of triangles in a larger shell, and a stick that comes out of all of them.
 Representation shells(double outer, double inner) {
     Representation r;
-    const auto lookOf = [&](double opacity) {
+    const auto makeLook = [&](double opacity) {
         return [=](std::uint32_t atom) {
             SphereLook look = testLook(atom);
             look.color = withOpacity(look.color, opacity);
             return look;
         };
     };
-    appendMesh(icosphere({0.2f, 0, 0}, 6, 3, kOuter), glm::dvec3(0), lookOf(outer), r);
-    appendMesh(icosphere({-1, 0.5f, 0.3f}, 3.5f, 3, kInner), glm::dvec3(0), lookOf(inner), r);
+    appendMesh(icosphere({0.2f, 0, 0}, 6, 3, kOuter), glm::dvec3(0), makeLook(outer), r);
+    appendMesh(icosphere({-1, 0.5f, 0.3f}, 3.5f, 3, kInner), glm::dvec3(0), makeLook(inner), r);
     r.spheres = {{{-0.5f, 0, 0}, 1.8f}};
     r.sphereLooks = {testLook(kBall)};
     r.cylinders = {{{0, -1, -1}, 0.4f, {5, 6, 5}, 0}};
@@ -39,7 +39,7 @@ Representation shells(double outer, double inner) {
     return r;
 }
 
-SphereLook lookOf(std::uint32_t atom, double opacity) {
+SphereLook makeLook(std::uint32_t atom, double opacity) {
     SphereLook look = testLook(atom);
     look.color = withOpacity(look.color, opacity);
     return look;
@@ -53,9 +53,10 @@ Representation balls(double near, double far) {
                  {{-1.5f, 0.2f, 3.0f}, 1.7f},
                  {{1, -1.5f, -3}, 2.4f},
                  {{2.5f, 2, 1}, 0.9f}};
-    r.sphereLooks = {lookOf(0, 1), lookOf(1, near), lookOf(2, near), lookOf(3, far), lookOf(4, far)};
+    r.sphereLooks = {makeLook(0, 1), makeLook(1, near), makeLook(2, near), makeLook(3, far), makeLook(4, far)};
     r.cylinders = {{{-4, -3, 1}, 0.7f, {4, 3, 4}, 0}, {{-3, 3, -1}, 0.5f, {3, -3, 2}, 0}};
-    r.cylinderLooks = {{lookOf(5, near).color, lookOf(6, 1).color, 6, 7}, {testLook(7).color, testLook(7).color, 8, 8}};
+    r.cylinderLooks = {{makeLook(5, near).color, makeLook(6, 1).color, 6, 7},
+                       {testLook(7).color, testLook(7).color, 8, 8}};
     r.radius = 6;
     r.drawnAtoms = 8;
     return r;
@@ -64,7 +65,7 @@ Representation balls(double near, double far) {
 Representation ballsAndShells() {
     Representation r = balls(0.6, 0.3);
     appendMesh(
-        icosphere({0.2f, 0, 0}, 4, 3, 8), glm::dvec3(0), [](std::uint32_t atom) { return lookOf(atom, 0.4); }, r);
+        icosphere({0.2f, 0, 0}, 4, 3, 8), glm::dvec3(0), [](std::uint32_t atom) { return makeLook(atom, 0.4); }, r);
     return r;
 }
 
@@ -95,7 +96,7 @@ TEST_P(TranslucentPicture, IsTheSameOnEveryPath) {
     std::vector<float> picture, layered;
     LayerPicture layers;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false}) {
             s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
@@ -216,7 +217,7 @@ TEST(Translucent, TheNearestBallsAreMixedAsAFormulaSays) {
     Representation r = balls(0.6, 0.3);
     for (const float z : {4.5f, 5.0f, 5.5f}) {
         r.spheres.push_back({{0.3f * z - 1, 0.5f, z}, 1.5f});
-        r.sphereLooks.push_back(lookOf(static_cast<std::uint32_t>(r.spheres.size()), 0.4));
+        r.sphereLooks.push_back(makeLook(static_cast<std::uint32_t>(r.spheres.size()), 0.4));
     }
     r.cylinders.clear();
     r.cylinderLooks.clear();
@@ -249,15 +250,15 @@ TEST(Translucent, TheNearestBallsAreMixedAsAFormulaSays) {
             std::ranges::sort(fronts, std::greater(), &Front::z);
             for (std::size_t i = 0; i + 1 < fronts.size(); ++i) sure = sure && fronts[i].z - fronts[i + 1].z > 0.01;
             if (!sure) continue;
-            const auto opacityOf = [&](const Front& f) { return opacitySteps(r.sphereLooks[f.ball].color) / 128.0; };
-            const auto opaque = std::ranges::find_if(fronts, [&](const Front& f) { return opacityOf(f) == 1; });
+            const auto frontOpacity = [&](const Front& f) { return opacitySteps(r.sphereLooks[f.ball].color) / 128.0; };
+            const auto opaque = std::ranges::find_if(fronts, [&](const Front& f) { return frontOpacity(f) == 1; });
             std::array<double, 4> expected{1, 1, 1, 1};
             if (opaque != fronts.end()) expected = over(r.sphereLooks[opaque->ball].color, 1, expected);
             fronts.erase(opaque, fronts.end());
             more += fronts.size() > kLayersOfAtoms;
             if (fronts.size() > kLayersOfAtoms) fronts.resize(kLayersOfAtoms);
             for (std::size_t i = fronts.size(); i-- > 0;)
-                expected = over(r.sphereLooks[fronts[i].ball].color, opacityOf(fronts[i]), expected);
+                expected = over(r.sphereLooks[fronts[i].ball].color, frontOpacity(fronts[i]), expected);
             ++compared;
             for (std::size_t c = 0; c < 4; ++c)
                 worst = std::max(worst, std::abs(static_cast<double>(l.rgba[4 * (y * kSize + x) + c]) - expected[c]));

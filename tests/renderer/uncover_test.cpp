@@ -48,7 +48,7 @@ Representation alone(Representation r, const std::vector<bool>& chosen) {
     return r;
 }
 
-std::size_t pixelsOf(const LayerPicture& picture, const std::vector<bool>& chosen) {
+std::size_t countPixels(const LayerPicture& picture, const std::vector<bool>& chosen) {
     return static_cast<std::size_t>(std::count_if(picture.id.begin(), picture.id.end(),
                                                   [&](std::uint32_t id) { return id != 0 && chosen[id - 1]; }));
 }
@@ -58,7 +58,7 @@ RenderSettings closeTo(const std::vector<bool>& chosen, const Representation& r,
     camera.projection = projection;
     camera = closeUp(camera, chosenBalls(r, chosen), r.radius, 3, 1000);
     RenderSettings s;
-    s.view = viewOf(camera, r.radius, 96, 96);
+    s.view = makeView(camera, r.radius, 96, 96);
     s.occlusion.directions = 0;
     s.supersample = 1;
     return s;
@@ -74,7 +74,7 @@ TEST_P(UncoveredPart, ShowsNearlyAllThatItShowsAlone) {
     ValidatedRenderer renderer(Visibility::tiles);
     const auto pixels = [&](const Representation& scene) {
         renderer->setScene(scene);
-        return static_cast<double>(pixelsOf(renderer->layers(s), chosen));
+        return static_cast<double>(countPixels(renderer->layers(s), chosen));
     };
     const double all = pixels(alone(r, chosen)), before = pixels(r);
     const std::size_t primitives = r.spheres.size() + r.triangles.size();

@@ -13,14 +13,14 @@ namespace {
 constexpr Visibility kRasterPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
                                        Visibility::rasterOrder};
 
-std::size_t renderPassesOf(const std::string& plan) {
+std::size_t countRenderPasses(const std::string& plan) {
     std::size_t count = 0;
     for (std::size_t at = 0; (at = plan.find("render pass ", at)) != std::string::npos; ++at) ++count;
     return count;
 }
 
 /// How the last picture fits a limit, for people.
-Decision fitOf(const Renderer& renderer) {
+Decision findFit(const Renderer& renderer) {
     for (const Decision& decision : renderer.decisions())
         if (decision.what == "vertex outputs") return decision;
     return {};
@@ -30,18 +30,18 @@ Decision fitOf(const Renderer& renderer) {
 void expectTheSameInShares(ValidatedRenderer& renderer, RenderSettings s, const std::string& what, double share) {
     s.tuning.mostVertexBytes = 0;
     const Picture whole = renderer->render(s);
-    EXPECT_EQ(fitOf(*renderer.operator->()).how, "") << what;
-    const std::size_t renderPasses = renderPassesOf(renderer->planText());
+    EXPECT_EQ(findFit(*renderer.operator->()).how, "") << what;
+    const std::size_t renderPasses = countRenderPasses(renderer->planText());
     std::uint64_t all = 0;
     for (const PassGeometry& pass : renderer->stats().geometry) all += pass.varyingBytes;
     const LayerPicture layers = renderer->layers(s);
 
     s.tuning.mostVertexBytes = static_cast<std::uint64_t>(static_cast<double>(all) * share);
     const Picture inShares = renderer->render(s);
-    const Decision fit = fitOf(*renderer.operator->());
+    const Decision fit = findFit(*renderer.operator->());
     EXPECT_NE(fit.how, "") << what;
     EXPECT_NE(fit.why.find("a render pass gets at most"), std::string::npos) << fit.why;
-    EXPECT_GT(renderPassesOf(renderer->planText()), renderPasses) << what << ": " << fit.how;
+    EXPECT_GT(countRenderPasses(renderer->planText()), renderPasses) << what << ": " << fit.how;
     std::uint64_t drawn = 0;
     for (const PassGeometry& pass : renderer->stats().geometry) {
         EXPECT_LE(pass.varyingBytes, s.tuning.mostVertexBytes) << what << ", " << pass.name;
@@ -71,7 +71,7 @@ TEST_P(VertexLimit, ChangesNoPixelOnAnyPath) {
     RenderSettings s = settings(r, 128, Projection::orthographic);
     c.set(r, s);
     for (const Visibility path : kRasterPaths) {
-        ValidatedRenderer& renderer = rendererOf(path);
+        ValidatedRenderer& renderer = sharedRenderer(path);
         renderer->setScene(r);
         for (const double share : {0.3, 0.13})
             expectTheSameInShares(renderer, s, std::string(visibilityName(path)) + " " + std::to_string(share), share);
@@ -145,7 +145,7 @@ TEST(VertexLimitOfCoarseDepth, ChangesNoPixel) {
     const Picture whole = renderer.render(s);
     s.tuning.mostVertexBytes = 5000;
     EXPECT_TRUE(renderer.render(s).rgba == whole.rgba);
-    EXPECT_GT(renderPassesOf(renderer.planText()), 10u);
+    EXPECT_GT(countRenderPasses(renderer.planText()), 10u);
     for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
 }
 
@@ -173,7 +173,7 @@ TEST(VertexLimitOfEyes, CountsBoth) {
     const std::array<Picture, 2> whole = renderer->renderEyes(s);
     s.tuning.mostVertexBytes = 50000;
     const std::array<Picture, 2> inShares = renderer->renderEyes(s);
-    EXPECT_NE(fitOf(*renderer.operator->()).how, "");
+    EXPECT_NE(findFit(*renderer.operator->()).how, "");
     for (std::size_t i = 0; i < 2; ++i) EXPECT_TRUE(whole[i].rgba == inShares[i].rgba) << i;
 }
 

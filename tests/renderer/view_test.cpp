@@ -18,7 +18,7 @@ RenderSettings oblong(const Representation& r, Projection projection) {
     camera.zoom = 1.3;
     RenderSettings s;
     s.supersample = 1;
-    s.view = viewOf(camera, r.radius, 150, 110);
+    s.view = makeView(camera, r.radius, 150, 110);
     s.occlusion.directions = 0;
     return s;
 }
@@ -205,13 +205,13 @@ TEST(PipelineCache, TheHeaderMustNameTheDevice) {
     for (std::size_t i = 0; i < VK_UUID_SIZE; ++i) header.pipelineCacheUUID[i] = static_cast<std::uint8_t>(i);
     std::vector<std::byte> bytes(sizeof header + 10);
     std::memcpy(bytes.data(), &header, sizeof header);
-    EXPECT_TRUE(gpu::isPipelineCacheOf(properties, bytes));
-    EXPECT_FALSE(gpu::isPipelineCacheOf(properties, std::span(bytes).first(31)));
-    EXPECT_FALSE(gpu::isPipelineCacheOf(properties, {}));
+    EXPECT_TRUE(gpu::isOwnPipelineCache(properties, bytes));
+    EXPECT_FALSE(gpu::isOwnPipelineCache(properties, std::span(bytes).first(31)));
+    EXPECT_FALSE(gpu::isOwnPipelineCache(properties, {}));
     for (std::size_t i = 0; i < sizeof header; ++i) {
         std::vector<std::byte> other = bytes;
         other[i] ^= std::byte{1};
-        EXPECT_FALSE(gpu::isPipelineCacheOf(properties, other)) << i;
+        EXPECT_FALSE(gpu::isOwnPipelineCache(properties, other)) << i;
     }
 }
 

@@ -103,7 +103,7 @@ void march(const View& view, const reference::Line& ray, double from, double to,
     }
 }
 
-Color linearOf(std::uint32_t color) {
+Color toLinear(std::uint32_t color) {
     const auto channel = [&](int shift) {
         return static_cast<double>(linearFromSrgb(static_cast<float>(color >> shift & 0xff) / 255.0f));
     };
@@ -134,11 +134,11 @@ TEST_P(Volumes, AreWhatARayMarcherSees) {
             march(s.view, reference::pixelLine(s.view, x, y), 0, std::min(Z, 60.0), seen[i]);
             if (hits.id[i] == 0) continue;
             hidden += seen[i][3] > 0.05;
-            putBehind(linearOf(testLook(hits.id[i] - 1).color), 1, seen[i]);
+            putBehind(toLinear(testLook(hits.id[i] - 1).color), 1, seen[i]);
         }
     double worst = 0;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         const LayerPicture picture = renderer->layers(s);
         for (std::size_t i = 0; i < seen.size(); ++i)
@@ -171,7 +171,7 @@ TEST_P(Volumes, AreTheSameOnEveryPath) {
             }
             std::vector<float> first;
             for (const Visibility visibility : kPaths) {
-                ValidatedRenderer& renderer = rendererOf(visibility);
+                ValidatedRenderer& renderer = sharedRenderer(visibility);
                 renderer->setScene(r);
                 const Picture p = renderer->render(s);
                 if (first.empty()) first = p.rgba;
@@ -186,7 +186,7 @@ TEST_P(Volumes, AreTheSameOnEveryPath) {
 TEST_P(Volumes, EndWhereEncodedDepthIsCoarse) {
     const Representation r = withBalls();
     const RenderSettings s = settings(r, 72, GetParam());
-    ValidatedRenderer& exact = rendererOf(Visibility::fragdepth);
+    ValidatedRenderer& exact = sharedRenderer(Visibility::fragdepth);
     exact->setScene(r);
     const Picture wanted = exact->render(s);
     Renderer coarse({true, "", Visibility::encoded, EncodedDepth::rgba8});
@@ -209,7 +209,7 @@ TEST_P(Volumes, ArePartedByTranslucentAtoms) {
     s.lighting = false;
     s.background = {0, 0, 0, 0};
     const reference::Layers hits = reference::castRays(r, s.view);
-    ValidatedRenderer& renderer = rendererOf(Visibility::automatic);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic);
     renderer->setScene(r);
     const LayerPicture picture = renderer->layers(s);
     double worst = 0;
@@ -221,7 +221,7 @@ TEST_P(Volumes, ArePartedByTranslucentAtoms) {
             Color sum{};
             const double Z = std::min(static_cast<double>(hits.z[i]), 60.0);
             march(s.view, ray, 0, Z, sum);
-            if (hits.id[i] > 0) putBehind(linearOf(testLook(3).color), 0.5, sum);
+            if (hits.id[i] > 0) putBehind(toLinear(testLook(3).color), 0.5, sum);
             march(s.view, ray, Z, 60, sum);
             for (std::size_t c = 0; c < 4; ++c)
                 worst = std::max(worst, std::abs(static_cast<double>(picture.rgba[4 * i + c]) - sum[c]));
@@ -232,7 +232,7 @@ TEST_P(Volumes, ArePartedByTranslucentAtoms) {
 TEST_P(Volumes, ShowNoBordersOfBricks) {
     Representation r = withBalls();
     RenderSettings s = settings(r, 64, GetParam(), {25, -35, 15});
-    ValidatedRenderer& renderer = rendererOf(Visibility::fragdepth);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::fragdepth);
     renderer->setScene(r);
     const LayerPicture whole = renderer->layers(s);
     r.volume = blobVolume(16);
@@ -249,7 +249,7 @@ TEST_P(Volumes, AreDrawnAlone) {
     const RenderSettings s = settings(r, 64, GetParam());
     std::vector<float> first;
     for (const Visibility visibility : kPaths) {
-        ValidatedRenderer& renderer = rendererOf(visibility);
+        ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         const Picture p = renderer->render(s);
         if (first.empty()) first = p.rgba;

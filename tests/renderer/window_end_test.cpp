@@ -22,7 +22,7 @@ constexpr std::size_t kBytes = std::size_t{4} * kExtent.width * kExtent.height;
 using Bytes = std::vector<std::uint8_t>;
 
 /// A sample of each pixel: 8-bit sRGB, no two alike.
-Bytes sampleOf(std::uint32_t i) {
+Bytes takeSample(std::uint32_t i) {
     Bytes bytes(kBytes);
     std::uint32_t state = 2463534242u + i;
     for (std::uint8_t& byte : bytes) {
@@ -61,7 +61,7 @@ public:
         shape.choice.ending = !i ? Ending::sumToWindow : *i == 0 ? Ending::firstSample : Ending::nextSample;
         if (i) {
             const graph::ImageDesc desc{VK_FORMAT_R8G8B8A8_SRGB, kExtent};
-            sample = passes::makeTexture(device_, executor_, desc, sampleOf(*i), "sample");
+            sample = passes::makeTexture(device_, executor_, desc, takeSample(*i), "sample");
             const graph::Image drawn = frame.graph.importImage("drawn", desc, passes::kTextureState);
             frame.targets.push_back(frame.graph.image("colour", desc));
             frame.graph.graphics("scene").samples(drawn).color(frame.targets[0]).record([=](gpu::PassContext& c) {
@@ -107,7 +107,7 @@ private:
     std::size_t renderPasses_ = 0;
 };
 
-graph::PlanCaps tileOf(std::uint32_t bytes, bool subpasses = true) {
+graph::PlanCaps makeTileCaps(std::uint32_t bytes, bool subpasses = true) {
     graph::PlanCaps caps;
     caps.tileBytesPerPixel = bytes;
     caps.tileSubpasses = subpasses;
@@ -115,7 +115,7 @@ graph::PlanCaps tileOf(std::uint32_t bytes, bool subpasses = true) {
 }
 
 TEST(WindowEnd, ShowsTheMeanOfItsSamplesHoweverMuchStaysOnTheTile) {
-    Rest onTile(tileOf(16)), colorApart(tileOf(12)), apart(tileOf(16, false));
+    Rest onTile(makeTileCaps(16)), colorApart(makeTileCaps(12)), apart(makeTileCaps(16, false));
     std::vector<double> sum(kBytes);
     constexpr std::uint32_t kSamples = 3;
     for (std::uint32_t i = 0; i < kSamples; ++i) {
@@ -126,7 +126,7 @@ TEST(WindowEnd, ShowsTheMeanOfItsSamplesHoweverMuchStaysOnTheTile) {
         EXPECT_EQ(onTile.renderPasses(), 1u);
         EXPECT_EQ(colorApart.renderPasses(), 2u);
         EXPECT_EQ(apart.renderPasses(), 3u);
-        const Bytes sample = sampleOf(i);
+        const Bytes sample = takeSample(i);
         for (std::size_t b = 0; b < kBytes; ++b) {
             sum[b] += srgbToLinear(static_cast<float>(sample[b]) / 255.0f);
             const double mean = 255.0 * linearToSrgb(static_cast<float>(sum[b] / (i + 1)));

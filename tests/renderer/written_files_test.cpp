@@ -11,7 +11,7 @@ namespace nacre::test {
 namespace {
 
 /// Visible ids of a molecule in balls and sticks, one stick a bond: not every format has orders.
-std::vector<std::uint32_t> idsOf(ValidatedRenderer& renderer, Molecule m) {
+std::vector<std::uint32_t> visibleIds(ValidatedRenderer& renderer, Molecule m) {
     for (Bond& bond : m.bonds) bond.order = 1;
     std::sort(m.bonds.begin(), m.bonds.end(),
               [](const Bond& x, const Bond& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
@@ -30,8 +30,8 @@ TEST(WrittenFiles, AreDrawnAsTheSamples) {
         SCOPED_TRACE(file.name);
         const Molecule read = readMoleculeFile(file.path);
         Molecule sample = sampleMolecule(file.sample);
-        if (exact[file.sample].empty()) exact[file.sample] = idsOf(renderer, sample);
-        const std::vector<std::uint32_t> ids = idsOf(renderer, read);
+        if (exact[file.sample].empty()) exact[file.sample] = visibleIds(renderer, sample);
+        const std::vector<std::uint32_t> ids = visibleIds(renderer, read);
 
         // Rounded coordinates change pixels at the edges alone ...
         std::size_t covered = 0, different = 0;
@@ -45,7 +45,7 @@ TEST(WrittenFiles, AreDrawnAsTheSamples) {
         // ... and the sample with the same coordinates is the same picture.
         ASSERT_EQ(read.atoms.size(), sample.atoms.size());
         for (std::size_t i = 0; i < sample.atoms.size(); ++i) sample.atoms[i].position = read.atoms[i].position;
-        EXPECT_TRUE(idsOf(renderer, sample) == ids);
+        EXPECT_TRUE(visibleIds(renderer, sample) == ids);
     }
 }
 

@@ -21,9 +21,9 @@ constexpr const char* kBetween = "sample:glucose";
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-PictureDescription descriptionOf(const std::string& job) {
+PictureDescription parseDescription(const std::string& job) {
     PictureDescription picture;
-    setOptions(optionValuesOf(job), picture);
+    setOptions(parseOptionValues(job), picture);
     completePicture(picture);
     return picture;
 }
@@ -45,10 +45,10 @@ void savePictures(const std::vector<std::string>& jobs) {
     ViewOptions options;
     options.first.input.path = "sample:glucose";
     options.first.input.cache = "off";
-    options.first.size = descriptionOf(jobs.front()).size;
+    options.first.size = parseDescription(jobs.front()).size;
     WindowSession window(options);
     for (const std::string& job : jobs) {
-        const PictureDescription picture = descriptionOf(job);
+        const PictureDescription picture = parseDescription(job);
         // Another file in between: restyling what is shown would keep the camera of the picture before.
         PictureDescription between;
         between.input.path = picture.input.path == kBetween ? "sample:buckyball" : kBetween;

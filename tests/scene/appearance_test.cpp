@@ -43,7 +43,7 @@ Rule color(const char* selection, Coloring coloring) {
 
 Appearance appear(std::vector<Rule> rules, std::optional<Style> style = Style::spacefill) {
     const Molecule molecule = row();
-    return appearanceOf(molecule, all(molecule), {style, ColorScheme::element, std::move(rules)});
+    return makeAppearance(molecule, all(molecule), {style, ColorScheme::element, std::move(rules)});
 }
 
 TEST(Appearance, LaterRulesPrevail) {
@@ -65,7 +65,7 @@ TEST(Appearance, RulesChooseAmongTheDrawnAtoms) {
     const Molecule molecule = row();
     const std::vector<std::uint32_t> drawn = {0, 1, 2};
     const Appearance a =
-        appearanceOf(molecule, drawn, {Style::spacefill, {}, {show("water", Style::licorice), hide("resn QQQ")}});
+        makeAppearance(molecule, drawn, {Style::spacefill, {}, {show("water", Style::licorice), hide("resn QQQ")}});
     EXPECT_EQ(a.atoms, drawn);
     ASSERT_EQ(a.warnings.size(), 2u);
     EXPECT_NE(a.warnings[0].find("'water' matches no atoms to show: those that it matches are not drawn"),
@@ -78,7 +78,7 @@ TEST(Appearance, WarningsCountWatersByTheirKind) {
     molecule.residues[1].name = Name("W");  // a Martini bead, or an entity of mmCIF
     molecule.residues[1].entityKind = EntityKind::water;
     const Appearance a =
-        appearanceOf(molecule, drawnAtoms(molecule), {Style::spacefill, {}, {show("resn W", Style::licorice)}});
+        makeAppearance(molecule, drawnAtoms(molecule), {Style::spacefill, {}, {show("resn W", Style::licorice)}});
     ASSERT_EQ(a.warnings.size(), 1u);
     EXPECT_NE(a.warnings[0].find("1 in hidden waters"), std::string::npos) << a.warnings[0];
 }
@@ -139,7 +139,7 @@ TEST(Appearance, HalvesOfABondHaveTheColoursOfTheirAtoms) {
 TEST(Appearance, AChromophoreKeepsItsSticksBesideTheRibbon) {
     NACRE_NEEDS_DATA();
     const Molecule gfp = readMoleculeFile(test::dataFile("gfp-1ema.cif"));
-    const Appearance a = appearanceOf(gfp, drawnAtoms(gfp), {Style::cartoon, ColorScheme::element, {}});
+    const Appearance a = makeAppearance(gfp, drawnAtoms(gfp), {Style::cartoon, ColorScheme::element, {}});
     std::size_t sticks = 0;
     for (std::size_t i = 0; i < a.atoms.size(); ++i) {
         EXPECT_EQ(gfp.residues[gfp.atoms[a.atoms[i]].residue].name, Name("CRO"));
@@ -151,7 +151,7 @@ TEST(Appearance, AChromophoreKeepsItsSticksBesideTheRibbon) {
     });
     EXPECT_EQ(inCartoon, 22);
     const Appearance hidden =
-        appearanceOf(gfp, drawnAtoms(gfp), {Style::cartoon, ColorScheme::element, {hide("resn CRO")}});
+        makeAppearance(gfp, drawnAtoms(gfp), {Style::cartoon, ColorScheme::element, {hide("resn CRO")}});
     EXPECT_TRUE(hidden.atoms.empty());
     EXPECT_EQ(hidden.cartoon.atoms.size(), a.cartoon.atoms.size() - 22);
 }

@@ -35,7 +35,7 @@ Molecule smallCrystal() { return readMoleculeFile(test::dataFile("small/core-867
 
 /// The quadric's value at a point: 1 on the surface of the tensor itself.
 double quadricAt(const Displacement& u, const glm::dvec3& fromCenter) {
-    return glm::dot(fromCenter, glm::inverse(matrixOf(u)) * fromCenter);
+    return glm::dot(fromCenter, glm::inverse(tensorMatrix(u)) * fromCenter);
 }
 
 TEST(AtomEllipsoids, HoldTheirAtomsWithTheProbability) {
@@ -51,8 +51,8 @@ TEST(AtomEllipsoids, HoldTheirAtomsWithTheProbability) {
             for (const std::uint32_t v : {t.a, t.b, t.c}) {
                 const std::uint32_t atom = r.meshLooks[r.meshVertices[v].look].atom - 1;
                 atoms.insert(atom);
-                const glm::dvec3 at =
-                    glm::dvec3(positionOf(r.meshVertices[v], t.step())) + r.center - glm::dvec3(m.atoms[atom].position);
+                const glm::dvec3 at = glm::dvec3(decodePosition(r.meshVertices[v], t.step())) + r.center -
+                                      glm::dvec3(m.atoms[atom].position);
                 ASSERT_NEAR(quadricAt(m.displacements[atom], at), square, 2e-3 * square);
             }
         }
@@ -66,7 +66,7 @@ TEST(AtomEllipsoids, AllOfThemAreInTheirScene) {
     NACRE_NEEDS_DATA();
     const Representation r = ellipsoidScene(smallCrystal(), 99);
     for (const Triangle& t : r.triangles)
-        EXPECT_LE(glm::length(glm::dvec3(positionOf(r.meshVertices[t.a], t.step()))), r.radius + 1e-4);
+        EXPECT_LE(glm::length(glm::dvec3(decodePosition(r.meshVertices[t.a], t.step()))), r.radius + 1e-4);
 }
 
 /// By symmetry of the file's fractional frame: beta' = W beta W^T (Trueblood et al., Acta Cryst. A52 (1996) 770).
@@ -114,8 +114,8 @@ TEST(AtomEllipsoids, CopiesBySymmetryTurn) {
         met.insert(found);
         for (std::size_t i = 0; i < r.triangles.size(); i += 7) {
             const glm::dvec3 at =
-                motion * glm::dvec4(positionOf(r.meshVertices[r.triangles[i].a], r.triangles[i].step()), 1);
-            ASSERT_NEAR(quadricAt(displacementOf(expected), at - center), 1.5382 * 1.5382, 5e-3);
+                motion * glm::dvec4(decodePosition(r.meshVertices[r.triangles[i].a], r.triangles[i].step()), 1);
+            ASSERT_NEAR(quadricAt(toDisplacement(expected), at - center), 1.5382 * 1.5382, 5e-3);
         }
     }
     EXPECT_EQ(met.size(), 3u);

@@ -21,7 +21,7 @@ struct AtomText {
     glm::vec3 place;
 };
 
-Molecule moleculeOf(const std::vector<AtomText>& atoms, const std::vector<std::array<std::uint32_t, 3>>& bonds) {
+Molecule makeMolecule(const std::vector<AtomText>& atoms, const std::vector<std::array<std::uint32_t, 3>>& bonds) {
     Molecule molecule;
     molecule.chains.resize(1);
     molecule.residues.resize(1);
@@ -38,7 +38,7 @@ Molecule moleculeOf(const std::vector<AtomText>& atoms, const std::vector<std::a
 }
 
 /// A flat ring in the plane z = 0 about the origin. @param orders  of its bonds, from the first to the last atom
-Molecule ringOf(const std::vector<std::uint32_t>& orders, double reach) {
+Molecule makeRing(const std::vector<std::uint32_t>& orders, double reach) {
     std::vector<AtomText> atoms;
     std::vector<std::array<std::uint32_t, 3>> bonds;
     const auto count = static_cast<std::uint32_t>(orders.size());
@@ -48,7 +48,7 @@ Molecule ringOf(const std::vector<std::uint32_t>& orders, double reach) {
         if (i + 1 < count) bonds.push_back({i, i + 1, orders[i]});
     }
     bonds.push_back({0, count - 1, orders.back()});
-    return moleculeOf(atoms, bonds);
+    return makeMolecule(atoms, bonds);
 }
 
 Representation drawnWith(const Molecule& molecule, Style style, BondOrders orders = BondOrders::ligands,
@@ -74,7 +74,7 @@ double fromMiddle(const Representation& scene, const glm::vec3& point) {
 }
 
 TEST(BondOrdersDrawn, AromaticRingsHaveThreeDashesInsideEachBond) {
-    const Molecule benzene = ringOf({4, 4, 4, 4, 4, 4}, 1.39);
+    const Molecule benzene = makeRing({4, 4, 4, 4, 4, 4}, 1.39);
     for (const Style style : {Style::ballAndStick, Style::licorice}) {
         const Representation scene = drawnWith(benzene, style);
         const std::vector<Cylinder> dashes = thinOnes(scene);
@@ -86,12 +86,12 @@ TEST(BondOrdersDrawn, AromaticRingsHaveThreeDashesInsideEachBond) {
         }
     }
     // From any Kekulé structure, and without hydrogens.
-    EXPECT_EQ(thinOnes(drawnWith(ringOf({1, 2, 1, 2, 1, 2}, 1.39), Style::licorice)).size(), 18u);
+    EXPECT_EQ(thinOnes(drawnWith(makeRing({1, 2, 1, 2, 1, 2}, 1.39), Style::licorice)).size(), 18u);
 }
 
 TEST(BondOrdersDrawn, AromaticRingsMayHaveACircle) {
     const Representation scene =
-        drawnWith(ringOf({4, 4, 4, 4, 4, 4}, 1.39), Style::licorice, BondOrders::ligands, AromaticForm::ring);
+        drawnWith(makeRing({4, 4, 4, 4, 4, 4}, 1.39), Style::licorice, BondOrders::ligands, AromaticForm::ring);
     const std::vector<Cylinder> pieces = thinOnes(scene);
     ASSERT_EQ(pieces.size(), 24u);
     std::map<std::uint32_t, int> ofAtoms;
@@ -106,7 +106,7 @@ TEST(BondOrdersDrawn, AromaticRingsMayHaveACircle) {
 }
 
 TEST(BondOrdersDrawn, ADoubleBondOfARingHasItsSecondLineInside) {
-    Molecule ring = ringOf({2, 1, 1, 1, 1, 1}, 1.45);
+    Molecule ring = makeRing({2, 1, 1, 1, 1, 1}, 1.45);
     for (std::size_t i = 2; i < 6; ++i) ring.atoms[i].position.z = i % 2 ? 0.25f : -0.25f;  // no aromatic ring
     const Representation scene = drawnWith(ring, Style::licorice);
     const std::vector<Cylinder> thin = thinOnes(scene);
@@ -116,7 +116,7 @@ TEST(BondOrdersDrawn, ADoubleBondOfARingHasItsSecondLineInside) {
 }
 
 TEST(BondOrdersDrawn, CarboxylatesAreDelocalisedBetweenTheirOxygens) {
-    const Molecule acetate = moleculeOf(
+    const Molecule acetate = makeMolecule(
         {{kCarbon, {-1.5f, 0, 0}}, {kCarbon, {0, 0, 0}}, {kOxygen, {0.63f, 1.09f, 0}}, {kOxygen, {0.63f, -1.09f, 0}}},
         {{0, 1, 1}, {1, 2, 2}, {1, 3, 1}});
     const Representation scene = drawnWith(acetate, Style::licorice);
@@ -140,7 +140,7 @@ TEST(BondOrdersDrawn, PolymersHaveTheirsInLicoriceIfAskedFor) {
 }
 
 TEST(BondOrdersDrawn, AreAsManyWhereAtomsMove) {
-    Molecule benzene = ringOf({4, 4, 4, 4, 4, 4}, 1.39);
+    Molecule benzene = makeRing({4, 4, 4, 4, 4, 4}, 1.39);
     MovingScene moving(benzene, drawnAtoms(benzene), {Style::licorice, ColorScheme::element});
     const std::size_t spheres = moving.scene().spheres.size(), sticks = moving.scene().cylinders.size();
     for (Atom& atom : benzene.atoms) atom.position *= 1.03f;

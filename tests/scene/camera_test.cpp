@@ -57,7 +57,7 @@ TEST(Camera, AnyTurnIsThatOfQuaternions) {
 
 TEST(Camera, OrthographicSphereFills95PercentOfTheShorterSide) {
     for (const auto& [width, height] : {std::pair{640u, 480u}, std::pair{480u, 960u}, std::pair{100u, 100u}}) {
-        const View view = viewOf(Camera{}, 12.5, width, height);
+        const View view = makeView(Camera{}, 12.5, width, height);
         EXPECT_NEAR(2.0 * 12.5 * view.pixelsPerAngstrom, 0.95 * std::min(width, height), 1e-10);
         EXPECT_EQ(view.width, width);
         EXPECT_EQ(view.height, height);
@@ -71,9 +71,9 @@ TEST(Camera, ZoomScalesTheImagePlaneAlone) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         Camera camera;
         camera.projection = projection;
-        const View plain = viewOf(camera, 7.0, 300, 200);
+        const View plain = makeView(camera, 7.0, 300, 200);
         camera.zoom = 2.5;
-        const View zoomed = viewOf(camera, 7.0, 300, 200);
+        const View zoomed = makeView(camera, 7.0, 300, 200);
         EXPECT_DOUBLE_EQ(zoomed.pixelsPerAngstrom, 2.5 * plain.pixelsPerAngstrom);
         EXPECT_EQ(zoomed.eyeDistance, plain.eyeDistance);
     }
@@ -86,7 +86,7 @@ TEST(Camera, PerspectiveSpansTheFieldOfViewAndHoldsTheSphere) {
             camera.projection = Projection::perspective;
             camera.fovDegrees = fov;
             const double radius = 9.0, half = radians(fov) / 2.0, side = std::min(width, height);
-            const View view = viewOf(camera, radius, width, height);
+            const View view = makeView(camera, radius, width, height);
             EXPECT_NEAR(view.eyeDistance * std::sin(half), radius / 0.95, 1e-12);
             EXPECT_GT(view.eyeDistance, radius);  // the eye stands outside
 
@@ -109,7 +109,7 @@ TEST(Camera, PerspectiveSpansTheFieldOfViewAndHoldsTheSphere) {
 TEST(Camera, ViewCarriesTheRotation) {
     Camera camera;
     camera.rotationDegrees = {10, 20, 30};
-    EXPECT_EQ(viewOf(camera, 1.0, 10, 10).rotation, rotationMatrix({10, 20, 30}));
+    EXPECT_EQ(makeView(camera, 1.0, 10, 10).rotation, rotationMatrix({10, 20, 30}));
 }
 
 void expectSameView(const View& a, const View& b) {
@@ -133,31 +133,31 @@ Camera anyCamera(Projection projection) {
 TEST(Camera, AnAbsoluteOneMakesItsViewWhateverIsDrawn) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         const Camera camera = anyCamera(projection);
-        const View view = viewOf(camera, 20, 640, 480);
+        const View view = makeView(camera, 20, 640, 480);
         const Camera absolute = absoluteCamera(view, camera.fovDegrees, {1, 2, 3});
         EXPECT_EQ(absolute.center, glm::dvec3(1, 2, 3));
-        for (const double radius : {5.0, 20.0, 35.0}) expectSameView(viewOf(absolute, radius, 640, 480), view);
+        for (const double radius : {5.0, 20.0, 35.0}) expectSameView(makeView(absolute, radius, 640, 480), view);
         // The shorter side shows as much in a picture of another size.
-        EXPECT_NEAR(viewOf(absolute, 20, 480, 960).pixelsPerAngstrom, view.pixelsPerAngstrom, 1e-9);
-        EXPECT_NEAR(viewOf(absolute, 20, 1280, 960).pixelsPerAngstrom, 2 * view.pixelsPerAngstrom, 1e-9);
+        EXPECT_NEAR(makeView(absolute, 20, 480, 960).pixelsPerAngstrom, view.pixelsPerAngstrom, 1e-9);
+        EXPECT_NEAR(makeView(absolute, 20, 1280, 960).pixelsPerAngstrom, 2 * view.pixelsPerAngstrom, 1e-9);
     }
 }
 
 TEST(Camera, ARelativeOneMakesTheSameViewByZoomAndRadius) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-        const View view = viewOf(anyCamera(projection), 20, 640, 480);
+        const View view = makeView(anyCamera(projection), 20, 640, 480);
         const Camera absolute = absoluteCamera(view, 40, {});
         double radius = 12;  // of another scene
         const Camera relative = relativeCamera(absolute, radius);
         EXPECT_FALSE(relative.scale || relative.eyeDistance);
-        expectSameView(viewOf(relative, radius, 640, 480), view);
+        expectSameView(makeView(relative, radius, 640, 480), view);
         if (projection == Projection::orthographic) {
             EXPECT_EQ(radius, 12);
         }
         // It zooms on from there.
         Camera nearer = relative;
         nearer.zoom *= 2;
-        EXPECT_NEAR(viewOf(nearer, radius, 640, 480).pixelsPerAngstrom, 2 * view.pixelsPerAngstrom, 1e-9);
+        EXPECT_NEAR(makeView(nearer, radius, 640, 480).pixelsPerAngstrom, 2 * view.pixelsPerAngstrom, 1e-9);
     }
 }
 

@@ -42,7 +42,7 @@ Representation scattered(std::uint32_t count) {
 TEST(Chunks, HoldTheirPrimitives) {
     Representation r = scattered(1000);
     r.spheres[500].center.x = std::numeric_limits<float>::quiet_NaN();
-    const Chunks chunks = chunksOf(r);
+    const Chunks chunks = makeChunks(r);
     ASSERT_EQ(chunks.spheres.size(), 32u);
     ASSERT_EQ(chunks.cylinders.size(), 32u);
     ASSERT_EQ(chunks.triangles.size(), 32u);
@@ -50,7 +50,7 @@ TEST(Chunks, HoldTheirPrimitives) {
         const Triangle& t = r.triangles[i];
         const Chunk& c = chunks.triangles[i / Chunk::kPrimitives];
         for (const std::uint32_t v : {t.a, t.b, t.c})
-            EXPECT_LE(glm::length(positionOf(r.meshVertices[v], t.step()) - c.center), c.radius) << i;
+            EXPECT_LE(glm::length(decodePosition(r.meshVertices[v], t.step()) - c.center), c.radius) << i;
     }
     for (std::size_t i = 0; i < r.spheres.size(); ++i) {
         const Chunk& c = chunks.spheres[i / Chunk::kPrimitives];
@@ -73,9 +73,9 @@ TEST(Chunks, OfTheOrderInSpaceAreSmall) {
         for (const Chunk& c : chunks) sum += c.radius;
         return sum / static_cast<double>(chunks.size());
     };
-    const double before = mean(chunksOf(r).spheres);
+    const double before = mean(makeChunks(r).spheres);
     orderInSpace(r);
-    const double after = mean(chunksOf(r).spheres);
+    const double after = mean(makeChunks(r).spheres);
     EXPECT_GT(before, 60);
     EXPECT_LT(after, 20);  // 32 of 20,000 fill a cube of 12 Å; some lie about a corner of the curve
 }
@@ -89,12 +89,12 @@ TEST(OrderInSpace, KeepsRunsApartAndWhatBelongsTogether) {
     for (std::size_t i = 10; i < 20; ++i) r.spheres[i] = r.spheres[9];  // at one place
     const Representation was = r;
     const std::vector<std::uint32_t> order = orderInSpace(r).spheres;
-    const auto runOf = [](std::uint32_t i) { return i < 1100 ? 0 : i < 2000 ? 1 : 2; };
+    const auto findRun = [](std::uint32_t i) { return i < 1100 ? 0 : i < 2000 ? 1 : 2; };
     std::vector<bool> there(3000, false);
     for (std::uint32_t i = 0; i < 3000; ++i) {
         EXPECT_FALSE(there[order[i]]);
         there[order[i]] = true;
-        EXPECT_EQ(runOf(i), runOf(order[i]));
+        EXPECT_EQ(findRun(i), findRun(order[i]));
         EXPECT_EQ(r.spheres[i].center, was.spheres[order[i]].center);
         EXPECT_EQ(r.sphereLooks[i].atom, was.sphereLooks[order[i]].atom);
         if (i > 0 && r.spheres[i].center == r.spheres[i - 1].center) {

@@ -231,29 +231,29 @@ TEST(ColorSchemes, InputsAreToldApart) {
 }
 
 TEST(ColorSchemes, AChainWithoutANameIsNamedByItsResidues) {
-    const auto labelOf = [](std::initializer_list<const char*> residues) {
+    const auto legendLabel = [](std::initializer_list<const char*> residues) {
         test::MoleculeText text;
         for (const char* name : residues) text.residue(name).atom("C", "C", {0, 0, 0});
         text.molecule.chains[0].name.clear();
         return labels(colored(text.molecule, ColorScheme::chainCarbons));
     };
-    EXPECT_EQ(labelOf({"478"}), "C of 478");
-    EXPECT_EQ(labelOf({"HOH", "478", "HOH"}), "C of 478");
-    EXPECT_EQ(labelOf({"478", "CLX"}), "C of ligand");
-    EXPECT_EQ(labelOf({""}), "C of ligand");
-    EXPECT_EQ(labelOf({"ALA", "GLY"}), "C of protein");
+    EXPECT_EQ(legendLabel({"478"}), "C of 478");
+    EXPECT_EQ(legendLabel({"HOH", "478", "HOH"}), "C of 478");
+    EXPECT_EQ(legendLabel({"478", "CLX"}), "C of ligand");
+    EXPECT_EQ(legendLabel({""}), "C of ligand");
+    EXPECT_EQ(legendLabel({"ALA", "GLY"}), "C of protein");
 }
 
 TEST(ColorSchemes, ALegendListsWhatIsDrawn) {
     const Molecule dna = sampleMolecule("dna");
-    const auto labelsOf = [&](Style style) {
+    const auto listLabels = [&](Style style) {
         std::string text;
         for (const Legend& legend : represent(dna, drawnAtoms(dna), {style, ColorScheme::chainCarbons}).legends)
             for (const LegendEntry& entry : legend.entries) text += entry.label + "|";
         return text;
     };
-    EXPECT_EQ(labelsOf(Style::spacefill), "C of chain A|C of chain B|N|O|P|");
-    EXPECT_EQ(labelsOf(Style::cartoon), "C of chain A|C of chain B|");
+    EXPECT_EQ(listLabels(Style::spacefill), "C of chain A|C of chain B|N|O|P|");
+    EXPECT_EQ(listLabels(Style::cartoon), "C of chain A|C of chain B|");
 }
 
 TEST(ColorSchemes, ASurfaceOverACartoonHasItsColours) {
@@ -261,7 +261,7 @@ TEST(ColorSchemes, ASurfaceOverACartoonHasItsColours) {
     Rule surface;
     surface.style = Style::surface;
     surface.selection = parseSelection("all");
-    const auto colorsOf = [&](std::optional<ColorScheme> told) {
+    const auto schemeColors = [&](std::optional<ColorScheme> told) {
         RepresentationOptions options{Style::cartoon, ColorScheme::chainCarbons, {surface}};
         if (told) {
             Rule color;
@@ -271,12 +271,12 @@ TEST(ColorSchemes, ASurfaceOverACartoonHasItsColours) {
             options.rules.push_back(color);
         }
         const std::vector<std::uint32_t> drawn = drawnAtoms(dna);
-        const MeshAtoms seen = appearanceOf(dna, drawn, options).surface;
+        const MeshAtoms seen = makeAppearance(dna, drawn, options).surface;
         return std::set<std::uint32_t>(seen.colors.begin(), seen.colors.end());
     };
-    EXPECT_EQ(colorsOf(std::nullopt),
+    EXPECT_EQ(schemeColors(std::nullopt),
               (std::set<std::uint32_t>{kindColor(0, kChainPalette), kindColor(1, kChainPalette)}));
-    EXPECT_EQ(colorsOf(ColorScheme::element).size(), 4u);
+    EXPECT_EQ(schemeColors(ColorScheme::element).size(), 4u);
 }
 
 TEST(ColorSchemes, CarbonsByChainAndTheRestByElement) {

@@ -33,7 +33,7 @@ Molecule dna() { return sampleMolecule("dna"); }
 struct Ends {
     glm::dvec3 a, b;
 };
-glm::dvec3 placeOf(const Molecule& molecule, const Representation& scene, std::uint32_t atom) {
+glm::dvec3 atomPosition(const Molecule& molecule, const Representation& scene, std::uint32_t atom) {
     return glm::dvec3(molecule.atoms[atom].position) - scene.center;
 }
 
@@ -84,12 +84,13 @@ TEST(Contacts, EndAtTheSurfacesOfTheirAtoms) {
     std::set<std::uint32_t> colors;
     for (std::size_t i = 0; i < scene.cylinders.size(); ++i) {
         const std::uint32_t number = scene.cylinderLooks[i].atomA;
-        const DrawnContact* contact = scene.contactOf(number);
+        const DrawnContact* contact = scene.findContact(number);
         if (!contact) continue;
         ++dashes[number - scene.firstContact];
         colors.insert(scene.cylinderLooks[i].colorA);
         const Interaction& bond = contact->interaction;
-        const Ends ends{placeOf(molecule, scene, bond.a.atoms.front()), placeOf(molecule, scene, bond.b.atoms.front())};
+        const Ends ends{atomPosition(molecule, scene, bond.a.atoms.front()),
+                        atomPosition(molecule, scene, bond.b.atoms.front())};
         for (const glm::vec3& point : {scene.cylinders[i].a, scene.cylinders[i].b})
             for (const glm::dvec3& atom : {ends.a, ends.b})
                 EXPECT_GT(glm::distance(glm::dvec3(point), atom), 0.25 + 0.07);
@@ -99,7 +100,7 @@ TEST(Contacts, EndAtTheSurfacesOfTheirAtoms) {
     }
     for (const std::size_t count : dashes) EXPECT_GE(count, 3u);
     EXPECT_EQ(colors, std::set<std::uint32_t>{contactLook(InteractionKind::hydrogenBond).color});
-    EXPECT_EQ(scene.atomOf(scene.firstContact), scene.contacts[0].interaction.a.atoms.front() + 1);
+    EXPECT_EQ(scene.findAtom(scene.firstContact), scene.contacts[0].interaction.a.atoms.front() + 1);
     EXPECT_EQ(scene.atomGroups.size(), molecule.atoms.size() + scene.contacts.size());
     ASSERT_FALSE(scene.legends.empty());
     EXPECT_EQ(scene.legends.back().scheme, kContactScheme);
@@ -177,9 +178,9 @@ TEST(Contacts, OfAnAssemblyStandInEachCopy) {
     std::size_t copies = 0;
     for (const PrimitiveRun& run : scene.copies.cylinders)
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i)
-            if (scene.contactOf(scene.cylinderLooks[i].atomA)) copies += scene.copies.lists[run.list].size();
+            if (scene.findContact(scene.cylinderLooks[i].atomA)) copies += scene.copies.lists[run.list].size();
     std::size_t dashes = 0;
-    for (const CylinderLook& look : scene.cylinderLooks) dashes += scene.contactOf(look.atomA) != nullptr;
+    for (const CylinderLook& look : scene.cylinderLooks) dashes += scene.findContact(look.atomA) != nullptr;
     EXPECT_GT(dashes, 60u);
     EXPECT_EQ(copies, 2 * dashes);
 }
@@ -222,7 +223,7 @@ std::vector<SeenContact> seenContacts(const Representation& scene) {
     std::vector<SeenContact> seen;
     std::set<std::uint32_t> done;
     const auto add = [&](std::uint32_t number, const std::vector<std::uint32_t>* list) {
-        const DrawnContact* contact = scene.contactOf(number);
+        const DrawnContact* contact = scene.findContact(number);
         if (!contact || !done.insert(number).second) return;
         const glm::dvec4 middle(contact->middle, 1);
         if (!list) seen.push_back({contact->interaction.kind, contact->middle + scene.center});
@@ -286,14 +287,14 @@ TEST(Contacts, HideNothingThatIsUncoveredAndGoWithTheirAtoms) {
     const std::size_t contacts = scene.contacts.size();
     ASSERT_GT(contacts, 0u);
     Camera camera;
-    uncover(scene, selectAtoms(molecule, parseSelection("chain B and resi 18")), viewOf(camera, scene.radius, 256, 256),
-            Clip{}.near);
+    uncover(scene, selectAtoms(molecule, parseSelection("chain B and resi 18")),
+            makeView(camera, scene.radius, 256, 256), Clip{}.near);
     std::set<std::uint32_t> atoms;
     for (const SphereLook& look : scene.sphereLooks)
-        if (!scene.contactOf(look.atom)) atoms.insert(look.atom - 1);
+        if (!scene.findContact(look.atom)) atoms.insert(look.atom - 1);
     ASSERT_LT(atoms.size(), molecule.atoms.size());
     for (const SphereLook& look : scene.sphereLooks)
-        if (const DrawnContact* contact = scene.contactOf(look.atom)) {
+        if (const DrawnContact* contact = scene.findContact(look.atom)) {
             EXPECT_TRUE(atoms.contains(contact->interaction.a.atoms.front()));
             EXPECT_TRUE(atoms.contains(contact->interaction.b.atoms.front()));
         }
@@ -314,7 +315,7 @@ TEST(Contacts, DrawTheWatersOfBridges) {
         for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
             if (scene.sphereLooks[i].atom != water + 1) continue;
             ++balls;
-            EXPECT_LT(glm::distance(glm::dvec3(scene.spheres[i].center), placeOf(molecule, scene, water)), 1e-4);
+            EXPECT_LT(glm::distance(glm::dvec3(scene.spheres[i].center), atomPosition(molecule, scene, water)), 1e-4);
             EXPECT_NEAR(scene.spheres[i].radius, 0.38f, 0.01f);  // of an oxygen's ball
             EXPECT_EQ(scene.sphereLooks[i].color, elementColor(8));
         }

@@ -12,7 +12,7 @@
 namespace nacre {
 namespace {
 
-double depthOf(const View& view, const glm::vec3& p) { return -(view.rotation * glm::dvec3(p)).z; }
+double measureDepth(const View& view, const glm::vec3& p) { return -(view.rotation * glm::dvec3(p)).z; }
 
 TEST(CutScene, LeavesTheChosenAtomsAndNothingElseInFront) {
     const Molecule dna = sampleMolecule("dna");
@@ -25,12 +25,12 @@ TEST(CutScene, LeavesTheChosenAtomsAndNothingElseInFront) {
     clip.far = 6;
     for (const Style style : {Style::licorice, Style::surface, Style::cartoon}) {
         Representation r = represent(dna, drawnAtoms(dna), {style});
-        const View view = viewOf(camera, r.radius, 100, 100);
+        const View view = makeView(camera, r.radius, 100, 100);
         ASSERT_TRUE(cutScene(r, view, clip, chosen));
         const auto isChosen = [&](std::uint32_t number) { return number > 0 && chosen[number - 1]; };
         bool front = false, other = false;
         const auto judge = [&](const glm::vec3& p, std::uint32_t number, double room) {
-            const double depth = depthOf(view, p);
+            const double depth = measureDepth(view, p);
             if (isChosen(number)) {
                 front = front || depth < clip.near - 1;
                 return;
@@ -47,10 +47,11 @@ TEST(CutScene, LeavesTheChosenAtomsAndNothingElseInFront) {
             judge(r.cylinders[i].b, look.atomB, 0.3);
         }
         for (const Triangle& t : r.triangles) {
-            const auto numberOf = [&](std::uint32_t v) { return r.meshLooks[r.meshVertices[v].look].atom; };
-            const bool whole = isChosen(numberOf(t.a)) && isChosen(numberOf(t.b)) && isChosen(numberOf(t.c));
+            const auto atomNumber = [&](std::uint32_t v) { return r.meshLooks[r.meshVertices[v].look].atom; };
+            const bool whole = isChosen(atomNumber(t.a)) && isChosen(atomNumber(t.b)) && isChosen(atomNumber(t.c));
             for (const std::uint32_t v : {t.a, t.b, t.c})
-                if (whole || !isChosen(numberOf(v))) judge(positionOf(r.meshVertices[v], t.step()), numberOf(v), 0.01);
+                if (whole || !isChosen(atomNumber(v)))
+                    judge(decodePosition(r.meshVertices[v], t.step()), atomNumber(v), 0.01);
         }
         EXPECT_TRUE(front && other) << static_cast<int>(style);
     }
@@ -63,12 +64,12 @@ TEST(CutScene, GivesCapsTheirColour) {
     for (const bool colored : {false, true}) {
         if (colored) clip.capColor = {1, 0, 0.5f};
         Representation r = represent(dna, drawnAtoms(dna), {Style::surface});
-        const View view = viewOf({}, r.radius, 100, 100);
+        const View view = makeView({}, r.radius, 100, 100);
         ASSERT_TRUE(cutScene(r, view, clip, std::vector<bool>(dna.atoms.size())));
         std::size_t onPlane = 0, inColor = 0;
         for (const Triangle& t : r.triangles) {
             const auto isCap = [&](std::uint32_t v) {
-                const double depth = depthOf(view, positionOf(r.meshVertices[v], t.step()));
+                const double depth = measureDepth(view, decodePosition(r.meshVertices[v], t.step()));
                 return depth > 0.0005 && depth < 0.004;  // edges of what was cut are at 0
             };
             if (!isCap(t.a) || !isCap(t.b) || !isCap(t.c)) continue;

@@ -20,7 +20,7 @@ constexpr int kNodes = 25;
 const glm::dvec3 kFirst{-12, -12, -12};
 
 template <typename Function>
-DensityMap mapOf(const Function& f) {
+DensityMap makeMap(const Function& f) {
     std::vector<float> values;
     for (int z = 0; z < kNodes; ++z)
         for (int y = 0; y < kNodes; ++y)
@@ -28,10 +28,10 @@ DensityMap mapOf(const Function& f) {
     return mapOfValues("map", glm::ivec3(kNodes), {glm::dvec3(kNodes), glm::dvec3(90)}, kFirst, false, values);
 }
 DensityMap alongX() {
-    return mapOf([](const glm::dvec3& at) { return at.x; });
+    return makeMap([](const glm::dvec3& at) { return at.x; });
 }
 DensityMap ball() {
-    return mapOf([](const glm::dvec3& at) { return 12 - glm::length(at); });
+    return makeMap([](const glm::dvec3& at) { return 12 - glm::length(at); });
 }
 /// The ramp from -6 to 6.
 std::uint32_t expected(double x) { return paletteColor(Palette::viridis, (x + 6) / 12) & 0xffffff; }
@@ -58,7 +58,7 @@ TEST(MapScene, AContourHasTheColoursOfAnotherMap) {
     for (const Triangle& t : scene.triangles)
         for (const std::uint32_t v : {t.a, t.b, t.c})
             EXPECT_LE(apart(scene.meshLooks[scene.meshVertices[v].look].color,
-                            expected(static_cast<double>(positionOf(scene.meshVertices[v], t.step()).x))),
+                            expected(static_cast<double>(decodePosition(scene.meshVertices[v], t.step()).x))),
                       2);
     ASSERT_EQ(scene.legends.size(), 1u);
     EXPECT_EQ(scene.legends[0].entries.front().label, "-6");
@@ -76,7 +76,7 @@ TEST(MapScene, AContourHasTheColoursOfAnotherMap) {
 
 TEST(MapScene, WhereTheOtherMapSaysNothingTheColourStays) {
     const DensityMap shape = ball();
-    const DensityMap half = mapOf([](const glm::dvec3& at) { return at.x > 0 ? 1.0 : NAN; });
+    const DensityMap half = makeMap([](const glm::dvec3& at) { return at.x > 0 ? 1.0 : NAN; });
     const ValueColoring values{&half, "half", Palette::viridis, ColorRange{0, 2}};
     MapContour contour;
     contour.level = 7;
@@ -98,7 +98,7 @@ TEST(MapScene, ASliceIsFlatAndHasItsOwnColours) {
     addSlice(region, {2, 0.25, 1}, values, scene);
     ASSERT_EQ(scene.triangles.size(), 2u * (kNodes - 1) * (kNodes - 1));
     for (const MeshVertex& v : scene.meshVertices) {
-        const glm::dvec3 at = glm::dvec3(positionOf(v, scene.triangles[0].step())) + scene.center;
+        const glm::dvec3 at = glm::dvec3(decodePosition(v, scene.triangles[0].step())) + scene.center;
         EXPECT_NEAR(at.z, kFirst.z + 0.25 * (kNodes - 1), 1e-4);
         EXPECT_LE(apart(scene.meshLooks[v.look].color, expected(at.x)), 2);
     }
@@ -108,7 +108,7 @@ TEST(MapScene, ASliceIsFlatAndHasItsOwnColours) {
     ASSERT_EQ(across.meshLooks.size(), 1u);
     EXPECT_LE(apart(across.meshLooks[0].color, expected(6)), 2);
     // Of what is unknown there is nothing.
-    const DensityMap half = mapOf([](const glm::dvec3& at) { return at.x > -0.5 ? at.y : NAN; });
+    const DensityMap half = makeMap([](const glm::dvec3& at) { return at.x > -0.5 ? at.y : NAN; });
     Representation cut;
     addSlice(MapRegion(half, glm::ivec3(0), half.size - 1), {2, 0.5, 1}, {&half, "half"}, cut);
     EXPECT_EQ(cut.triangles.size(), 2u * (kNodes - 1) * (kNodes / 2));
@@ -123,7 +123,7 @@ TEST(MapScene, ASliceEndsWhereItsValuesAreTooLow) {
     double least = 100;
     for (const Triangle& t : scene.triangles)
         for (const std::uint32_t v : {t.a, t.b, t.c})
-            least = std::min(least, static_cast<double>(positionOf(scene.meshVertices[v], t.step()).x));
+            least = std::min(least, static_cast<double>(decodePosition(scene.meshVertices[v], t.step()).x));
     EXPECT_NEAR(least, 1.25, 1e-3);
     // In each row ten whole squares of two triangles; a square whose quarter is cut off has three.
     EXPECT_EQ(scene.triangles.size(), (2u * 10 + 3) * (kNodes - 1));
@@ -137,13 +137,13 @@ TEST(MapScene, AMoleculesSurfaceHasTheColoursOfAMap) {
     Representation scene = represent(molecule, drawnAtoms(molecule), options);
     ASSERT_FALSE(scene.triangles.empty());
     const glm::dvec3 center = scene.center;
-    const DensityMap x = mapOf([&](const glm::dvec3& at) { return at.x - center.x; });
+    const DensityMap x = makeMap([&](const glm::dvec3& at) { return at.x - center.x; });
     ASSERT_TRUE(colorSurfaces(sixToSix(x), scene));
     EXPECT_TRUE(scene.blendsColors);
     for (const Triangle& t : scene.triangles) {
         const MeshVertex& v = scene.meshVertices[t.a];
         const SphereLook& look = scene.meshLooks[v.look];
-        EXPECT_LE(apart(look.color, expected(static_cast<double>(positionOf(v, t.step()).x))), 2);
+        EXPECT_LE(apart(look.color, expected(static_cast<double>(decodePosition(v, t.step()).x))), 2);
         EXPECT_EQ(opacitySteps(look.color), kOpacitySteps / 2);
         EXPECT_FALSE(isCopyTint(look.color));
         EXPECT_GT(look.atom, 0u);
@@ -167,7 +167,7 @@ TEST(MapScene, ARangeOfBothSignsIsTheSameToEitherSide) {
     EXPECT_NEAR(slice.range().first, -1.8, 1e-9);
     for (double& v : values) v += 3;
     EXPECT_EQ(ValueColors({}, values, Palette::viridis).palette(), Palette::viridis);
-    EXPECT_EQ(slice.stepOf(NAN), ValueColors::kSteps);
+    EXPECT_EQ(slice.toStep(NAN), ValueColors::kSteps);
 }
 
 }  // namespace

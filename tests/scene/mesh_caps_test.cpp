@@ -17,14 +17,14 @@ namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-std::vector<Corners> trianglesOf(const Representation& r, const glm::dmat3& rotation, bool surfaces) {
+std::vector<Corners> collectTriangles(const Representation& r, const glm::dmat3& rotation, bool surfaces) {
     std::vector<Corners> corners;
     for (const MeshRun& mesh : r.meshes) {
         if (mesh.surface != surfaces) continue;
         for (std::uint32_t i = mesh.first; i < mesh.first + mesh.count; ++i) {
             const Triangle& t = r.triangles[i];
             const auto at = [&](std::uint32_t v) {
-                return rotation * glm::dvec3(positionOf(r.meshVertices[v], t.step()));
+                return rotation * glm::dvec3(decodePosition(r.meshVertices[v], t.step()));
             };
             corners.push_back({at(t.a), at(t.b), at(t.c)});
         }
@@ -60,7 +60,7 @@ TEST_P(MeshCaps, CoverWhatIsInside) {
     Camera camera;
     camera.projection = GetParam().second;
     camera.rotationDegrees = {20, 35, 10};
-    const View view = viewOf(camera, r.radius, 100, 100);
+    const View view = makeView(camera, r.radius, 100, 100);
     std::mt19937 dice(7);
     for (const double near : {-6.0, 0.0, 4.3}) {
         Clip clip;
@@ -68,8 +68,8 @@ TEST_P(MeshCaps, CoverWhatIsInside) {
         ASSERT_TRUE(needsCaps(r, clip));
         const Representation caps = meshCaps(r, view, clip);
         ASSERT_FALSE(caps.triangles.empty());
-        const std::vector<Corners> mesh = trianglesOf(r, view.rotation, surface),
-                                   cap = trianglesOf(caps, view.rotation, false);
+        const std::vector<Corners> mesh = collectTriangles(r, view.rotation, surface),
+                                   cap = collectTriangles(caps, view.rotation, false);
         for (const Corners& t : cap)
             for (const glm::dvec3& corner : t) {  // just behind the plane, as shaders expect it
                 EXPECT_GE(-near - corner.z, 0);
@@ -100,11 +100,11 @@ TEST(MeshCapsOf, SurfacesHaveTheNearestAtoms) {
     const Representation r = represent(dna, drawnAtoms(dna), {Style::surface});
     Clip clip;
     clip.near = 0;
-    const View view = viewOf({}, r.radius, 100, 100);
+    const View view = makeView({}, r.radius, 100, 100);
     const Representation caps = meshCaps(r, view, clip);
     int wrong = 0;
     for (const MeshVertex& vertex : caps.meshVertices) {
-        const glm::dvec3 place = glm::dvec3(positionOf(vertex, caps.triangles.front().step())) + r.center;
+        const glm::dvec3 place = glm::dvec3(decodePosition(vertex, caps.triangles.front().step())) + r.center;
         double least = 1e9;
         std::uint32_t nearest = 0;
         for (const SurfaceAtom& atom : r.surfaceAtoms) {
@@ -126,7 +126,7 @@ TEST(MeshCapsOf, OpenAndTranslucentMeshesHaveNone) {
     EXPECT_FALSE(needsCaps(represent(dna, drawnAtoms(dna), {Style::surface}), clip));
     clip.near = 0;
     EXPECT_FALSE(needsCaps(r, clip));
-    EXPECT_TRUE(meshCaps(r, viewOf({}, r.radius, 100, 100), clip).triangles.empty());
+    EXPECT_TRUE(meshCaps(r, makeView({}, r.radius, 100, 100), clip).triangles.empty());
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 
 /// A helix of twelve residues, a ligand of two bonded atoms, and an ion.
 Molecule complex() {
-    Molecule molecule = test::chainOf(12, -57, -47);
+    Molecule molecule = test::buildChain(12, -57, -47);
     test::MoleculeText text;
     text.molecule = molecule;
     text.residue("LIG", 20).atom("C1", "C", {12, 0, 0}).atom("O1", "O", {13.2f, 0, 0});
@@ -33,13 +33,13 @@ Molecule complex() {
 Rule showAs(const char* selection, Style style) { return {Rule::Action::show, parseSelection(selection), style, {}}; }
 Rule hidden(const char* selection) { return {Rule::Action::hide, parseSelection(selection), {}, {}}; }
 
-Appearance looksOf(std::optional<Style> style, std::vector<Rule> rules = {}) {
+Appearance makeLooks(std::optional<Style> style, std::vector<Rule> rules = {}) {
     const Molecule molecule = complex();
-    return appearanceOf(molecule, drawnAtoms(molecule), {style, ColorScheme::element, std::move(rules)});
+    return makeAppearance(molecule, drawnAtoms(molecule), {style, ColorScheme::element, std::move(rules)});
 }
 
 TEST(MeshScene, ACartoonLeavesLigandsAsSticksAndIonsAsBalls) {
-    const Appearance a = looksOf(Style::cartoon);
+    const Appearance a = makeLooks(Style::cartoon);
     EXPECT_EQ(a.atoms, (std::vector<std::uint32_t>{48, 49, 50}));
     EXPECT_EQ(a.styles, (std::vector<Style>{Style::licorice, Style::licorice, Style::ballAndStick}));
     EXPECT_EQ(a.cartoon.atoms.size(), 48u);
@@ -48,30 +48,31 @@ TEST(MeshScene, ACartoonLeavesLigandsAsSticksAndIonsAsBalls) {
 }
 
 TEST(MeshScene, RulesOfAtomsLeaveTheCartoon) {
-    const Appearance a = looksOf(Style::cartoon, {showAs("resi 5", Style::licorice)});
+    const Appearance a = makeLooks(Style::cartoon, {showAs("resi 5", Style::licorice)});
     EXPECT_EQ(a.atoms.size(), 4u + 3u);
     EXPECT_EQ(a.cartoon.atoms.size(), 48u);
     // A cartoon takes the place of atoms, a surface that of space-filling ones alone.
-    const Appearance b = looksOf(Style::licorice, {showAs("resi 5", Style::cartoon), showAs("resi 7", Style::surface)});
+    const Appearance b =
+        makeLooks(Style::licorice, {showAs("resi 5", Style::cartoon), showAs("resi 7", Style::surface)});
     EXPECT_EQ(b.atoms.size(), 51u - 4u);
     EXPECT_EQ(b.cartoon.atoms.size(), 4u);
     EXPECT_EQ(b.surface.atoms.size(), 4u);
-    const Appearance c = looksOf(Style::spacefill, {showAs("resi 7", Style::surface)});
+    const Appearance c = makeLooks(Style::spacefill, {showAs("resi 7", Style::surface)});
     EXPECT_EQ(c.atoms.size(), 51u - 4u);
     const Appearance d =
-        looksOf(Style::spacefill, {showAs("resi 7", Style::surface), showAs("resi 7", Style::licorice)});
+        makeLooks(Style::spacefill, {showAs("resi 7", Style::surface), showAs("resi 7", Style::licorice)});
     EXPECT_EQ(d.atoms.size(), 51u);
     EXPECT_EQ(d.surface.atoms.size(), 4u);
 }
 
 TEST(MeshScene, WhatIsHiddenLosesAllAndComesBackAsItIsShown) {
-    const Appearance a = looksOf(Style::cartoon, {hidden("resi 5")});
+    const Appearance a = makeLooks(Style::cartoon, {hidden("resi 5")});
     EXPECT_EQ(a.cartoon.atoms.size(), 44u);
     EXPECT_EQ(a.seen, 47u);
-    const Appearance b = looksOf(Style::cartoon, {hidden("resi 5"), showAs("resi 5", Style::licorice)});
+    const Appearance b = makeLooks(Style::cartoon, {hidden("resi 5"), showAs("resi 5", Style::licorice)});
     EXPECT_EQ(b.cartoon.atoms.size(), 44u);
     EXPECT_EQ(b.atoms.size(), 4u + 3u);
-    const Appearance c = looksOf(Style::spacefill, {hidden("resi 5"), showAs("resi 5", Style::surface)});
+    const Appearance c = makeLooks(Style::spacefill, {hidden("resi 5"), showAs("resi 5", Style::surface)});
     EXPECT_EQ(c.atoms.size(), 47u);
     EXPECT_EQ(c.surface.atoms.size(), 4u);
 }
@@ -93,7 +94,7 @@ TEST(MeshScene, MeshesStandWithTheAtomsAndHaveTheirColours) {
                 const SphereLook& look = scene.meshLooks[vertex.look];
                 EXPECT_EQ(look.color, packedColor(0x336699));
                 const glm::dvec3 atom = glm::dvec3(molecule.atoms[look.atom - 1].position) - scene.center;
-                ASSERT_LT(glm::length(glm::dvec3(positionOf(vertex, t.step())) - atom), 4.0);
+                ASSERT_LT(glm::length(glm::dvec3(decodePosition(vertex, t.step())) - atom), 4.0);
             }
         // The view holds all of it, and not much more.
         EXPECT_GE(scene.radius, meshReach(scene));

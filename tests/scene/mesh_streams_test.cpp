@@ -18,7 +18,7 @@ namespace {
 
 static_assert(sizeof(MeshVertex) == 16 && sizeof(Triangle) == 16);
 
-SphereLook lookOf(std::uint32_t atom) { return {0xff000000u + atom, atom + 1}; }
+SphereLook makeLook(std::uint32_t atom) { return {0xff000000u + atom, atom + 1}; }
 
 Mesh randomMesh(double reach, std::size_t count) {
     std::mt19937 engine(7);
@@ -41,25 +41,25 @@ TEST(MeshStreams, VerticesKeepTheirPlacesAndNormals) {
         const Mesh mesh = randomMesh(reach, 500);
         Representation r;
         const glm::dvec3 shift(0.25 * reach, -0.125 * reach, 0);
-        appendMesh(mesh, shift, lookOf, r);
+        appendMesh(mesh, shift, makeLook, r);
         ASSERT_EQ(r.meshVertices.size(), 500u);
         ASSERT_EQ(r.triangles.size(), 498u);
         const float step = r.triangles[0].step();
         EXPECT_LE(step, reach * 1.25 / (1 << 19));  // 20 bits either way of the middle
         for (std::size_t i = 0; i < 500; ++i) {
             const glm::dvec3 off =
-                glm::dvec3(positionOf(r.meshVertices[i], step)) - glm::dvec3(mesh.positions[i]) - shift;
+                glm::dvec3(decodePosition(r.meshVertices[i], step)) - glm::dvec3(mesh.positions[i]) - shift;
             EXPECT_LE(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}),
                       0.5001 * static_cast<double>(step));
-            EXPECT_GT(glm::dot(normalOf(r.meshVertices[i]), mesh.normals[i]), 1 - 1e-8f * 100);
+            EXPECT_GT(glm::dot(decodeNormal(r.meshVertices[i]), mesh.normals[i]), 1 - 1e-8f * 100);
         }
     }
 }
 
 TEST(MeshStreams, LooksAreSharedAndStepsArePowersOfTwo) {
     Representation r;
-    appendMesh(randomMesh(9, 100), glm::dvec3(0), lookOf, r);
-    appendMesh(randomMesh(90, 100), glm::dvec3(0), lookOf, r);
+    appendMesh(randomMesh(9, 100), glm::dvec3(0), makeLook, r);
+    appendMesh(randomMesh(90, 100), glm::dvec3(0), makeLook, r);
     ASSERT_EQ(r.meshLooks.size(), 10u);
     for (const MeshVertex& v : r.meshVertices) ASSERT_LT(v.look, 10u);
     EXPECT_EQ(r.meshLooks[r.meshVertices[102].look].atom, 3u);
@@ -77,10 +77,10 @@ TEST(MeshStreams, WhatIsNotFiniteOrHasNoAreaIsLeftOut) {
     mesh.positions[9] = mesh.positions[8];                          // in triangles 7, 8: two corners in one place
     mesh.normals[0] = glm::vec3(0);
     Representation r;
-    appendMesh(mesh, glm::dvec3(0), lookOf, r);
+    appendMesh(mesh, glm::dvec3(0), makeLook, r);
     EXPECT_EQ(r.triangles.size(), 10u - 3 - 2);
     for (const Triangle& t : r.triangles) EXPECT_TRUE(t.a != 3 && t.b != 3 && t.c != 3);
-    EXPECT_TRUE(std::isfinite(normalOf(r.meshVertices[0]).z));
+    EXPECT_TRUE(std::isfinite(decodeNormal(r.meshVertices[0]).z));
 }
 
 /// A tetrahedron whose faces have vertices of their own, with a level of two triangles back to back.
@@ -110,18 +110,18 @@ TEST(MeshStreams, AMeshIsClosedIfAllItsLevelsAre) {
         {&closed, true}, {&holed, false}, {&turned, false}, {&coarselyHoled, false}};
     for (const auto& [mesh, isClosed] : cases) {
         Representation r;
-        appendMesh(*mesh, glm::dvec3(0), lookOf, r);
+        appendMesh(*mesh, glm::dvec3(0), makeLook, r);
         EXPECT_EQ(r.meshes[0].closed, isClosed);
         EXPECT_EQ(isSolid(r), isClosed);
     }
     Representation r;
-    appendMesh(closed, glm::dvec3(0), lookOf, r);
+    appendMesh(closed, glm::dvec3(0), makeLook, r);
     r.copies.transforms = {glm::dmat4x3(1), glm::dmat4x3(1)};
     EXPECT_TRUE(isSolid(r));
     r.copies.transforms[1][0].x = -1;  // a mirror image turns inside out
     EXPECT_FALSE(isSolid(r));
     r.copies.transforms.clear();
-    appendMesh(holed, glm::dvec3(0), lookOf, r);
+    appendMesh(holed, glm::dvec3(0), makeLook, r);
     EXPECT_FALSE(isSolid(r));
 }
 
@@ -129,10 +129,10 @@ TEST(MeshStreams, OfAMeshWhoseListsDoNotFitThereIsNone) {
     Mesh mesh = randomMesh(10, 12);
     mesh.triangles.emplace_back(0, 1, 12);
     Representation r;
-    EXPECT_THROW(appendMesh(mesh, glm::dvec3(0), lookOf, r), Error);
+    EXPECT_THROW(appendMesh(mesh, glm::dvec3(0), makeLook, r), Error);
     mesh = randomMesh(10, 12);
     mesh.atoms.pop_back();
-    EXPECT_THROW(appendMesh(mesh, glm::dvec3(0), lookOf, r), Error);
+    EXPECT_THROW(appendMesh(mesh, glm::dvec3(0), makeLook, r), Error);
 }
 
 }  // namespace

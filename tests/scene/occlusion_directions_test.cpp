@@ -12,7 +12,7 @@
 namespace nacre {
 namespace {
 
-glm::dvec3 directionOf(const glm::dmat3& frame) { return {frame[0][2], frame[1][2], frame[2][2]}; }
+glm::dvec3 viewDirection(const glm::dmat3& frame) { return {frame[0][2], frame[1][2], frame[2][2]}; }
 
 /// Largest angle from any point of the sphere to the nearest of the first `count` directions, from random points.
 double coveringAngle(const std::vector<glm::dmat3>& frames, std::size_t count) {
@@ -22,7 +22,7 @@ double coveringAngle(const std::vector<glm::dmat3>& frames, std::size_t count) {
     for (int i = 0; i < 2000; ++i) {
         const glm::dvec3 p = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
         double nearest = -1;
-        for (std::size_t k = 0; k < count; ++k) nearest = std::max(nearest, glm::dot(p, directionOf(frames[k])));
+        for (std::size_t k = 0; k < count; ++k) nearest = std::max(nearest, glm::dot(p, viewDirection(frames[k])));
         worst = std::max(worst, std::acos(std::min(nearest, 1.0)));
     }
     return worst;
@@ -38,7 +38,7 @@ TEST(OcclusionDirections, AreRightHandedFramesOfEqualArea) {
             const glm::dmat3 product = f * glm::transpose(f);
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j) EXPECT_NEAR(product[i][j], i == j ? 1.0 : 0.0, 1e-12);
-            sum += directionOf(f);
+            sum += viewDirection(f);
         }
         if (count > 1) {
             EXPECT_LT(glm::length(sum) / count, 1.5 / count) << count;
@@ -50,7 +50,7 @@ TEST(OcclusionDirections, ComeInPairsOfOpposites) {
     for (const int count : {2, 15, 128}) {
         const auto frames = occlusionDirections(count);
         for (std::size_t i = 0; i + 1 < frames.size(); i += 2)
-            EXPECT_EQ(directionOf(frames[i + 1]), -directionOf(frames[i])) << i << " of " << count;
+            EXPECT_EQ(viewDirection(frames[i + 1]), -viewDirection(frames[i])) << i << " of " << count;
     }
 }
 
@@ -62,7 +62,7 @@ TEST(OcclusionDirections, EveryPrefixIsWellSpread) {
             const double ideal = std::acos(1.0 - 2.0 / static_cast<double>(prefix));
             EXPECT_LT(coveringAngle(frames, prefix), 2.1 * ideal) << prefix << " of " << count;
             glm::dvec3 sum(0);
-            for (std::size_t k = 0; k < prefix; ++k) sum += directionOf(frames[k]);
+            for (std::size_t k = 0; k < prefix; ++k) sum += viewDirection(frames[k]);
             EXPECT_LT(glm::length(sum) / static_cast<double>(prefix), 0.16) << prefix << " of " << count;
         }
     }

@@ -115,14 +115,14 @@ TEST(Orientation, ClosesInOnATarget) {
         Camera camera;
         camera.projection = projection;
         camera.rotationDegrees = {20, 30, 40};
-        const View view = viewOf(closeUp(camera, target, 20, 3, 1e4), 20, 800, 600);
+        const View view = makeView(closeUp(camera, target, 20, 3, 1e4), 20, 800, 600);
         const glm::dvec3 middle = view.rotation * glm::dvec3(6, 2, 3);
         const double magnify = view.eyeDistance > 0 ? view.eyeDistance / (view.eyeDistance - middle.z) : 1;
         EXPECT_NEAR(middle.x * magnify + view.pan.x, 0, 1e-9);
         EXPECT_NEAR(middle.y * magnify + view.pan.y, 0, 1e-9);
         Camera plain;
         plain.projection = projection;
-        const double whole = viewOf(plain, 20, 800, 600).pixelsPerAngstrom;
+        const double whole = makeView(plain, 20, 800, 600).pixelsPerAngstrom;
         EXPECT_NEAR(view.pixelsPerAngstrom * magnify, whole * 20 / 5, 1e-6);  // 2 Å of it, 3 around
     }
 }
@@ -137,7 +137,7 @@ TEST(Orientation, FillsThePicture) {
         camera.orientation = principalOrientation(balls, true);
         for (const double zoom : {1.0, 0.5}) {
             camera.zoom = zoom;
-            const View view = viewOf(fitted(camera, scene, nullptr, 25, 900, 300, 1e4), 25, 900, 300);
+            const View view = makeView(fitted(camera, scene, nullptr, 25, 900, 300, 1e4), 25, 900, 300);
             glm::dvec2 most(0);
             for (const glm::dvec4& ball : balls) {
                 const glm::dvec3 v = view.rotation * glm::dvec3(ball);

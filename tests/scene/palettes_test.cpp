@@ -131,8 +131,8 @@ TEST(Palettes, RampsRiseForEveryone) {
         for (const Vision vision : kVisions) {
             double before = -1;
             for (int i = 0; i <= 32; ++i) {
-                const Triple seen = test::seenBy(vision, test::linearOf(paletteColor(ramp, i / 32.0)));
-                const double lightness = test::labOf(seen)[0];
+                const Triple seen = test::seenBy(vision, test::toLinear(paletteColor(ramp, i / 32.0)));
+                const double lightness = test::toLab(seen)[0];
                 EXPECT_GT(lightness, before) << paletteName(ramp) << " " << i;
                 before = lightness;
             }

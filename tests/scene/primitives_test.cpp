@@ -75,7 +75,7 @@ double standOff(const Representation& r, const std::array<glm::dvec3, 3>& axes) 
     for (const Triangle& t : r.triangles) {
         glm::dvec3 middle{};
         for (const std::uint32_t v : {t.a, t.b, t.c})
-            middle += glm::dvec3(positionOf(r.meshVertices[v], t.step())) / 3.0;
+            middle += glm::dvec3(decodePosition(r.meshVertices[v], t.step())) / 3.0;
         glm::dvec3 unit{};
         for (int i = 0; i < 3; ++i) {
             const glm::dvec3& axis = axes[static_cast<std::size_t>(i)];
@@ -97,9 +97,9 @@ TEST(Primitives, EllipsoidsKeepTheirErrorAndTheirNormals) {
         EXPECT_LE(off, ellipsoidError(count) + 1e-5) << count;
         EXPECT_GE(off, 0.9 * ellipsoidError(count)) << count << ": no finer than stated";
         for (const MeshVertex& v : r.meshVertices) {
-            const glm::dvec3 at(positionOf(v, r.triangles[0].step()));
+            const glm::dvec3 at(decodePosition(v, r.triangles[0].step()));
             const glm::dvec3 exact = glm::normalize(glm::dvec3(at.x / 9, at.y / 4, at.z / 1));
-            EXPECT_GT(glm::dot(exact, glm::dvec3(normalOf(v))), 0.9999);
+            EXPECT_GT(glm::dot(exact, glm::dvec3(decodeNormal(v))), 0.9999);
         }
     }
     EXPECT_NEAR(ellipsoidError(61), 2.44e-4, 1e-6);
@@ -110,10 +110,10 @@ TEST(Primitives, EllipsoidsKeepTheirErrorAndTheirNormals) {
 }
 
 /// What triangles enclose, with their sense: negative if they face inwards.
-double volumeOf(const Representation& r) {
+double measureVolume(const Representation& r) {
     double volume = 0;
     for (const Triangle& t : r.triangles) {
-        const auto at = [&](std::uint32_t v) { return glm::dvec3(positionOf(r.meshVertices[v], t.step())); };
+        const auto at = [&](std::uint32_t v) { return glm::dvec3(decodePosition(r.meshVertices[v], t.step())); };
         volume += glm::dot(at(t.a), glm::cross(at(t.b), at(t.c))) / 6;
     }
     return volume;
@@ -125,10 +125,10 @@ TEST(Primitives, SolidsFaceOutwardsAndEncloseWhatTheyShould) {
     mirrored.boxes.push_back({{5, 0, 0}, {{{-1, 0, 0}, {0, 2, 0}, {0, 0, 3}}}});
     cone.arrows.push_back({{0, 0, 0}, {0, 0, 3}, 0, 1, 3});
     oblique.ellipsoids.push_back({{}, {{{-1, 0, 0}, {1, 2, 0}, {0, 0, 3}}}, {}});
-    EXPECT_NEAR(volumeOf(drawn(box)), 48, 1e-3);
-    EXPECT_NEAR(volumeOf(drawn(mirrored)), 48, 1e-3);
-    EXPECT_NEAR(volumeOf(drawn(cone)), std::numbers::pi, 0.02);
-    EXPECT_NEAR(volumeOf(drawn(oblique)), 4.0 / 3 * std::numbers::pi * 6, 0.01);
+    EXPECT_NEAR(measureVolume(drawn(box)), 48, 1e-3);
+    EXPECT_NEAR(measureVolume(drawn(mirrored)), 48, 1e-3);
+    EXPECT_NEAR(measureVolume(drawn(cone)), std::numbers::pi, 0.02);
+    EXPECT_NEAR(measureVolume(drawn(oblique)), 4.0 / 3 * std::numbers::pi * 6, 0.01);
 }
 
 TEST(Primitives, ASectorIsAsLargeAsItsAngle) {
@@ -137,7 +137,7 @@ TEST(Primitives, ASectorIsAsLargeAsItsAngle) {
     const Representation r = drawn(p);
     double area = 0;
     for (const Triangle& t : r.triangles) {
-        const auto at = [&](std::uint32_t v) { return glm::dvec3(positionOf(r.meshVertices[v], t.step())); };
+        const auto at = [&](std::uint32_t v) { return glm::dvec3(decodePosition(r.meshVertices[v], t.step())); };
         area += glm::length(glm::cross(at(t.b) - at(t.a), at(t.c) - at(t.a))) / 2;
     }
     EXPECT_NEAR(area, std::numbers::pi / 2, 2e-3);
@@ -178,10 +178,10 @@ TEST(Primitives, JoinAMoleculeBehindItsNumbers) {
     joinScenes(scene, beside);
     ASSERT_EQ(scene.spheres.size(), spheres + 1);
     EXPECT_EQ(scene.sphereLooks.back().atom, atoms + 1);
-    EXPECT_EQ(scene.noteOf(scene.sphereLooks.back().atom), 1u);
-    EXPECT_EQ(scene.noteOf(scene.meshLooks.back().atom), 2u);
+    EXPECT_EQ(scene.noteNumber(scene.sphereLooks.back().atom), 1u);
+    EXPECT_EQ(scene.noteNumber(scene.meshLooks.back().atom), 2u);
     EXPECT_EQ(scene.wireLooks.back().atomA, 0u);
-    EXPECT_EQ(scene.noteOf(static_cast<std::uint32_t>(atoms)), 0u);
+    EXPECT_EQ(scene.noteNumber(static_cast<std::uint32_t>(atoms)), 0u);
     EXPECT_DOUBLE_EQ(scene.radius, 90);
     ASSERT_EQ(scene.meshes.size(), 1u);
     EXPECT_FALSE(scene.meshes[0].levels.empty()) << "a large ball is drawn coarser where it is small";

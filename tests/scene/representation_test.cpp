@@ -15,8 +15,8 @@
 namespace nacre {
 namespace {
 
-Molecule moleculeOf(std::initializer_list<std::pair<int, glm::vec3>> atoms,
-                    std::initializer_list<std::array<int, 3>> bonds = {}) {
+Molecule makeMolecule(std::initializer_list<std::pair<int, glm::vec3>> atoms,
+                      std::initializer_list<std::array<int, 3>> bonds = {}) {
     Molecule molecule;
     molecule.chains.resize(1);
     molecule.residues.resize(1);
@@ -40,12 +40,12 @@ std::vector<std::uint32_t> everyAtom(const Molecule& molecule) {
 
 // Formaldehyde in the plane z = 5, C=O along x.
 Molecule formaldehyde() {
-    return moleculeOf({{6, {10, 0, 5}}, {8, {11.2f, 0, 5}}, {1, {9.4f, 0.94f, 5}}, {1, {9.4f, -0.94f, 5}}},
-                      {{0, 1, 2}, {0, 2, 1}, {0, 3, 1}});
+    return makeMolecule({{6, {10, 0, 5}}, {8, {11.2f, 0, 5}}, {1, {9.4f, 0.94f, 5}}, {1, {9.4f, -0.94f, 5}}},
+                        {{0, 1, 2}, {0, 2, 1}, {0, 3, 1}});
 }
 
 TEST(Representation, SpacefillTakesVanDerWaalsRadiiAboutTheBoxMiddle) {
-    const Molecule molecule = moleculeOf({{6, {100, 0, 0}}, {8, {104, 2, 0}}});
+    const Molecule molecule = makeMolecule({{6, {100, 0, 0}}, {8, {104, 2, 0}}});
     const Representation scene = represent(molecule, everyAtom(molecule), {});
     EXPECT_EQ(scene.center, glm::dvec3(102, 1, 0));
     ASSERT_EQ(scene.spheres.size(), 2u);
@@ -111,7 +111,7 @@ TEST(Representation, LicoriceIsAQuarterAngstromThroughout) {
 }
 
 TEST(Representation, CoordinationOfAMetalIsDashedInEveryStyleWithBonds) {
-    const Molecule molecule = moleculeOf({{26, {0, 0, 0}}, {7, {2, 0, 0}}}, {{0, 1, 2}});
+    const Molecule molecule = makeMolecule({{26, {0, 0, 0}}, {7, {2, 0, 0}}}, {{0, 1, 2}});
     for (const Style style : {Style::ballAndStick, Style::licorice}) {
         RepresentationOptions options;
         options.style = style;
@@ -137,16 +137,16 @@ TEST(Representation, CoordinationOfAMetalIsDashedInEveryStyleWithBonds) {
 TEST(Representation, BondsAmongMetalsAreSolidAndTouchingBallsNeedNoDash) {
     RepresentationOptions options;
     options.style = Style::licorice;
-    const Molecule gold = moleculeOf({{79, {0, 0, 0}}, {79, {2.9f, 0, 0}}}, {{0, 1, 1}});
+    const Molecule gold = makeMolecule({{79, {0, 0, 0}}, {79, {2.9f, 0, 0}}}, {{0, 1, 1}});
     EXPECT_EQ(represent(gold, everyAtom(gold), options).cylinders.size(), 1u);
-    const Molecule near = moleculeOf({{26, {0, 0, 0}}, {7, {0.4f, 0, 0}}}, {{0, 1, 1}});
+    const Molecule near = makeMolecule({{26, {0, 0, 0}}, {7, {0.4f, 0, 0}}}, {{0, 1, 1}});
     EXPECT_TRUE(represent(near, everyAtom(near), options).cylinders.empty());
-    const Molecule far = moleculeOf({{26, {0, 0, 0}}, {7, {4000, 0, 0}}}, {{0, 1, 1}});
+    const Molecule far = makeMolecule({{26, {0, 0, 0}}, {7, {4000, 0, 0}}}, {{0, 1, 1}});
     EXPECT_EQ(represent(far, everyAtom(far), options).cylinders.size(), 16u);
 }
 
 TEST(Representation, BondsWithoutLengthAreLeftOut) {
-    const Molecule molecule = moleculeOf({{6, {1, 1, 1}}, {6, {1, 1, 1}}}, {{0, 1, 2}});
+    const Molecule molecule = makeMolecule({{6, {1, 1, 1}}, {6, {1, 1, 1}}}, {{0, 1, 2}});
     const Representation scene = represent(molecule, everyAtom(molecule), {Style::ballAndStick, ColorScheme::element});
     EXPECT_TRUE(scene.cylinders.empty());
     EXPECT_EQ(scene.drawnBonds, 0u);
@@ -154,7 +154,7 @@ TEST(Representation, BondsWithoutLengthAreLeftOut) {
 
 TEST(Representation, ALonelyDoubleBondStillGetsASide) {
     for (const glm::vec3 way : {glm::vec3(1.2f, 0, 0), glm::vec3(0, 1.2f, 0), glm::vec3(0, 0, 1.2f)}) {
-        const Molecule molecule = moleculeOf({{8, {0, 0, 0}}, {8, way}}, {{0, 1, 2}});
+        const Molecule molecule = makeMolecule({{8, {0, 0, 0}}, {8, way}}, {{0, 1, 2}});
         const Representation scene =
             represent(molecule, everyAtom(molecule), {Style::ballAndStick, ColorScheme::element});
         ASSERT_EQ(scene.cylinders.size(), 2u);
@@ -167,7 +167,7 @@ TEST(Representation, NothingDrawnIsAnError) { EXPECT_THROW(represent(formaldehyd
 
 TEST(Representation, DefaultStyleNeedsBondsAndFewAtoms) {
     EXPECT_EQ(defaultStyle(formaldehyde(), everyAtom(formaldehyde())), Style::ballAndStick);
-    const Molecule argon = moleculeOf({{18, {0, 0, 0}}});
+    const Molecule argon = makeMolecule({{18, {0, 0, 0}}});
     EXPECT_EQ(defaultStyle(argon, everyAtom(argon)), Style::spacefill);
     Molecule chain = formaldehyde();
     chain.atoms.resize(99);
@@ -215,7 +215,7 @@ TEST(Colors, ResiduesByKind) {
 }
 
 TEST(Colors, SchemesReachTheStreams) {
-    Molecule molecule = moleculeOf({{6, {0, 0, 0}}, {6, {3, 0, 0}}});
+    Molecule molecule = makeMolecule({{6, {0, 0, 0}}, {6, {3, 0, 0}}});
     molecule.chains.resize(2);
     molecule.residues = {{Name("ASP"), 1, 0, '\0', {}, 0, 0}, {Name("LYS"), 2, 0, '\0', {}, 1, 0}};
     molecule.atoms[1].residue = 1;

@@ -17,10 +17,10 @@ TEST(SceneViews, OfAViewSeesTheSame) {
         Camera hand;
         hand.rotationDegrees = {20, -50, 75};
         hand.zoom = 1.7;
-        const View shown = viewOf(hand, 20, width, height);
+        const View shown = makeView(hand, 20, width, height);
         const glm::dvec3 center(5, -3, 2);
-        const SceneCamera camera = cameraOf(shown, center, false);
-        const View again = viewOf(camera, {}, false, 20, width, height).view;
+        const SceneCamera camera = makeCamera(shown, center, false);
+        const View again = makeView(camera, {}, false, 20, width, height).view;
         EXPECT_NEAR(again.pixelsPerAngstrom, shown.pixelsPerAngstrom, 1e-9);
         EXPECT_LT(glm::distance(camera.target, center), 1e-9);
         for (int i = 0; i < 3; ++i) EXPECT_LT(glm::distance(again.rotation[i], shown.rotation[i]), 1e-9);
@@ -31,8 +31,8 @@ TEST(SceneViews, OfAMovedPictureLooksAtItsMiddle) {
     Camera hand;
     hand.rotationDegrees = {0, 90, 0};
     hand.pan = {3, 1};
-    const View shown = viewOf(hand, 20, 600, 600);
-    const SceneCamera camera = cameraOf(shown, {}, false);
+    const View shown = makeView(hand, 20, 600, 600);
+    const SceneCamera camera = makeCamera(shown, {}, false);
     const glm::dvec3 middle = shown.rotation * camera.target;
     EXPECT_LT(glm::distance(middle, glm::dvec3(-3, -1, 0)), 1e-9);
 }
@@ -40,14 +40,14 @@ TEST(SceneViews, OfAMovedPictureLooksAtItsMiddle) {
 TEST(SceneViews, OfAMoleculeThatFillsThePictureHasItWhole) {
     Camera hand;
     hand.zoom = 1.3;
-    EXPECT_EQ(cameraOf(viewOf(hand, 20, 600, 600), {}, true).radius, 20);
+    EXPECT_EQ(makeCamera(makeView(hand, 20, 600, 600), {}, true).radius, 20);
     hand.zoom = 0.5;
-    const View small = viewOf(hand, 20, 600, 600);
-    EXPECT_EQ(cameraOf(small, {}, true).radius, cameraOf(small, {}, false).radius);
+    const View small = makeView(hand, 20, 600, 600);
+    EXPECT_EQ(makeCamera(small, {}, true).radius, makeCamera(small, {}, false).radius);
     hand.zoom = 8;
-    const View close = viewOf(hand, 20, 600, 600);
-    EXPECT_GT(cameraOf(close, {}, true).radius, cameraOf(close, {}, false).radius);
-    EXPECT_LT(cameraOf(close, {}, true).radius, 5);
+    const View close = makeView(hand, 20, 600, 600);
+    EXPECT_GT(makeCamera(close, {}, true).radius, makeCamera(close, {}, false).radius);
+    EXPECT_LT(makeCamera(close, {}, true).radius, 5);
 }
 
 /// A buckyball in a row of copies along z, and a camera between the first two.
@@ -79,7 +79,7 @@ TEST(SceneViews, AmongCopiesKeepsThoseBeforeIt) {
     camera.target = {0, 0, 20};
     camera.direction = {0, 0, -1};
     camera.radius = 8;  // the second copy alone
-    const SceneView seen = viewOf(camera, {}, false, 100, 400, 400);
+    const SceneView seen = makeView(camera, {}, false, 100, 400, 400);
     ASSERT_TRUE(seen.clip.on());
     for (const Style style : {Style::ballAndStick, Style::surface}) {
         Representation r = rowOfCopies(style);
@@ -92,7 +92,7 @@ TEST(SceneViews, AmongCopiesKeepsThoseBeforeIt) {
         EXPECT_EQ(r.cylinders.size(), sticks);
         EXPECT_EQ(r.triangles.size(), triangles);
         for (const Sphere& sphere : r.spheres) EXPECT_LT(glm::length(sphere.center), 6);
-        for (const Triangle& t : r.triangles) EXPECT_LT(glm::length(positionOf(r.meshVertices[t.a], t.step())), 8);
+        for (const Triangle& t : r.triangles) EXPECT_LT(glm::length(decodePosition(r.meshVertices[t.a], t.step())), 8);
     }
 }
 

@@ -9,7 +9,7 @@ namespace nacre::test {
 namespace {
 
 /// @param parts  spheres with the same copies, of which there is one
-SphereLevels levelsOf(const std::vector<std::vector<Sphere>>& parts, Representation& r) {
+SphereLevels makeLevels(const std::vector<std::vector<Sphere>>& parts, Representation& r) {
     r = {};
     r.copies.transforms = {glm::dmat4x3(1.0)};
     r.copies.lists = {{0}};
@@ -21,7 +21,7 @@ SphereLevels levelsOf(const std::vector<std::vector<Sphere>>& parts, Representat
             r.sphereLooks.push_back({0xffffffff, static_cast<std::uint32_t>(r.spheres.size())});
         }
     }
-    return sphereLevelsOf(r);
+    return makeSphereLevels(r);
 }
 
 /// 200 x 200 pixels, the eye at 100 Å.
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> seenBy(const ScreenView& view, const SphereLevels& le
 
 TEST(SeenCopies, ShowWhatIsBeforeTheEyeOfAPartAboutIt) {
     Representation r;
-    const SphereLevels levels = levelsOf({{{{0, 0, 180}, 2}, {{0, 0, 20}, 2}}}, r);
+    const SphereLevels levels = makeLevels({{{{0, 0, 180}, 2}, {{0, 0, 20}, 2}}}, r);
     EXPECT_EQ(seenBy(eyeView(), levels, r), std::vector<std::uint32_t>{2});
 }
 
@@ -57,10 +57,10 @@ TEST(SeenCopies, ShowWhatIsBesideAnEllipse) {
         const glm::vec3 way = glm::normalize(glm::vec3(1, -1, 0));
         const glm::vec3 large(80, 80, 0), beside = (large * 1.02f + way * 12.5f) * 1.5f + glm::vec3(0, 0, -50);
         Representation r;
-        const SphereLevels levels = levelsOf({{{large, 10}}, {{beside, 1.5f}}}, r);
+        const SphereLevels levels = makeLevels({{{large, 10}}, {{beside, 1.5f}}}, r);
         EXPECT_EQ(seenBy(view, levels, r).size(), 2u) << turns;
         // Behind it nothing shows.
-        const SphereLevels hidden = levelsOf({{{large, 10}}, {{large * 1.5f + glm::vec3(0, 0, -50), 1.5f}}}, r);
+        const SphereLevels hidden = makeLevels({{{large, 10}}, {{large * 1.5f + glm::vec3(0, 0, -50), 1.5f}}}, r);
         EXPECT_EQ(seenBy(view, hidden, r), std::vector<std::uint32_t>{1}) << turns;
     }
 }

@@ -19,8 +19,8 @@ Molecule read(const std::string& text, int model, const char* name = "models.xyz
     return readMolecule(name, text, options);
 }
 
-Representation sceneOf(const Molecule& molecule, const RepresentationOptions& look = {},
-                       const DrawnAtomsOptions& drawn = {}) {
+Representation makeScene(const Molecule& molecule, const RepresentationOptions& look = {},
+                         const DrawnAtomsOptions& drawn = {}) {
     return represent(molecule, drawnAtoms(molecule, drawn), look, sharedFrame(molecule, drawn, look));
 }
 
@@ -29,7 +29,7 @@ const std::string kWalk = "2\n\nHe 0 0 0\nNe 2 0 0\n2\n\nHe 10 0 0\nNe 12 0 0\n2
 
 TEST(SharedFrame, IsTheSameForEveryModel) {
     for (int model = 1; model <= 3; ++model) {
-        const Representation scene = sceneOf(read(kWalk, model));
+        const Representation scene = makeScene(read(kWalk, model));
         EXPECT_EQ(scene.center, glm::dvec3(6, 3, 0)) << model;
         EXPECT_NEAR(scene.radius, std::sqrt(45.0) + 1.54, 1e-6) << model;
     }
@@ -37,7 +37,7 @@ TEST(SharedFrame, IsTheSameForEveryModel) {
 
 TEST(SharedFrame, IsThatOfAllModelsDrawnTogether) {
     const Molecule molecule = read(kWalk, 2), all = read(kWalk, kAllModels);
-    const Representation one = sceneOf(molecule), overlay = sceneOf(all);
+    const Representation one = makeScene(molecule), overlay = makeScene(all);
     EXPECT_EQ(one.center, overlay.center);
     EXPECT_DOUBLE_EQ(one.radius, overlay.radius);
 }
@@ -45,7 +45,7 @@ TEST(SharedFrame, IsThatOfAllModelsDrawnTogether) {
 TEST(SharedFrame, LeavesTheModelsOwnWhereItIsAskedFor) {
     RepresentationOptions look;
     look.ownFrame = true;
-    const Representation scene = sceneOf(read(kWalk, 2), look);
+    const Representation scene = makeScene(read(kWalk, 2), look);
     EXPECT_EQ(scene.center, glm::dvec3(11, 0, 0));
     EXPECT_NEAR(scene.radius, 1 + 1.54, 1e-6);
     EXPECT_FALSE(sharedFrame(read("1\n\nHe 0 0 0\n", 1), {}, {}));
@@ -55,7 +55,7 @@ TEST(SharedFrame, HoldsWhatIsDrawnAndNothingElse) {
     RepresentationOptions look;
     look.rules = {{Rule::Action::hide, parseSelection("elem Ne"), {}, {}}};
     look.style = Style::licorice;
-    const Representation scene = sceneOf(read(kWalk, 1), look);
+    const Representation scene = makeScene(read(kWalk, 1), look);
     EXPECT_EQ(scene.center, glm::dvec3(5, 3, 0));
     EXPECT_NEAR(scene.radius, std::sqrt(34.0) + 0.25, 1e-6);
     const std::string water =
@@ -65,8 +65,8 @@ TEST(SharedFrame, HoldsWhatIsDrawnAndNothingElse) {
     far.replace(30, 8, " 100.000");
     const std::string text = "MODEL        1\n" + water + "ENDMDL\nMODEL        2\n" + far + "ENDMDL\n";
     const Molecule molecule = read(text, 1, "two.pdb");
-    EXPECT_EQ(sceneOf(molecule).center, glm::dvec3(0));
-    EXPECT_EQ(sceneOf(molecule, {}, {.water = true}).center, glm::dvec3(50, 0, 0));
+    EXPECT_EQ(makeScene(molecule).center, glm::dvec3(0));
+    EXPECT_EQ(makeScene(molecule, {}, {.water = true}).center, glm::dvec3(50, 0, 0));
 }
 
 TEST(SharedFrame, OfRulesThatGoByPlacesAsksEveryModel) {
@@ -75,14 +75,14 @@ TEST(SharedFrame, OfRulesThatGoByPlacesAsksEveryModel) {
     RepresentationOptions look;
     look.rules = {{Rule::Action::hide, parseSelection("not ((around 5 of elem Ne) or elem Ne)"), {}, {}}};
     for (int model = 1; model <= 2; ++model) {
-        const Representation scene = sceneOf(read(text, model), look);
+        const Representation scene = makeScene(read(text, model), look);
         EXPECT_EQ(scene.center, glm::dvec3(1, 2, 0)) << model;
     }
 }
 
 TEST(SharedFrame, OfModelsWithOtherAtomsHoldsThem) {
     const std::string text = "1\n\nHe 0 0 0\n2\n\nHe 0 0 0\nNe 0 8 0\n";
-    for (int model = 1; model <= 2; ++model) EXPECT_EQ(sceneOf(read(text, model)).center, glm::dvec3(0, 4, 0));
+    for (int model = 1; model <= 2; ++model) EXPECT_EQ(makeScene(read(text, model)).center, glm::dvec3(0, 4, 0));
 }
 
 TEST(SharedFrame, OfAnAssemblyHoldsItsCopies) {
@@ -102,7 +102,7 @@ TEST(SharedFrame, OfAnAssemblyHoldsItsCopies) {
     RepresentationOptions look;
     look.assembly = "1";
     for (int model = 1; model <= 2; ++model)
-        EXPECT_EQ(sceneOf(read(text, model, "two.pdb"), look).center, glm::dvec3(5, 10, 0)) << model;
+        EXPECT_EQ(makeScene(read(text, model, "two.pdb"), look).center, glm::dvec3(5, 10, 0)) << model;
 }
 
 }  // namespace

@@ -34,17 +34,17 @@ float reachAlong(std::span<const Sphere> spheres, const glm::vec3& way) {
 
 TEST(SphereLevels, HaveFewerSpheresAndKeepTheirOutline) {
     const Representation r = dnaTwice();
-    const SphereLevels levels = sphereLevelsOf(r);
+    const SphereLevels levels = makeSphereLevels(r);
     ASSERT_EQ(levels.parts.size(), 1u);
     const LeveledPart& part = levels.parts[0];
     EXPECT_EQ(part.levels.front().count, r.spheres.size());
-    EXPECT_EQ(SphereLevels::errorOf(part.levels.front().step), 0);
+    EXPECT_EQ(SphereLevels::levelError(part.levels.front().step), 0);
     EXPECT_EQ(part.levels.back().count, 1u);
     std::mt19937 random(1);
     std::normal_distribution<float> normal;
     for (std::size_t l = 1; l < part.levels.size(); ++l) {
         const SphereLevel& level = part.levels[l];
-        const float error = SphereLevels::errorOf(level.step);
+        const float error = SphereLevels::levelError(level.step);
         EXPECT_LE(static_cast<float>(level.count), 0.8f * static_cast<float>(part.levels[l - 1].count) + 0.5f);
         const std::span<const Sphere> spheres(levels.spheres.data() + level.first, level.count);
         for (int i = 0; i < 200; ++i) {
@@ -54,13 +54,13 @@ TEST(SphereLevels, HaveFewerSpheresAndKeepTheirOutline) {
     }
     // At the width of an atom, a sphere stands for several.
     for (const SphereLevel& level : part.levels)
-        if (SphereLevels::errorOf(level.step) >= 1.9f) {
+        if (SphereLevels::levelError(level.step) >= 1.9f) {
             EXPECT_LT(6 * level.count, r.spheres.size());
         }
 }
 
 TEST(SphereLevels, HaveBallsAboutTheirSpheres) {
-    const SphereLevels levels = sphereLevelsOf(dnaTwice());
+    const SphereLevels levels = makeSphereLevels(dnaTwice());
     for (const LeveledPart& part : levels.parts)
         for (const SphereLevel& level : part.levels)
             for (std::uint32_t i = level.first; i < level.first + level.count; ++i) {

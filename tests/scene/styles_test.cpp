@@ -140,7 +140,7 @@ TEST(Sugars, AgreeWithTheStandardsTable) {
 TEST(Sugars, BesideACartoonAreSymbolsIfAskedFor) {
     NACRE_NEEDS_DATA();
     const Molecule m = readMoleculeFile(test::dataFile("1igy.pdb.gz"));
-    const auto sugarsOf = [&](const Representation& r, bool meshes) {
+    const auto findSugars = [&](const Representation& r, bool meshes) {
         std::set<std::uint32_t> residues;
         const auto note = [&](std::uint32_t atom) {
             const std::uint32_t residue = m.atoms[atom - 1].residue;
@@ -154,19 +154,19 @@ TEST(Sugars, BesideACartoonAreSymbolsIfAskedFor) {
     };
     const Representation off = drawn(m, Style::cartoon), on = drawn(m, Style::cartoon, Carbohydrates::on),
                          icon = drawn(m, Style::cartoon, Carbohydrates::icon);
-    EXPECT_GT(sugarsOf(off, false), 10u);
-    EXPECT_EQ(sugarsOf(off, true), 0u);
-    EXPECT_EQ(sugarsOf(on, false), 0u);
-    EXPECT_EQ(sugarsOf(on, true), sugarsOf(off, false));
-    EXPECT_EQ(sugarsOf(icon, false), sugarsOf(off, false));
-    EXPECT_EQ(sugarsOf(icon, true), sugarsOf(off, false));
+    EXPECT_GT(findSugars(off, false), 10u);
+    EXPECT_EQ(findSugars(off, true), 0u);
+    EXPECT_EQ(findSugars(on, false), 0u);
+    EXPECT_EQ(findSugars(on, true), findSugars(off, false));
+    EXPECT_EQ(findSugars(icon, false), findSugars(off, false));
+    EXPECT_EQ(findSugars(icon, true), findSugars(off, false));
     bool blue = false;
     for (const SphereLook& look : on.meshLooks) blue = blue || look.color == sugarSymbol(Name("NAG"))->color;
     EXPECT_TRUE(blue);
 }
 
 /// What triangles enclose: positive if they face outwards.
-double volumeOf(const Mesh& mesh) {
+double measureVolume(const Mesh& mesh) {
     double volume = 0;
     for (const glm::uvec3& t : mesh.triangles) {
         const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
@@ -184,8 +184,8 @@ TEST(Sugars, EverySymbolIsAClosedSolidThatFacesOutwards) {
         for (Residue& residue : m.residues) residue.name = Name(name);
         ASSERT_TRUE(isSugar(m, 0)) << name;
         const Mesh mesh = sugarSymbols(m, atoms, {}, glm::dvec3(m.atoms[0].position));
-        EXPECT_GT(volumeOf(mesh), 2.0) << name;
-        EXPECT_LT(volumeOf(mesh), 30.0) << name;
+        EXPECT_GT(measureVolume(mesh), 2.0) << name;
+        EXPECT_LT(measureVolume(mesh), 30.0) << name;
     }
 }
 
@@ -193,17 +193,17 @@ TEST(Sugars, AreScaledAndMayHaveTheColorsOfTheirAtoms) {
     const Molecule glucose = sampleMolecule("glucose");
     std::vector<std::uint32_t> atoms;
     for (std::uint32_t i = 0; i < glucose.atoms.size(); ++i) atoms.push_back(i);
-    const double plain = volumeOf(sugarSymbols(glucose, atoms, {}, {}));
-    EXPECT_NEAR(volumeOf(sugarSymbols(glucose, atoms, {.scale = 2}, {})), 8 * plain, 0.01 * plain);
-    const auto colorOf = [&](bool symbols) {
+    const double plain = measureVolume(sugarSymbols(glucose, atoms, {}, {}));
+    EXPECT_NEAR(measureVolume(sugarSymbols(glucose, atoms, {.scale = 2}, {})), 8 * plain, 0.01 * plain);
+    const auto findColor = [&](bool symbols) {
         RepresentationOptions look;
         look.style = Style::carbohydrate;
         look.color = Coloring::uniform(packedColor(0xff0000));
         look.sugarColors = symbols;
         return represent(glucose, drawnAtoms(glucose), look).meshLooks.at(0).color;
     };
-    EXPECT_EQ(colorOf(true), sugarSymbol(glucose.residues[0].name)->color);
-    EXPECT_EQ(colorOf(false), packedColor(0xff0000));
+    EXPECT_EQ(findColor(true), sugarSymbol(glucose.residues[0].name)->color);
+    EXPECT_EQ(findColor(false), packedColor(0xff0000));
 }
 
 }  // namespace

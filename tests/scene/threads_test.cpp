@@ -19,7 +19,7 @@ protected:
 };
 
 /// Threads that shared 24 pieces of work, each of which waits for so many, or two seconds.
-std::set<std::thread::id> threadsOf(std::size_t waitedFor) {
+std::set<std::thread::id> runThreads(std::size_t waitedFor) {
     std::mutex mutex;
     std::condition_variable changed;
     std::set<std::thread::id> met;
@@ -35,7 +35,7 @@ std::set<std::thread::id> threadsOf(std::size_t waitedFor) {
 TEST_F(Threads, AreAsManyAsAskedFor) {
     for (const unsigned count : {1u, 2u, 5u}) {
         setThreadsPerTask(count);
-        const std::set<std::thread::id> met = threadsOf(count);
+        const std::set<std::thread::id> met = runThreads(count);
         EXPECT_EQ(met.size(), count);
         EXPECT_TRUE(met.contains(std::this_thread::get_id()));
     }

@@ -74,7 +74,7 @@ TEST(Translucency, OfAtomsIsOneRunBehindTheOpaqueOnes) {
     look.atomOpacity = 0.25;
     look.rules = {shown("chain A", Style::licorice, 1.0)};
     Representation r = represent(dna, drawnAtoms(dna), look);
-    const auto chainOf = [&](std::uint32_t number) {
+    const auto chainName = [&](std::uint32_t number) {
         return dna.chains[dna.residues[dna.atoms[number - 1].residue].chain].name;
     };
     orderInSpace(r);
@@ -85,14 +85,14 @@ TEST(Translucency, OfAtomsIsOneRunBehindTheOpaqueOnes) {
     EXPECT_EQ(parts.spheres[0].kind, Translucency::faint);
     EXPECT_EQ(parts.spheres[0].first + parts.spheres[0].count, r.spheres.size());
     for (std::uint32_t i = 0; i < r.spheres.size(); ++i) {
-        const bool opaque = chainOf(r.sphereLooks[i].atom) == "A";
+        const bool opaque = chainName(r.sphereLooks[i].atom) == "A";
         ASSERT_EQ(opacitySteps(r.sphereLooks[i].color), opaque ? 128u : 32u);
         ASSERT_EQ(i < parts.spheres[0].first, opaque);
     }
     // A stick has the opacity of the atom at each end.
     for (const CylinderLook& stick : r.cylinderLooks) {
-        ASSERT_EQ(opacitySteps(stick.colorA), chainOf(stick.atomA) == "A" ? 128u : 32u);
-        ASSERT_EQ(opacitySteps(stick.colorB), chainOf(stick.atomB) == "A" ? 128u : 32u);
+        ASSERT_EQ(opacitySteps(stick.colorA), chainName(stick.atomA) == "A" ? 128u : 32u);
+        ASSERT_EQ(opacitySteps(stick.colorB), chainName(stick.atomB) == "A" ? 128u : 32u);
     }
 }
 

@@ -48,7 +48,7 @@ TEST(Volume, HoldsOnlyWhatShows) {
     }
     EXPECT_EQ(volume->levels.front().opacity, 0);
     EXPECT_NEAR(volume->step, 0.25, 1e-9);
-    EXPECT_NEAR(glm::length(volume->nodeOf * glm::dvec4(0, 1, 2, 1) - glm::dvec3(20, 2, 4)), 0, 1e-9);
+    EXPECT_NEAR(glm::length(volume->toNode * glm::dvec4(0, 1, 2, 1) - glm::dvec3(20, 2, 4)), 0, 1e-9);
     EXPECT_NEAR(volume->radius, glm::length(glm::dvec3(39.5, 19.5, 19.5)), 1e-9);
 }
 

@@ -82,7 +82,7 @@ public:
 
 private:
     template <typename T>
-    const T& oneOf(const std::vector<T>& list) {
+    const T& pickOne(const std::vector<T>& list) {
         return list[random_() % list.size()];
     }
     double within(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
@@ -92,7 +92,7 @@ private:
         molecule_ = {};
         renderer_->setScene({});
         RenderSettings s;
-        s.view = viewOf({}, 1, 64, 64);
+        s.view = makeView({}, 1, 64, 64);
         renderer_->drawFrame(s);
         if (frame < frames_ / 2) return;
         const double before = residentBytes();
@@ -105,7 +105,7 @@ private:
     void load() {
         static const std::vector<std::string> all = inputs();
         for (;;) {
-            const std::string& input = oneOf(all);
+            const std::string& input = pickOne(all);
             try {
                 molecule_ = input.starts_with("sample:") ? sampleMolecule(input.substr(7)) : readMoleculeFile(input);
             } catch (const Error&) {
@@ -119,11 +119,12 @@ private:
 
     void rebuild() {
         RepresentationOptions look;
-        look.style = oneOf(std::vector{Style::spacefill, Style::ballAndStick, Style::licorice});
-        look.color = oneOf(std::vector{ColorScheme::element, ColorScheme::chain, ColorScheme::residue});
+        look.style = pickOne(std::vector{Style::spacefill, Style::ballAndStick, Style::licorice});
+        look.color = pickOne(std::vector{ColorScheme::element, ColorScheme::chain, ColorScheme::residue});
         if (random_() % 2) {
             Rule rule;
-            rule.selection = parseSelection(oneOf(std::vector{"element C", "resi 1-50", "backbone", "not element H"}));
+            rule.selection =
+                parseSelection(pickOne(std::vector{"element C", "resi 1-50", "backbone", "not element H"}));
             rule.style = Style::licorice;
             look.rules.push_back(rule);
         }
@@ -140,7 +141,7 @@ private:
         camera.zoom = within(0.5, 3);
         camera.projection = random_() % 2 ? Projection::perspective : Projection::orthographic;
         const auto side = [&] { return static_cast<std::uint32_t>(16 + random_() % 180); };
-        s.view = viewOf(camera, radius_, side(), side());
+        s.view = makeView(camera, radius_, side(), side());
         s.occlusion.directions = directions_;
         if (random_() % 4 == 0) s.debug = static_cast<DebugView>(random_() % debugViewNames().size());
         switch (random_() % 4) {

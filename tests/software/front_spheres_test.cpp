@@ -82,7 +82,7 @@ SphereBoxes ownBoxes(const std::vector<Sphere>& stream) {
         for (std::uint32_t i = starts[run + 1]; i > starts[run]; --i) numbers.push_back(i - 1);
     std::vector<Sphere> spheres;
     for (const std::uint32_t number : numbers) spheres.push_back(stream[number]);
-    SphereBoxes boxes = sphereBoxesOf(spheres);
+    SphereBoxes boxes = makeSphereBoxes(spheres);
     boxes.spheres = spheres;
     boxes.numbers = numbers;
     boxes.starts = starts;
@@ -90,7 +90,7 @@ SphereBoxes ownBoxes(const std::vector<Sphere>& stream) {
 }
 
 Told toldBy(FrontSpheres& front, const Crowd& c, bool own = false) {
-    const SphereBoxes boxes = own ? ownBoxes(c.spheres) : sphereBoxesOf(c.spheres);
+    const SphereBoxes boxes = own ? ownBoxes(c.spheres) : makeSphereBoxes(c.spheres);
     front.draw(c.view, c.spheres, boxes, c.calls);
     Told told;
     told.seeds.resize(std::size_t{c.view.width} * c.view.height);
@@ -107,7 +107,7 @@ struct Ball {
     double Z, radius;
     std::uint32_t number;
 };
-std::vector<Ball> ballsOf(const Crowd& c) {
+std::vector<Ball> collectBalls(const Crowd& c) {
     std::vector<Ball> balls;
     for (const TileCall& call : c.calls)
         for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
@@ -147,7 +147,7 @@ TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
     for (std::uint32_t seed = 0; seed < 8; ++seed) {
         const Crowd c(seed, radius, static_cast<int>(seed % 4));
         const Told told = toldBy(front, c, own);
-        const std::vector<Ball> balls = ballsOf(c);
+        const std::vector<Ball> balls = collectBalls(c);
         std::vector<double> least(told.seeds.size(), std::numeric_limits<double>::infinity());
         for (const Ball& b : balls)
             eachPixel(c.view, b, 0, [&](std::size_t pixel, double h) {
@@ -255,7 +255,7 @@ TEST(FrontSpheres, AreTheSameBySeveralThreads) {
 
 TEST(SphereBoxes, HoldTheirSpheres) {
     const Crowd c(3, 1, 0);
-    const SphereBoxes boxes = sphereBoxesOf(c.spheres);
+    const SphereBoxes boxes = makeSphereBoxes(c.spheres);
     constexpr std::size_t kOfGroup = std::size_t{SphereBoxes::kSpheres} * SphereBoxes::kBoxes;
     ASSERT_EQ(boxes.groups.size(), (c.spheres.size() + kOfGroup - 1) / kOfGroup);
     ASSERT_EQ(boxes.boxes.size(), boxes.groups.size() * SphereBoxes::kBoxes);
@@ -270,7 +270,7 @@ TEST(SphereBoxes, HoldTheirSpheres) {
     EXPECT_LT(boxes.reach, 24.0f);
     std::vector<Sphere> broken = c.spheres;
     broken[5].center.y = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(sphereBoxesOf(broken).reach, std::numeric_limits<float>::infinity());
+    EXPECT_EQ(makeSphereBoxes(broken).reach, std::numeric_limits<float>::infinity());
 }
 
 }  // namespace

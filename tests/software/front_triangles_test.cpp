@@ -152,7 +152,7 @@ struct ShaderHit {
         float x[3], y[3], z[3];
         const std::uint32_t vertices[] = {t.a, t.b, t.c};
         for (int i = 0; i < 3; ++i) {
-            const glm::vec3 p = positionOf(s.mesh.meshVertices[vertices[i]], t.step());
+            const glm::vec3 p = decodePosition(s.mesh.meshVertices[vertices[i]], t.step());
             const auto along = [&](const glm::vec4& row) {
                 float sum = row.w;
                 for (const int k : {2, 1, 0})

@@ -68,7 +68,7 @@ inline ListedScene randomListedScene(std::uint32_t seed, bool perspective, int q
             {glm::vec3(a), static_cast<float>(std::exp(number(-4, 0))), glm::vec3(a + number.within(3)), 0});
     }
     addTriangles(number, s);
-    s.chunks = chunksOf(s.mesh).triangles;
+    s.chunks = makeChunks(s.mesh).triangles;
     const int copies = static_cast<int>(number(1, 3.99));
     for (int c = 0; c < copies; ++c) {
         const glm::dmat3 turn =
@@ -97,14 +97,14 @@ inline ListedScene randomListedScene(std::uint32_t seed, bool perspective, int q
     return s;
 }
 
-inline std::vector<std::uint32_t> listsOf(TileLists& lists) {
+inline std::vector<std::uint32_t> writeLists(TileLists& lists) {
     std::vector<std::uint32_t> words(lists.words());
     lists.write(words.data());
     return {words.end() - static_cast<std::ptrdiff_t>(lists.entries()), words.end()};
 }
 
 /// The triangle that each pixel begins with, row by row; 0: none, and where lists begin with none.
-inline std::vector<std::uint32_t> seedsOf(const TileLists& lists, const TileView& v) {
+inline std::vector<std::uint32_t> listSeeds(const TileLists& lists, const TileView& v) {
     std::vector<std::uint32_t> seeds(std::size_t{v.width} * v.height, 0);
     for (std::uint32_t y = 0; lists.seeded() && y < v.height; ++y)
         lists.writeSeeds(0, y, v.width, seeds.data() + std::size_t{y} * v.width);
@@ -113,7 +113,7 @@ inline std::vector<std::uint32_t> seedsOf(const TileLists& lists, const TileView
 
 /// All that may be seen somewhere.
 inline std::set<std::uint32_t> namedBy(TileLists& lists, const TileView& v) {
-    const std::vector<std::uint32_t> numbers = listsOf(lists), seeds = seedsOf(lists, v);
+    const std::vector<std::uint32_t> numbers = writeLists(lists), seeds = listSeeds(lists, v);
     std::set<std::uint32_t> named(numbers.begin(), numbers.end());
     named.insert(seeds.begin(), seeds.end());
     named.erase(0);

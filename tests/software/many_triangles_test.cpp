@@ -34,15 +34,15 @@ struct ManyTriangles {
         for (const glm::vec3& corner : {a, b, c}) corners.emplace_back(corner, 0);
     }
     void addChunks() {
-        const auto placeOf = [&](const glm::vec4& corner) {
+        const auto planePoint = [&](const glm::vec4& corner) {
             const glm::vec2 off = (glm::vec2(corner) - view.axis) / view.pixels;
             return glm::vec3(off.x, -off.y, view.origin - corner.z);
         };
         constexpr std::size_t kCorners = std::size_t{3} * Chunk::kPrimitives;
         for (std::size_t first = 0; first < corners.size(); first += kCorners) {
-            Chunk chunk{placeOf(corners[first]), 0};
+            Chunk chunk{planePoint(corners[first]), 0};
             for (std::size_t i = first; i < std::min(first + kCorners, corners.size()); ++i)
-                chunk.radius = std::max(chunk.radius, glm::distance(chunk.center, placeOf(corners[i])) * 1.0001f);
+                chunk.radius = std::max(chunk.radius, glm::distance(chunk.center, planePoint(corners[i])) * 1.0001f);
             chunks.push_back(chunk);
         }
     }

@@ -34,16 +34,16 @@ TEST(SphereBoxes, OfCopiesAreSmallerThanTheStreamsChunks) {
         for (const SphereBox& box : boxes.boxes) sum += static_cast<double>(box.ball);
         return sum / static_cast<double>(boxes.boxes.size());
     };
-    const SphereBoxes alone = sphereBoxesOf(r);
+    const SphereBoxes alone = makeSphereBoxes(r);
     EXPECT_TRUE(alone.spheres.empty());
     r.copies.lists = {{0}, {0, 1}};
     r.copies.transforms.resize(2, glm::dmat4x3(1.0));
     r.copies.spheres = {{0, 9000, 0}, {9000, 11000, 1}};
     r.spheres[77].center.x = std::numeric_limits<float>::quiet_NaN();
-    const SphereBoxes boxes = sphereBoxesOf(r);
+    const SphereBoxes boxes = makeSphereBoxes(r);
     EXPECT_FALSE(std::isfinite(boxes.reach));
     r.spheres[77].center.x = 0;
-    const SphereBoxes finite = sphereBoxesOf(r);
+    const SphereBoxes finite = makeSphereBoxes(r);
     EXPECT_LT(mean(finite), 0.85 * mean(alone));
     EXPECT_EQ(finite.starts, (std::vector<std::uint32_t>{0, 9000, 20000}));
     for (const SphereBoxes* b : {&boxes, &finite}) {

@@ -120,7 +120,7 @@ TEST(TileListsLayout, WhatIsOutsideThePictureIsNotKept) {
     TileLists lists;
     lists.build(view, {spheres, {&call, 1}, {}, {}});
     EXPECT_EQ(lists.kept(), 1u);
-    EXPECT_EQ(listsOf(lists), std::vector<std::uint32_t>(4, 1));  // about the corner of four bins
+    EXPECT_EQ(writeLists(lists), std::vector<std::uint32_t>(4, 1));  // about the corner of four bins
     lists.build(view, {});
     EXPECT_EQ(lists.kept(), 0u);
     EXPECT_TRUE(lists.tiles().empty());

@@ -22,7 +22,7 @@ constexpr std::uint32_t kBin = TileLists::kBinPixels;
 struct Ray {
     glm::dvec3 origin, direction;
 };
-Ray rayOf(const TileView& v, std::uint32_t x, std::uint32_t y) {
+Ray makeRay(const TileView& v, std::uint32_t x, std::uint32_t y) {
     const glm::dvec2 p = (glm::dvec2(x + 0.5, y + 0.5) - glm::dvec2(v.axis)) / static_cast<double>(v.pixels);
     // Undoing the turns of the image, then rows that run downwards.
     const glm::dvec2 turned[] = {p, {p.y, -p.x}, -p, {-p.y, p.x}};
@@ -50,7 +50,7 @@ double distanceToSegment(const Ray& ray, const glm::dvec3& a, const glm::dvec3& 
 double distanceTo(const Ray& ray, const glm::vec4* rows, const Representation& mesh, std::size_t triangle) {
     const Triangle& t = mesh.triangles[triangle];
     const auto from = [&](std::uint32_t i) {
-        return placed(rows, positionOf(mesh.meshVertices[i], t.step())) - ray.origin;
+        return placed(rows, decodePosition(mesh.meshVertices[i], t.step())) - ray.origin;
     };
     const glm::dvec3 a = from(t.a), b = from(t.b), c = from(t.c);
     const double ab = glm::dot(ray.direction, glm::cross(a, b)), bc = glm::dot(ray.direction, glm::cross(b, c)),
@@ -70,7 +70,7 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
         ListedScene s = randomListedScene(seed, perspective, turns);
         s.view.edges = seed % 4 == 1;
         lists.build(s.view, s.scenery());
-        const std::vector<std::uint32_t> numbers = listsOf(lists);
+        const std::vector<std::uint32_t> numbers = writeLists(lists);
         listed += numbers.size();
         ASSERT_EQ(lists.across(), (s.view.width + kBin - 1) / kBin);
         ASSERT_EQ(lists.down(), (s.view.height + kBin - 1) / kBin);
@@ -80,7 +80,7 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
             ofBin[bin] = {from, to};
             ASSERT_EQ(ofBin[bin].size(), static_cast<std::size_t>(to - from)) << "an entry twice";
         }
-        const std::vector<std::uint32_t> seeds = seedsOf(lists, s.view);
+        const std::vector<std::uint32_t> seeds = listSeeds(lists, s.view);
         const auto expect = [&](std::uint32_t number, std::uint32_t x, std::uint32_t y) {
             ++met;
             const std::size_t bin = y / kBin * lists.across() + x / kBin;
@@ -92,7 +92,7 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
         };
         for (std::uint32_t y = seed % 3; y < s.view.height; y += 3)
             for (std::uint32_t x = seed % 3; x < s.view.width; x += 3) {
-                const Ray ray = rayOf(s.view, x, y);
+                const Ray ray = makeRay(s.view, x, y);
                 for (const TileCall& call : s.sphereCalls)
                     for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
                         const glm::dvec3 at = placed(call.rows, s.spheres[i].center);
@@ -223,8 +223,8 @@ TEST_P(TileListsTest, EveryListGoesFromNearToFar) {
         const ListedScene s = randomListedScene(seed, perspective, turns);
         TileLists lists;
         lists.build(s.view, s.scenery());
-        const std::vector<std::uint32_t> numbers = listsOf(lists);
-        const auto nearOf = [&](std::uint32_t number) {
+        const std::vector<std::uint32_t> numbers = writeLists(lists);
+        const auto nearDepth = [&](std::uint32_t number) {
             for (const TileCall& call : s.sphereCalls)
                 if (number >= call.number + call.first && number < call.number + call.first + call.count) {
                     const Sphere& ball = s.spheres[number - call.number];
@@ -239,7 +239,7 @@ TEST_P(TileListsTest, EveryListGoesFromNearToFar) {
                 if (number >= call.number + call.first && number < call.number + call.first + call.count) {
                     const Triangle& t = s.mesh.triangles[number - call.number];
                     const auto z = [&](std::uint32_t k) {
-                        return placed(call.rows, positionOf(s.mesh.meshVertices[k], t.step())).z;
+                        return placed(call.rows, decodePosition(s.mesh.meshVertices[k], t.step())).z;
                     };
                     return s.view.origin - std::max({z(t.a), z(t.b), z(t.c)});
                 }
@@ -249,7 +249,7 @@ TEST_P(TileListsTest, EveryListGoesFromNearToFar) {
         const double step = s.view.range / TileLists::kDepthSteps;
         for (std::size_t bin = 0; bin + 1 < lists.offsets().size(); ++bin)
             for (std::size_t i = lists.offsets()[bin] + 1; i < lists.offsets()[bin + 1]; ++i)
-                EXPECT_LT(nearOf(numbers[i - 1]), nearOf(numbers[i]) + 1.01 * step);
+                EXPECT_LT(nearDepth(numbers[i - 1]), nearDepth(numbers[i]) + 1.01 * step);
     }
 }
 

@@ -27,7 +27,7 @@ bool put(const DiskCache& cache, const std::string& name, const std::string& con
 
 /// As if the entry had last been used some hours ago.
 void age(const DiskCache& cache, const std::string& name, int hours) {
-    fs::last_write_time(cache.pathOf(name), fs::file_time_type::clock::now() - std::chrono::hours(hours));
+    fs::last_write_time(cache.entryPath(name), fs::file_time_type::clock::now() - std::chrono::hours(hours));
 }
 
 TEST(DiskCache, GivesBackWhatItWasGiven) {
@@ -75,13 +75,13 @@ TEST(DiskCache, WhatIsBeingWrittenStaysForADay) {
     const TemporaryFolder folder;
     const DiskCache cache(folder.path(), 10, kPrefixes);
     for (const char* name : {".new-1", "b.part", ".new-2", "c.part"})
-        std::ofstream(cache.pathOf(name)) << "some more than the limit";
+        std::ofstream(cache.entryPath(name)) << "some more than the limit";
     ASSERT_TRUE(cache.makeFolder());
     age(cache, ".new-2", 25);
     age(cache, "c.part", 25);
     cache.trim();
-    EXPECT_TRUE(fs::exists(cache.pathOf(".new-1")));
-    EXPECT_TRUE(fs::exists(cache.pathOf("b.part")));
+    EXPECT_TRUE(fs::exists(cache.entryPath(".new-1")));
+    EXPECT_TRUE(fs::exists(cache.entryPath("b.part")));
     EXPECT_EQ(folder.count(), 3u);  // and the tag
 }
 
@@ -91,7 +91,7 @@ TEST(DiskCache, AFolderThatCannotBeMadeHoldsNothing) {
     const DiskCache cache(folder / "file", 100, kPrefixes);
     EXPECT_FALSE(put(cache, "a", "content"));
     EXPECT_EQ(cache.read("a"), std::nullopt);
-    EXPECT_EQ(test::contentOf(folder / "file"), "in the way");
+    EXPECT_EQ(test::readContents(folder / "file"), "in the way");
 }
 
 TEST(DiskCache, RemovesNothingThatItDidNotMake) {
@@ -110,12 +110,12 @@ TEST(DiskCache, RemovesNothingThatItDidNotMake) {
     for (int i = 0; i < 5; ++i) ASSERT_TRUE(put(cache, "d" + std::to_string(i), std::string(60, 'y')));
     EXPECT_FALSE(cache.read("a"));  // the cache did outgrow its limit
     for (const char* name : {"notes.txt", ".hidden", "z.part", "c/d"})
-        EXPECT_EQ(test::contentOf(folder / name), large) << name;
+        EXPECT_EQ(test::readContents(folder / name), large) << name;
     EXPECT_TRUE(fs::is_symlink(folder / "b"));
     cache.remove("b");
     cache.remove("c");
     EXPECT_TRUE(fs::is_symlink(folder / "b"));
-    EXPECT_EQ(test::contentOf(elsewhere / "mine"), large);
+    EXPECT_EQ(test::readContents(elsewhere / "mine"), large);
 }
 
 TEST(DiskCache, AFolderOfSomebodyElsesIsNoCache) {
@@ -150,7 +150,7 @@ TEST(DiskCache, WhatStandsInAnEntrysPlaceIsAMissAtOnce) {
         EXPECT_EQ(cache.read(name), std::nullopt) << name;
         EXPECT_FALSE(put(cache, name, "content")) << name;
     }
-    EXPECT_EQ(test::contentOf(elsewhere / "secret"), "secret");
+    EXPECT_EQ(test::readContents(elsewhere / "secret"), "secret");
     EXPECT_EQ(folder.count(), 4u);
 }
 

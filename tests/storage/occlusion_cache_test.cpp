@@ -123,9 +123,9 @@ TEST(OcclusionCache, EveryTruncationAndEveryFlippedBitIsFound) {
     const DiskCache cache(folder.path(), kOcclusionCacheBytes, {"name", "other"});
     const Representation r = twoSpheresAndABond();
     ASSERT_TRUE(writeOcclusion(cache, "name", someBake()));
-    const std::string whole = test::contentOf(cache.pathOf("name"));
+    const std::string whole = test::readContents(cache.entryPath("name"));
     const auto reads = [&](const std::string& content) {
-        std::ofstream(cache.pathOf("name"), std::ios::binary | std::ios::trunc) << content;
+        std::ofstream(cache.entryPath("name"), std::ios::binary | std::ios::trunc) << content;
         return readOcclusion(cache, "name", r).has_value();
     };
     ASSERT_TRUE(reads(whole));
@@ -173,7 +173,7 @@ TEST(OcclusionCache, AFileUnderAnothersNameIsFound) {
     const TemporaryFolder folder;
     const DiskCache cache(folder.path(), kOcclusionCacheBytes, {"name", "other"});
     ASSERT_TRUE(writeOcclusion(cache, "name", someBake()));
-    std::filesystem::rename(cache.pathOf("name"), cache.pathOf("other"));
+    std::filesystem::rename(cache.entryPath("name"), cache.entryPath("other"));
     EXPECT_FALSE(readOcclusion(cache, "other", twoSpheresAndABond()));
 }
 

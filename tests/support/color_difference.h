@@ -16,7 +16,7 @@ using Triple = std::array<double, 3>;
 enum class Vision { normal, protanopia, deuteranopia, tritanopia };
 constexpr Vision kVisions[] = {Vision::normal, Vision::protanopia, Vision::deuteranopia, Vision::tritanopia};
 
-inline Triple linearOf(std::uint32_t packed) {
+inline Triple toLinear(std::uint32_t packed) {
     Triple rgb{};
     for (std::size_t i = 0; i < 3; ++i) {
         const double c = (packed >> (8 * i) & 0xff) / 255.0;
@@ -48,7 +48,7 @@ inline Triple seenBy(Vision vision, const Triple& rgb) {
 }
 
 /// CIE L*a*b* under D65 of linear sRGB (IEC 61966-2-1; CIE 15:2004).
-inline Triple labOf(const Triple& rgb) {
+inline Triple toLab(const Triple& rgb) {
     constexpr std::array<Triple, 3> kXyz = {{{0.4123907992659595, 0.357584339383878, 0.1804807884018343},
                                              {0.21263900587151027, 0.715168678767756, 0.07219231536073371},
                                              {0.01933081871559182, 0.11919477979462598, 0.9505321522496607}}};
@@ -93,7 +93,7 @@ inline double ciede2000(const Triple& one, const Triple& two) {
 
 /// Between two packed colours as somebody sees them.
 inline double apartFor(Vision vision, std::uint32_t a, std::uint32_t b) {
-    return ciede2000(labOf(seenBy(vision, linearOf(a))), labOf(seenBy(vision, linearOf(b))));
+    return ciede2000(toLab(seenBy(vision, toLinear(a))), toLab(seenBy(vision, toLinear(b))));
 }
 
 }  // namespace nacre::test

@@ -116,8 +116,8 @@ inline MeasuredRun runMeasured(const std::vector<std::string>& arguments, const 
     run.peakBytes = std::int64_t{usage.ru_maxrss} * 1024;
     if (WIFEXITED(status)) run.code = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
-    run.out = contentOf(logs / "out");
-    if (!options.terminal) run.err = contentOf(logs / "err");
+    run.out = readContents(logs / "out");
+    if (!options.terminal) run.err = readContents(logs / "err");
     return run;
 }
 

@@ -22,7 +22,7 @@ inline Outcome nacreIn(const TemporaryFolder& folder, const std::string& argumen
     const std::string command = "cd '" + folder.path() + "' && " + before + " && '" NACRE_PROGRAM "' " + arguments +
                                 " >'" + (logs / "out") + "' 2>'" + (logs / "err") + "' </dev/null " + redirection;
     const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(logs / "out"), contentOf(logs / "err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readContents(logs / "out"), readContents(logs / "err")};
 }
 
 }  // namespace nacre::test

@@ -37,7 +37,7 @@ private:
     std::filesystem::path path_;
 };
 
-inline std::string contentOf(const std::string& path) {
+inline std::string readContents(const std::string& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
 }

@@ -48,7 +48,7 @@ Molecule hinge(double degrees) {
     return m;
 }
 
-Positions positionsOf(const Molecule& m) {
+Positions listPositions(const Molecule& m) {
     Positions positions;
     for (const Atom& atom : m.atoms) positions.push_back(atom.position);
     return positions;
@@ -73,7 +73,7 @@ Positions halfWay(const Positions& a, const Positions& b) {
 
 TEST(Morph, AHingeTurnsInPlaceOfShrinking) {
     const Molecule open = hinge(0), closed = hinge(100), expected = hinge(50);
-    const Positions from = positionsOf(open), to = positionsOf(closed);
+    const Positions from = listPositions(open), to = listPositions(closed);
     const auto morph = morphThrough(open, {from, to}, {0, 0.5, 1});
     EXPECT_STREQ(morph->format(), "morph");
     EXPECT_EQ(morph->read(0).positions, from);
@@ -99,9 +99,9 @@ TEST(Morph, BondsOfARealPairKeepTheirLengths) {
     NACRE_NEEDS_DATA();
     const Molecule dark = readMoleculeFile(test::dataFile("1u19-rhodopsin.cif.gz"));
     const Molecule active = readMoleculeFile(test::dataFile("3pqr.cif"));
-    const Conformation end = conformationOf(active, dark, "1u19");
+    const Conformation end = fitConformation(active, dark, "1u19");
     EXPECT_GT(end.matched, 2500u) << "326 residues of opsin";
-    const Positions from = positionsOf(active);
+    const Positions from = listPositions(active);
     const auto morph = morphThrough(active, {from, end.positions}, {0.25, 0.5, 0.75});
     const float straight = strain(active, from, end.positions, halfWay(from, end.positions));
     std::vector<float> lengths;
@@ -132,20 +132,20 @@ TEST(Morph, IsBounded) {
         crowd.atoms[i].position = glm::vec3(static_cast<float>(i) * 1e-5f, 0, 0);
         if (i > 0) crowd.bonds.push_back({0, i});
     }
-    const Positions from = positionsOf(crowd);
+    const Positions from = listPositions(crowd);
     Positions to = from;
     for (glm::vec3& p : to) p.y += 1;
     const Positions middle = morphThrough(crowd, {from, to}, {0.5})->read(0).positions;
     for (const glm::vec3& p : middle) ASSERT_LT(glm::distance(p, glm::vec3(0.15f, 0.5f, 0)), 2) << "on a line";
     crowd.atoms.resize(kMostMorphAtoms + 1);
-    EXPECT_THROW(morphThrough(crowd, {positionsOf(crowd), positionsOf(crowd)}, {0}), Error);
+    EXPECT_THROW(morphThrough(crowd, {listPositions(crowd), listPositions(crowd)}, {0}), Error);
 }
 
 TEST(Morph, FindsCounterpartsWhereverTheFileHasThem) {
     Molecule dna = sampleMolecule("dna"), moved = dna;
     const glm::dquat turn = glm::angleAxis(1.0, glm::normalize(glm::dvec3(1, 2, 3)));
     for (Atom& atom : moved.atoms) atom.position = glm::vec3(turn * glm::dvec3(atom.position) + glm::dvec3(5, 6, 7));
-    const Conformation whole = conformationOf(dna, moved, "moved");
+    const Conformation whole = fitConformation(dna, moved, "moved");
     EXPECT_EQ(whole.matched, dna.atoms.size());
     for (std::size_t i = 0; i < dna.atoms.size(); ++i)
         ASSERT_LT(glm::distance(whole.positions[i], dna.atoms[i].position), 1e-3f) << "it is superposed";
@@ -155,12 +155,12 @@ TEST(Morph, FindsCounterpartsWhereverTheFileHasThem) {
     half.residues.resize(half.residues.size() / 2);
     half.chains.resize(1);
     std::erase_if(half.bonds, [&](const Bond& b) { return std::max(b.a, b.b) >= half.atoms.size(); });
-    const Conformation part = conformationOf(dna, half, "half");
+    const Conformation part = fitConformation(dna, half, "half");
     EXPECT_EQ(part.matched, half.atoms.size());
     for (std::size_t i = 0; i < dna.atoms.size(); ++i)
         ASSERT_LT(glm::distance(part.positions[i], dna.atoms[i].position), 1e-3f);
     try {
-        conformationOf(dna, sampleMolecule("buckyball"), "ball.pdb");
+        fitConformation(dna, sampleMolecule("buckyball"), "ball.pdb");
         FAIL() << "they have nothing in common";
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(),

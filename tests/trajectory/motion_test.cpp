@@ -16,7 +16,7 @@ namespace nacre {
 namespace {
 
 using test::chains;
-using test::numbersOf;
+using test::readNumbers;
 using test::written;
 
 TEST(Motion, LaysFramesAsMdtrajDoes) {
@@ -24,7 +24,7 @@ TEST(Motion, LaysFramesAsMdtrajDoes) {
     MotionOptions options;
     for (std::uint32_t i = 0; i < 20; ++i) options.fitted.push_back(i);
     Motion motion(openTrajectory(written() / "t.trr"), molecule, options);
-    const std::vector<float> laid = numbersOf("laid"), rmsd = numbersOf("rmsd");
+    const std::vector<float> laid = readNumbers("laid"), rmsd = readNumbers("rmsd");
     ASSERT_EQ(rmsd.size(), 5u);
     for (std::size_t frame = 5; frame-- > 0;) {
         const std::vector<glm::vec3> positions = motion.positions(frame);
@@ -79,7 +79,7 @@ public:
         atoms_ = 2;
         frames_ = frames;
     }
-    static glm::vec3 placeOf(std::size_t frame, float atom) {
+    static glm::vec3 expectedPlace(std::size_t frame, float atom) {
         return {2 + 4 * static_cast<float>(frame) + atom, 3 * static_cast<float>(frame), 1};
     }
     static constexpr PeriodicBox kBox{glm::vec3(10, 0, 0), glm::vec3(3, 12, 0), glm::vec3(-2, 4, 9)};
@@ -87,7 +87,7 @@ public:
 private:
     void readFrame(std::size_t frame, TrajectoryFrame& result) override {
         for (const int atom : {0, 1}) {
-            glm::vec3 p = placeOf(frame, static_cast<float>(atom));
+            glm::vec3 p = expectedPlace(frame, static_cast<float>(atom));
             for (int k = 2; k >= 0; --k)
                 p -= kBox[static_cast<std::size_t>(k)] * std::floor(p[k] / kBox[static_cast<std::size_t>(k)][k]);
             result.positions[static_cast<std::size_t>(atom)] = p;
@@ -110,7 +110,7 @@ TEST(Motion, AveragesNothingAcrossTheBox) {
                 EXPECT_LT(glm::distance(smooth.positions(frame)[atom], plain.positions(frame)[atom]), 1e-4)
                     << whole << frame;
         // At the ends the mean is half a step or a step further on.
-        EXPECT_LT(glm::distance(smooth.positions(0)[0], Drifting::placeOf(1, 0)), 1e-4);
+        EXPECT_LT(glm::distance(smooth.positions(0)[0], Drifting::expectedPlace(1, 0)), 1e-4);
     }
 }
 

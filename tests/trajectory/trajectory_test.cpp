@@ -21,8 +21,8 @@
 namespace nacre {
 namespace {
 
-using test::contentOf;
-using test::numbersOf;
+using test::readContents;
+using test::readNumbers;
 using test::TemporaryFolder;
 using test::written;
 
@@ -31,7 +31,7 @@ void write(const std::string& path, const std::string& bytes) { std::ofstream(pa
 /// Compares a trajectory with numbers that MDTraj read; Å.
 void expectSame(const std::string& file, const std::string& name, double tolerance) {
     const std::unique_ptr<Trajectory> t = openTrajectory(written() / file);
-    const std::vector<float> expected = numbersOf(name);
+    const std::vector<float> expected = readNumbers(name);
     const std::size_t row = 9 + 3 * t->atoms();
     ASSERT_EQ(expected.size(), row * t->frames()) << file;
     EXPECT_FALSE(t->cutOff());
@@ -56,7 +56,7 @@ TEST(Trajectory, ReadsTimes) {
     }
     EXPECT_FALSE(openTrajectory(written() / "t.dcd")->read(2).time) << "MDTraj leaves DCD's step at 1";
     // As CHARMM and NAMD have it: a first step, steps a frame, and a step of 2 fs in their unit of 48.888 fs.
-    std::string dcd = contentOf(written() / "t.dcd");
+    std::string dcd = readContents(written() / "t.dcd");
     const std::int32_t first = 1000, every = 500;
     const float step = 2 / 48.8882129f;
     std::memcpy(dcd.data() + 12, &first, 4);
@@ -89,7 +89,7 @@ TEST(Trajectory, ARestartFileOfAmberIsOneFrame) {
         EXPECT_LT(glm::distance(one.positions[i], first.positions[i]), 1e-3f);
     ASSERT_TRUE(one.box.has_value());
     EXPECT_LT(glm::distance((*one.box)[1], (*first.box)[1]), 1e-3f);
-    std::string bytes = contentOf(written() / "t.ncrst");
+    std::string bytes = readContents(written() / "t.ncrst");
     bytes.resize(bytes.size() / 2);
     const TemporaryFolder folder;
     write(folder / "cut.ncrst", bytes);
@@ -172,7 +172,7 @@ TEST(Trajectory, ReadsDcdOfEitherByteOrderWithFixedAtoms) {
 TEST(Trajectory, LeavesOutAFrameThatIsCutOff) {
     const TemporaryFolder folder;
     for (const char* name : {"t.xtc", "t.trr", "t.dcd", "t.nc"}) {
-        std::string bytes = contentOf(written() / name);
+        std::string bytes = readContents(written() / name);
         write(folder / name, bytes.substr(0, bytes.size() - 100));
         const std::unique_ptr<Trajectory> t = openTrajectory(folder / name);
         EXPECT_EQ(t->frames(), 4u) << name;
@@ -198,7 +198,7 @@ TEST(Trajectory, DamagedFilesAreErrorsAndNothingElse) {
     const TemporaryFolder folder;
     std::mt19937 random(5);
     for (const char* name : {"t.xtc", "t.trr", "t.dcd", "t.nc", "few.xtc"}) {
-        const std::string whole = contentOf(written() / name);
+        const std::string whole = readContents(written() / name);
         for (std::size_t length = 0; length < 500; length += 7) {
             write(folder / name, whole.substr(0, length));
             readsAll(folder / name);
@@ -219,7 +219,7 @@ TEST(Trajectory, DamagedFilesAreErrorsAndNothingElse) {
 
 TEST(Trajectory, RefusesPositionsThatAreNone) {
     const TemporaryFolder folder;
-    std::string bytes = contentOf(written() / "t.dcd");
+    std::string bytes = readContents(written() / "t.dcd");
     const float nan = NAN;
     std::memcpy(bytes.data() + bytes.size() - 8, &nan, 4);  // the last of the last frame
     write(folder / "n.dcd", bytes);
@@ -305,7 +305,7 @@ TEST(Hdf5Structures, MdtrajStatesTheTopology) {
                             [](const Bond& bond) { return bond.source == BondSource::file; }));
     ASSERT_TRUE(chains.file.box.has_value());
     EXPECT_NEAR((*chains.file.box)[0].x, 40, 1e-4);
-    const std::vector<float> numbers = test::numbersOf("h5");
+    const std::vector<float> numbers = test::readNumbers("h5");
     ReadOptions options;
     for (const int model : {1, 3, 5}) {
         options.model = model;
@@ -343,7 +343,7 @@ TEST(Hdf5Structures, H5mdStatesSpecies) {
     const auto left = std::find_if(water.notes.begin(), water.notes.end(),
                                    [](const ReadNote& note) { return note.action == ReadAction::leftOut; });
     ASSERT_NE(left, water.notes.end());
-    EXPECT_EQ(sentenceOf(*left), "left out 1 bond: of atoms that are not there");
+    EXPECT_EQ(describeNote(*left), "left out 1 bond: of atoms that are not there");
 }
 
 TEST(Hdf5Structures, SpeciesOfNumbersAreGrains) {
@@ -372,7 +372,7 @@ TEST(Hdf5Structures, SizesWithoutDataAreRefused) {
 }
 
 TEST(Hdf5Structures, DamagedFilesAreRefused) {
-    const std::string bytes = test::contentOf(test::written() / "t.h5");
+    const std::string bytes = test::readContents(test::written() / "t.h5");
     for (std::size_t cut = 16; cut < bytes.size(); cut += bytes.size() / 40) {
         try {
             readMolecule("a.h5", bytes.substr(0, cut));
@@ -387,7 +387,7 @@ TEST(Hdf5Structures, DamagedFilesAreRefused) {
 
 TEST(Hdf5Structures, AHeapThatDoesNotEndIsRefused) {
     // The unit of the positions lies in a heap: 16 bytes, then objects by number, the last of them number 0 and free.
-    std::string bytes = test::contentOf(test::written() / "t.h5md");
+    std::string bytes = test::readContents(test::written() / "t.h5md");
     EXPECT_NO_THROW(readMolecule("a.h5md", bytes));
     const std::size_t heap = bytes.find("GCOL");
     ASSERT_NE(heap, std::string::npos);
@@ -419,7 +419,7 @@ TEST(Hdf5Structures, HeapsThatShareTheirObjectsAreRefused) {
     // Each of 400 heaps leads to the same 5,000 objects: walked one after the other they would cost the product.
     const std::size_t heaps = 400, objects = 5000, whole = 32 * heaps + 16 * objects;
     const std::string object("\1\0\0\0\0\0\0\0", 8);
-    std::string bytes = test::contentOf(test::written() / "t.h5md");
+    std::string bytes = test::readContents(test::written() / "t.h5md");
     for (std::size_t i = 0; i < heaps; ++i)
         bytes += std::string("GCOL\1\0\0\0", 8) + number(whole - 32 * i) + object + number(32 * (heaps - 1 - i));
     for (std::size_t i = 0; i < objects; ++i) bytes += object + number(0);
@@ -429,7 +429,7 @@ TEST(Hdf5Structures, HeapsThatShareTheirObjectsAreRefused) {
 TEST(Hdf5Structures, ReferencesIntoHeapsAreNotTrusted) {
     // The unit of the positions is a reference: two bytes, in the heap at this place, object 1 of it. Without it the
     // unit is Å.
-    const std::string bytes = contentOf(written() / "t.h5md");
+    const std::string bytes = readContents(written() / "t.h5md");
     const std::size_t heap = bytes.find("GCOL");
     ASSERT_NE(heap, std::string::npos);
     const auto reference = [&](std::size_t length, std::size_t place, std::size_t object) {
@@ -461,7 +461,7 @@ TEST(Hdf5Structures, NumbersOutsideTheirBytesAreRefused) {
     const std::string head("\x11\x20\x1f\0\4\0\0\0", 8), rest("\x17\x8\0\x17\x7f\0\0\0", 8),
         sound = head + number(0, 2) + number(32, 2) + rest;
     for (const char* file : {"t.h5", "t.h5md"}) {
-        const std::string bytes = contentOf(written() / file);
+        const std::string bytes = readContents(written() / file);
         EXPECT_NO_THROW(readMolecule(file, bytes));
         for (const auto& [offset, precision] : {std::pair(0xffff, 32), {1, 32}, {0, 0xffff}, {0, 0}})
             EXPECT_THROW(
@@ -473,12 +473,12 @@ TEST(Hdf5Structures, NumbersOutsideTheirBytesAreRefused) {
 }
 
 TEST(Hdf5Structures, DatasetsWithoutRoomAreRefused) {
-    const std::string compact = contentOf(written() / "compact.h5md");
+    const std::string compact = readContents(written() / "compact.h5md");
     EXPECT_EQ(readMolecule("a.h5md", compact).atoms.size(), 2u);
     const auto sizes = [](std::size_t frames, std::size_t atoms) { return number(frames) + number(atoms) + number(3); };
     EXPECT_THROW(readMolecule("a.h5md", exchanged(compact, sizes(1, 2), sizes(1, 40000))), Error);
     // Chunks of 2 frames, of the 30 atoms that there are.
-    const std::string chunks = contentOf(written() / "t.h5md");
+    const std::string chunks = readContents(written() / "t.h5md");
     const auto chunk = [](std::size_t atoms) { return number(2, 4) + number(atoms, 4) + number(3, 4); };
     EXPECT_THROW(readMolecule("a.h5md", exchanged(chunks, chunk(30), chunk(30000))), Error);
 }

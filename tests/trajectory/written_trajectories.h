@@ -23,8 +23,8 @@ inline const TemporaryFolder& written() {
     return folder;
 }
 
-inline std::vector<float> numbersOf(const std::string& name) {
-    const std::string bytes = contentOf(written() / (name + ".bin"));
+inline std::vector<float> readNumbers(const std::string& name) {
+    const std::string bytes = readContents(written() / (name + ".bin"));
     std::vector<float> numbers(bytes.size() / 4);
     std::memcpy(numbers.data(), bytes.data(), numbers.size() * 4);
     return numbers;

@@ -15,19 +15,19 @@ constexpr double kRadius = 20;
 
 /// Where a point of the molecule is seen, points from the window's top left.
 glm::dvec2 seen(const Camera& camera, const glm::dvec3& p) {
-    const View view = viewOf(camera, kRadius, 800, 600);
+    const View view = makeView(camera, kRadius, 800, 600);
     const glm::dvec3 v = view.rotation * p;
     const double magnify = view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1;
     const glm::dvec2 q = (glm::dvec2(v) * magnify + view.pan) * view.pixelsPerAngstrom;
     return {400 + q.x, 300 - q.y};
 }
 
-double angleOf(const glm::dquat& q) { return glm::degrees(2 * std::acos(std::min(std::abs(q.w), 1.0))); }
+double rotationAngle(const glm::dquat& q) { return glm::degrees(2 * std::acos(std::min(std::abs(q.w), 1.0))); }
 
 TEST(CameraMotion, ADegreeAPointAndTheFrontFollowsTheHand) {
     CameraMotion motion;
     motion.rotate({90, 0}, 0);
-    EXPECT_NEAR(angleOf(motion.camera().orientation), 90, 1e-9);
+    EXPECT_NEAR(rotationAngle(motion.camera().orientation), 90, 1e-9);
     const glm::dvec3 front = motion.camera().orientation * glm::dvec3(0, 0, 1);
     EXPECT_NEAR(front.x, 1, 1e-12);
     CameraMotion down;
@@ -84,8 +84,8 @@ TEST(CameraMotion, InertiaIsTheSameWhateverTheSteps) {
     const CameraMotion fine = glide(0.001), coarse = glide(0.05);
     EXPECT_FALSE(fine.moving());
     EXPECT_FALSE(coarse.moving());
-    EXPECT_GT(angleOf(fine.camera().orientation), 35);  // it went on after the hand's 20 degrees
-    EXPECT_NEAR(angleOf(fine.camera().orientation), angleOf(coarse.camera().orientation), 2.0);
+    EXPECT_GT(rotationAngle(fine.camera().orientation), 35);  // it went on after the hand's 20 degrees
+    EXPECT_NEAR(rotationAngle(fine.camera().orientation), rotationAngle(coarse.camera().orientation), 2.0);
 }
 
 TEST(CameraMotion, AHandThatRestsBeforeItLetsGoLeavesThePictureAlone) {
@@ -123,7 +123,7 @@ TEST(CameraMotion, AutoRotationIsThirtyDegreesASecondAndStopsOnTouch) {
     motion.advance(1.0);
     motion.setAutoRotation(true);
     for (int i = 1; i <= 100; ++i) motion.advance(1.0 + i * 0.01);
-    EXPECT_NEAR(angleOf(motion.camera().orientation), 30, 1e-6);
+    EXPECT_NEAR(rotationAngle(motion.camera().orientation), 30, 1e-6);
     motion.touch();
     EXPECT_FALSE(motion.moving());
     EXPECT_FALSE(motion.advance(3.0));
@@ -153,8 +153,8 @@ TEST(CameraMotion, WhatWasSetInAnglesIsSeenTheSame) {
     camera.orientation = glm::angleAxis(0.7, glm::normalize(glm::dvec3(1, 2, 3)));
     CameraMotion motion;
     motion.set(camera);
-    const glm::dmat3 a = viewOf(camera, kRadius, 10, 10).rotation,
-                     b = viewOf(motion.camera(), kRadius, 10, 10).rotation;
+    const glm::dmat3 a = makeView(camera, kRadius, 10, 10).rotation,
+                     b = makeView(motion.camera(), kRadius, 10, 10).rotation;
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(glm::distance(a[i], b[i]), 0, 1e-12);
 }
 

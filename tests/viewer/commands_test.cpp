@@ -17,7 +17,7 @@ TEST(Presets, EveryOneIsWhatASavedViewHolds) {
 
 TEST(Commands, EveryCommandHasAKeyOfItsOwn) {
     for (const Binding& b : keyBindings()) {
-        EXPECT_EQ(commandOf(b.key), b.command) << b.keys;
+        EXPECT_EQ(findCommand(b.key), b.command) << b.keys;
         EXPECT_NE(std::string(b.what), "");
     }
     for (int c = 0; c <= static_cast<int>(ViewerCommand::quit); ++c) {
@@ -25,8 +25,8 @@ TEST(Commands, EveryCommandHasAKeyOfItsOwn) {
         for (const Binding& b : keyBindings()) bound = bound || b.command == static_cast<ViewerCommand>(c);
         EXPECT_TRUE(bound) << c;
     }
-    EXPECT_EQ(commandOf({U'?', {true, false}}), ViewerCommand::help);  // wherever the layout has it
-    EXPECT_EQ(commandOf({U'y', {}}), std::nullopt);
+    EXPECT_EQ(findCommand({U'?', {true, false}}), ViewerCommand::help);  // wherever the layout has it
+    EXPECT_EQ(findCommand({U'y', {}}), std::nullopt);
 }
 
 }  // namespace

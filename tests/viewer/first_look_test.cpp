@@ -47,7 +47,7 @@ TEST(Presets, ALigandInItsPocketIsThatOfShowPocket) {
 }
 
 TEST(FirstLook, IsOfWhatIsOpenedNotOfWhatIsReadAgain) {
-    const Sources sources{[](const PictureDescription&) { return test::chainOf(300, -57, -47); }};
+    const Sources sources{[](const PictureDescription&) { return test::buildChain(300, -57, -47); }};
     Loader loader(sources, {});
     PictureDescription view;
     view.input.path = "protein.pdb";

@@ -107,10 +107,10 @@ void changeLook(Desk& d, std::mt19937& random) {
             look.background = parseColor(random() % 2 ? "black" : "white");
             break;
         case 3: {
-            const std::vector<Part> parts = partsOf(*d.viewer.document()->molecule);
-            PartLook of = lookOf(look, parts[random() % parts.size()]);
+            const std::vector<Part> parts = listParts(*d.viewer.document()->molecule);
+            PartLook of = findLook(look, parts[random() % parts.size()]);
             of.style = Style::licorice;
-            setLookOf(look, parts[random() % parts.size()], of);
+            setPartLook(look, parts[random() % parts.size()], of);
             break;
         }
         default:
@@ -209,14 +209,14 @@ TEST(History, WhatIsDoneAnewForgetsWhatWasTakenBack) {
 
 TEST(Parts, RowsOfAMolecule) {
     const Molecule m = sampleMolecule("dna");
-    const std::vector<Part> parts = partsOf(m);
+    const std::vector<Part> parts = listParts(m);
     ASSERT_EQ(parts.size(), 2u);
     EXPECT_EQ(parts[0].name, "Chain A");
     EXPECT_EQ(parts[0].selection, "chain A and polymer");
     EXPECT_EQ(parts[0].residues, 12u);
-    const std::vector<std::uint32_t> sequence = sequenceOf(m, 0);
+    const std::vector<std::uint32_t> sequence = findSequence(m, 0);
     std::string letters;
-    for (const std::uint32_t r : sequence) letters += letterOf(m.residues[r]);
+    for (const std::uint32_t r : sequence) letters += residueLetter(m.residues[r]);
     EXPECT_EQ(letters, "CGCGAATTCGCG");
     EXPECT_EQ(residuesText(m, sequence[2], sequence[4]), "chain A and resi 3-5");
 }
@@ -231,7 +231,7 @@ TEST(Parts, OfAPackedSceneAreCompartmentsAndEntities) {
     cell.file.packed = "1";
     cell.file.entityNames = {{"1", "cell.membrane.spike"}, {"2", "cell.membrane.pore"}, {"3", "cell.interior.enzyme"}};
     const ResidueFacts facts(cell);
-    const std::vector<Part> parts = partsOf(facts);
+    const std::vector<Part> parts = listParts(facts);
     std::vector<std::string> names;
     for (const Part& part : parts) names.push_back(part.name);
     EXPECT_EQ(names, (std::vector<std::string>{"Compartment cell.membrane", "Compartment cell.interior",
@@ -246,7 +246,7 @@ TEST(Parts, OfAPackedSceneAreCompartmentsAndEntities) {
 
 TEST(Parts, ALookThatIsGivenIsTheOneThatIsFound) {
     const Molecule m = sampleMolecule("dna");
-    const Part part = partsOf(m)[1];
+    const Part part = listParts(m)[1];
     PictureDescription view;
     view.look.rules.push_back(parseHide("resi 1"));
     for (int i = 0; i < 8; ++i) {
@@ -254,13 +254,13 @@ TEST(Parts, ALookThatIsGivenIsTheOneThatIsFound) {
         look.seen = i & 1;
         if (i & 2) look.style = Style::licorice;
         if (i & 4) look.coloring = Coloring::uniform(0xff112233);
-        setLookOf(view, part, look);
-        const PartLook found = lookOf(view, part);
+        setPartLook(view, part, look);
+        const PartLook found = findLook(view, part);
         EXPECT_EQ(found.seen, look.seen);
         EXPECT_EQ(found.style, look.style);
         EXPECT_EQ(found.coloring, look.coloring);
         // And the scene has it: a chain of 12 residues more or less.
-        const Appearance seen = appearanceOf(m, drawnAtoms(m), view.look);
+        const Appearance seen = makeAppearance(m, drawnAtoms(m), view.look);
         EXPECT_EQ(seen.atoms.size() > m.atoms.size() / 2, look.seen) << i;
         EXPECT_EQ(parseSavedView(savedViewJson(view), "it").look, view.look);
     }

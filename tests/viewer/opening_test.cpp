@@ -27,7 +27,7 @@ struct Files {
     Viewer viewer;
     double now = 100;
 
-    explicit Files(const char* input = "") : viewer(screen, sources(), Bench::viewOf(input), staying()) {
+    explicit Files(const char* input = "") : viewer(screen, sources(), Bench::makeView(input), staying()) {
         viewer.frames().resize({640, 480}, 1, now);
         load();
     }
@@ -41,7 +41,7 @@ struct Files {
         all.read = [this](const PictureDescription& v) {
             read.push_back(v);
             const auto one = [this](const std::string& path) {
-                if (path == "protein" || path == "other") return nacre::test::chainOf(30, -57, -47);
+                if (path == "protein" || path == "other") return nacre::test::buildChain(30, -57, -47);
                 if (path.ends_with(".dx")) return Molecule();
                 if (path == "late" && std::exchange(late, false)) throw Error("cannot download", path, "no network");
                 return sampleMolecule(path.starts_with("sample:") ? path.substr(7) : "glucose");
@@ -49,7 +49,7 @@ struct Files {
             if (v.input.further.empty()) return one(v.input.path);
             std::vector<Molecule> molecules{one(v.input.path)};
             for (const FurtherInput& further : v.input.further) molecules.push_back(one(further.path));
-            return joinInputs(inputOf(v), std::move(molecules), [](const std::string&) {});
+            return joinInputs(makeInput(v), std::move(molecules), [](const std::string&) {});
         };
         return all;
     }
@@ -117,16 +117,16 @@ TEST(Opening, ALookChangesWhatIsOpen) {
 
 TEST(Opening, KindsAreToldByContent) {
     const Files f;
-    EXPECT_EQ(kindOf(f.write("a.json", R"({"input": "a.pdb", "zoom": 2})")), FileKind::view);
-    EXPECT_EQ(kindOf(f.write("b.json", R"({"data_1ABC": {"atom_site": {}}})")), FileKind::structure) << "mmJSON";
-    EXPECT_EQ(kindOf(f.write("c.json", R"({"chemicalJson": 1, "name": "x", "atoms": {}, "bonds": {}})")),
+    EXPECT_EQ(detectKind(f.write("a.json", R"({"input": "a.pdb", "zoom": 2})")), FileKind::view);
+    EXPECT_EQ(detectKind(f.write("b.json", R"({"data_1ABC": {"atom_site": {}}})")), FileKind::structure) << "mmJSON";
+    EXPECT_EQ(detectKind(f.write("c.json", R"({"chemicalJson": 1, "name": "x", "atoms": {}, "bonds": {}})")),
               FileKind::structure);
-    EXPECT_EQ(kindOf(f.write("d.view.json", "{")), FileKind::view) << "a damaged one";
-    EXPECT_EQ(kindOf(f.write("e.mvsj", "{}")), FileKind::scene);
-    EXPECT_EQ(kindOf(f.write("f", std::string("\0\0\x07\xcb\0\0\0\3", 8))), FileKind::trajectory) << "XTC";
-    EXPECT_EQ(kindOf(f.write("g", std::string("CDF\1\0\0\0\0", 8))), FileKind::trajectory);
-    EXPECT_EQ(kindOf(f.write("h.pdb", "HEADER\n")), FileKind::structure);
-    EXPECT_EQ(kindOf("pdb:4hhb"), FileKind::structure);
+    EXPECT_EQ(detectKind(f.write("d.view.json", "{")), FileKind::view) << "a damaged one";
+    EXPECT_EQ(detectKind(f.write("e.mvsj", "{}")), FileKind::scene);
+    EXPECT_EQ(detectKind(f.write("f", std::string("\0\0\x07\xcb\0\0\0\3", 8))), FileKind::trajectory) << "XTC";
+    EXPECT_EQ(detectKind(f.write("g", std::string("CDF\1\0\0\0\0", 8))), FileKind::trajectory);
+    EXPECT_EQ(detectKind(f.write("h.pdb", "HEADER\n")), FileKind::structure);
+    EXPECT_EQ(detectKind("pdb:4hhb"), FileKind::structure);
 }
 
 TEST(Opening, ATrajectoryMovesWhatIsOpen) {

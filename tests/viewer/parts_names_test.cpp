@@ -10,7 +10,7 @@ namespace nacre::app {
 namespace {
 
 /// Chains of one glycine each, by the names that a file gives them.
-Molecule chainsOf(const std::vector<std::pair<std::string, std::string>>& names) {
+Molecule makeChains(const std::vector<std::pair<std::string, std::string>>& names) {
     Molecule m;
     for (std::size_t i = 0; i < names.size(); ++i) {
         m.chains.push_back({names[i].first});
@@ -33,32 +33,32 @@ Molecule chainsOf(const std::vector<std::pair<std::string, std::string>>& names)
     return m;
 }
 
-std::vector<std::string> labelsOf(const Molecule& m) {
+std::vector<std::string> listLabels(const Molecule& m) {
     std::vector<std::string> labels;
-    for (const Part& part : partsOf(m)) labels.push_back(part.label);
+    for (const Part& part : listParts(m)) labels.push_back(part.label);
     return labels;
 }
 
 TEST(PartNames, SayWhatTellsChainsApart) {
-    EXPECT_EQ(labelsOf(chainsOf({{"A", "HEMOGLOBIN (DEOXY) (ALPHA CHAIN)"},
-                                 {"B", "HEMOGLOBIN (DEOXY) (BETA CHAIN)"},
-                                 {"C", "HEMOGLOBIN (DEOXY) (ALPHA CHAIN)"}})),
+    EXPECT_EQ(listLabels(makeChains({{"A", "HEMOGLOBIN (DEOXY) (ALPHA CHAIN)"},
+                                     {"B", "HEMOGLOBIN (DEOXY) (BETA CHAIN)"},
+                                     {"C", "HEMOGLOBIN (DEOXY) (ALPHA CHAIN)"}})),
               (std::vector<std::string>{"A  ALPHA", "B  BETA", "C  ALPHA"}));
-    EXPECT_EQ(labelsOf(chainsOf({{"A", "HIV-1 protease"}, {"B", "HIV-1 protease"}})),
+    EXPECT_EQ(listLabels(makeChains({{"A", "HIV-1 protease"}, {"B", "HIV-1 protease"}})),
               (std::vector<std::string>{"A  HIV-1 protease", "B  HIV-1 protease"}));
-    EXPECT_EQ(labelsOf(chainsOf({{"A", "Actin"}, {"B", "Actin binding protein"}})),
+    EXPECT_EQ(listLabels(makeChains({{"A", "Actin"}, {"B", "Actin binding protein"}})),
               (std::vector<std::string>{"A  Actin", "B  Actin binding protein"}))
         << "no name is left without a word";
-    EXPECT_EQ(labelsOf(chainsOf({{"A", ""}, {"B", ""}})), (std::vector<std::string>{"A", "B"}));
+    EXPECT_EQ(listLabels(makeChains({{"A", ""}, {"B", ""}})), (std::vector<std::string>{"A", "B"}));
 }
 
 TEST(PartNames, AreThoseOfEachInputsOwnFile) {
     InputOptions input;
     input.path = "one.pdb";
     input.further = {{"", "two.pdb", ""}};
-    const Molecule both = joinInputs(input, {chainsOf({{"A", "Actin"}}), chainsOf({{"A", "Myosin"}})}, {});
+    const Molecule both = joinInputs(input, {makeChains({{"A", "Actin"}}), makeChains({{"A", "Myosin"}})}, {});
     std::vector<std::string> labels;
-    for (const Part& part : partsOf(both, both.inputs)) labels.push_back(part.input + ": " + part.label);
+    for (const Part& part : listParts(both, both.inputs)) labels.push_back(part.input + ": " + part.label);
     EXPECT_EQ(labels, (std::vector<std::string>{"one: A  Actin", "two: A  Myosin"}));
 }
 

@@ -8,14 +8,14 @@ namespace nacre::app::test {
 namespace {
 
 PictureDescription zoomed(double zoom) {
-    PictureDescription view = Bench::viewOf("sample:glucose");
+    PictureDescription view = Bench::makeView("sample:glucose");
     view.camera.zoom = zoom;
     return view;
 }
 
 /// A stage on which a document stands that nobody read.
 struct Shown {
-    Stage stage{Bench::viewOf("sample:glucose"), true};
+    Stage stage{Bench::makeView("sample:glucose"), true};
     CountingScreen screen;
     Frames frames{screen, stage, {}};
 
@@ -119,7 +119,7 @@ TEST(Picking, NamesWhatThePointerRestsOn) {
 }
 
 TEST(Reading, SaysHowADocumentDiffersFromTheOneBefore) {
-    Stage stage(Bench::viewOf("sample:glucose"), true);
+    Stage stage(Bench::makeView("sample:glucose"), true);
     Reading reading(stage, sampleSources(), {});
     const auto arrive = [&] {
         reading.loader().wait();
@@ -135,7 +135,7 @@ TEST(Reading, SaysHowADocumentDiffersFromTheOneBefore) {
     reading.build();
     arrival = arrive();
     EXPECT_FALSE(arrival.another) << "the same molecule in another style";
-    reading.restore(Bench::viewOf("sample:dna"), true);
+    reading.restore(Bench::makeView("sample:dna"), true);
     EXPECT_TRUE(reading.another());
     EXPECT_TRUE(arrive().restored);
     reading.open("bad", 0);
@@ -151,7 +151,7 @@ TEST(Frames, TheMoleculeStandsInTheMiddleOfWhatIsFree) {
     s.frames.setCovered({200, 0, 0, 100}, 1);
     EXPECT_EQ(s.frames.freeSize().width, 440u);
     EXPECT_EQ(s.frames.freeSize().height, 380u);
-    const glm::dvec2 middle = s.frames.pointOf({0, 0, 0}, s.frames.settings().view);
+    const glm::dvec2 middle = s.frames.projectPoint({0, 0, 0}, s.frames.settings().view);
     EXPECT_NEAR(middle.x, (200 + 640) / 2.0 / 2, 1e-9);
     EXPECT_NEAR(middle.y, (480 - 100) / 2.0 / 2, 1e-9);
 }

@@ -165,19 +165,19 @@ TEST(Pointing, WhatAClickSelectsIsMarkedInTheFrame) {
     const Residue& residue = m.residues[m.atoms[41].residue];
     EXPECT_EQ(s.viewer.frames().marks().firstHovered, residue.firstAtom);
     EXPECT_EQ(s.viewer.frames().marks().hovered, residue.atomCount) << "what a click would take";
-    const auto alphaOf = [&] {
+    const auto shownAlpha = [&] {
         const auto& spans = s.viewer.frames().shownMarks().spans;
         return spans.empty() ? 0 : int{spans.front().alpha};
     };
-    const int hovered = alphaOf();
+    const int hovered = shownAlpha();
     EXPECT_GT(hovered, 0);
     s.click();
     s.rest(1);
-    EXPECT_GT(alphaOf(), hovered) << "more strongly";
+    EXPECT_GT(shownAlpha(), hovered) << "more strongly";
     s.see(0);
     s.click();
     s.rest(1);
-    EXPECT_EQ(alphaOf(), 0) << "and no more";
+    EXPECT_EQ(shownAlpha(), 0) << "and no more";
     EXPECT_EQ(s.screen.scenes, scenes) << "marks upload nothing";
 }
 

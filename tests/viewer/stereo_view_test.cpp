@@ -57,11 +57,11 @@ TEST(StereoView, BothEyesLookInParallelAtOneScreen) {
     EXPECT_EQ(left.rotation, right.rotation);
     EXPECT_NEAR(left.shift.x - right.shift.x, left.eyeDistance / 30, 1e-9);
     // The picture's centre is at the screen: at one place of both parts.
-    const auto columnOf = [](const View& v, const glm::dvec3& p) {
+    const auto projectColumn = [](const View& v, const glm::dvec3& p) {
         const glm::dvec3 at = v.seen(p);
         return at.x * v.eyeDistance / (v.eyeDistance - at.z) + v.pan.x;
     };
-    EXPECT_NEAR(columnOf(left, {}), columnOf(right, {}), 1e-9);
+    EXPECT_NEAR(projectColumn(left, {}), projectColumn(right, {}), 1e-9);
     ASSERT_TRUE(left.other);
     EXPECT_NEAR(left.shift.x + left.other->shift, right.shift.x, 1e-12);
     EXPECT_NEAR(left.pan.x + left.other->pan, right.pan.x, 1e-12);

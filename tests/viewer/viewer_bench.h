@@ -78,11 +78,11 @@ struct Bench {
     Viewer viewer;
     double now = 100;
 
-    explicit Bench(const char* input = "sample:glucose") : viewer(screen, sampleSources(), viewOf(input), {}) {
+    explicit Bench(const char* input = "sample:glucose") : viewer(screen, sampleSources(), makeView(input), {}) {
         viewer.frames().resize({640, 480}, 1, now);
         load();
     }
-    static PictureDescription viewOf(const char* input) {
+    static PictureDescription makeView(const char* input) {
         PictureDescription v;
         v.input.path = input;
         return v;

@@ -152,7 +152,7 @@ TEST(Viewer, BakesWithinTheMemoryAndIntoTheCacheThatItWasGiven) {
     ViewerOptions options;
     options.occlusionBytes = 3 << 20;
     options.occlusionCache = "kept here";
-    const Viewer viewer(screen, sampleSources(), Bench::viewOf("sample:glucose"), options);
+    const Viewer viewer(screen, sampleSources(), Bench::makeView("sample:glucose"), options);
     EXPECT_EQ(viewer.frames().settings().occlusion.bytes, 3u << 20);
     EXPECT_EQ(viewer.frames().settings().occlusion.cache, "kept here");
 }

@@ -104,7 +104,7 @@ TEST(Viewer, MapsFollowWhatTheCameraLooksAt) {
             std::make_shared<const DensityMap>(mapOfValues("flat", glm::ivec3(10), {glm::dvec3(10), glm::dvec3(90)}, {},
                                                            false, std::vector<float>(1000, 1))));
     CountingScreen screen;
-    Viewer viewer(screen, sampleSources(), Bench::viewOf("sample:dna"), {});
+    Viewer viewer(screen, sampleSources(), Bench::makeView("sample:dna"), {});
     double now = 100;
     const auto rest = [&] {
         for (int i = 0; i < 20; ++i) {

@@ -24,7 +24,7 @@ TEST(Viewer, AQuestionIsAnsweredBeforeAnythingIsRead) {
                 throw Question("May it?", "Do it", [&] { allowed = true; });
             return sampleMolecule(v.input.path.substr(7));
         };
-        Viewer viewer(screen, asking, Bench::viewOf("sample:glucose"), {});
+        Viewer viewer(screen, asking, Bench::makeView("sample:glucose"), {});
         viewer.frames().resize({640, 480}, 1, 100);
         viewer.reading().loader().wait();
         viewer.update(101);
@@ -346,7 +346,7 @@ TEST(Viewer, WordsOfWhatIsHiddenWaitUntilItIsDrawnAgain) {
 
 TEST(Viewer, ViewShadingAndWordsBuildNoSceneAndNoBake) {
     CountingScreen screen;
-    Viewer viewer(screen, sampleSources(), Bench::viewOf("sample:dna"), {});
+    Viewer viewer(screen, sampleSources(), Bench::makeView("sample:dna"), {});
     viewer.frames().resize({640, 480}, 1, 100);
     double now = 100;
     const auto rest = [&] {

@@ -45,7 +45,7 @@ inline std::string mmtfGroup(const Molecule& molecule, const Residue& residue) {
 }
 
 /// @param molecule  one model, its residues in the order of its chains
-inline std::string mmtfOf(const Molecule& molecule) {
+inline std::string writeMmtf(const Molecule& molecule) {
     std::vector<std::string> groups, groupsOfChain;
     std::vector<std::int64_t> types, numbers, linked;
     std::string chainNames, linkOrders;

@@ -24,10 +24,10 @@ std::string line(const char* format, Values... values) {
     return text;
 }
 
-std::string symbolOf(const Atom& atom) { return std::string(elementSymbol(atom.element)); }
+std::string atomSymbol(const Atom& atom) { return std::string(elementSymbol(atom.element)); }
 
 /// ATOM and HETATM, and CONECT where residues are not a template's.
-std::string pdbOf(const Molecule& molecule) {
+std::string writePdb(const Molecule& molecule) {
     std::string text;
     for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
         const Atom& atom = molecule.atoms[i];
@@ -37,35 +37,36 @@ std::string pdbOf(const Molecule& molecule) {
         text += line("%-6s%5d %-4s %3s %c%4d    %8.3f%8.3f%8.3f%6.2f%6.2f          %2s\n",
                      atom.hetero ? "HETATM" : "ATOM", static_cast<int>(i + 1), padded.c_str(),
                      std::string(residue.name.view()).c_str(), molecule.chains[residue.chain].name[0], residue.number,
-                     atom.position.x, atom.position.y, atom.position.z, 1.0, 0.0, symbolOf(atom).c_str());
+                     atom.position.x, atom.position.y, atom.position.z, 1.0, 0.0, atomSymbol(atom).c_str());
     }
     for (const Bond& bond : molecule.bonds)
         if (bond.source == BondSource::file) text += line("CONECT%5u%5u\n", bond.a + 1, bond.b + 1);
     return text + "END\n";
 }
 
-std::string sdfOf(const Molecule& molecule) {
+std::string writeSdf(const Molecule& molecule) {
     std::string text =
         molecule.file.title + "\n\n\n" +
         line("%3zu%3zu  0  0  0  0  0  0  0  0999 V2000\n", molecule.atoms.size(), molecule.bonds.size());
     for (const Atom& atom : molecule.atoms)
         text += line("%10.4f%10.4f%10.4f %-3s 0  0  0  0  0  0\n", atom.position.x, atom.position.y, atom.position.z,
-                     symbolOf(atom).c_str());
+                     atomSymbol(atom).c_str());
     for (const Bond& bond : molecule.bonds) text += line("%3u%3u%3d  0\n", bond.a + 1, bond.b + 1, bond.order);
     return text + "M  END\n$$$$\n";
 }
 
-std::string xyzOf(const Molecule& molecule) {
+std::string writeXyz(const Molecule& molecule) {
     std::string text = line("%zu\n", molecule.atoms.size()) + molecule.file.title + "\n";
     for (const Atom& atom : molecule.atoms)
-        text += line("%s %.6f %.6f %.6f\n", symbolOf(atom).c_str(), atom.position.x, atom.position.y, atom.position.z);
+        text +=
+            line("%s %.6f %.6f %.6f\n", atomSymbol(atom).c_str(), atom.position.x, atom.position.y, atom.position.z);
     return text;
 }
 
 /// In the middle of a cell, for the format that writes coordinates as fractions of one.
-std::string pdbInCellOf(Molecule molecule) {
+std::string writePdbInCell(Molecule molecule) {
     for (Atom& atom : molecule.atoms) atom.position += kMiddleOfCell;
-    return "CRYST1  100.000  100.000  100.000  90.00  90.00  90.00 P 1           1\n" + pdbOf(molecule);
+    return "CRYST1  100.000  100.000  100.000  90.00  90.00  90.00 P 1           1\n" + writePdb(molecule);
 }
 
 void write(const std::string& path, const std::string& bytes) {
@@ -80,12 +81,12 @@ void writeAll(const std::string& folder) {
         for (const Chain& chain : molecule.chains) molecule.subchains.push_back(chain.name);
         for (Residue& residue : molecule.residues) residue.subchain = residue.chain;
         const std::string path = folder + "/" + name;
-        write(path + ".pdb", pdbOf(molecule));
-        write(path + "_core.pdb", pdbInCellOf(molecule));
-        write(path + ".sdf", sdfOf(molecule));
-        write(path + ".xyz", xyzOf(molecule));
+        write(path + ".pdb", writePdb(molecule));
+        write(path + "_core.pdb", writePdbInCell(molecule));
+        write(path + ".sdf", writeSdf(molecule));
+        write(path + ".xyz", writeXyz(molecule));
         write(path + ".bcif", writeBcif(molecule));
-        write(path + ".mmtf", mmtfOf(molecule));
+        write(path + ".mmtf", writeMmtf(molecule));
     }
 }
 

@@ -36,14 +36,14 @@ Placement molecule() {
 }
 
 /// The pixel of a point of the room: its tangents, between those of the picture's edges.
-glm::dvec2 pixelOf(const EyePose& eye, const glm::dvec3& point) {
+glm::dvec2 toPixel(const EyePose& eye, const glm::dvec3& point) {
     const glm::dvec3 e = glm::inverse(eye.orientation) * (point - eye.position);
     const glm::dvec2 t(e.x / -e.z, e.y / -e.z);
     return {(t.x - eye.left) / (eye.right - eye.left) * kWidth, (eye.up - t.y) / (eye.up - eye.down) * kHeight};
 }
 
 /// As camera.h says.
-glm::dvec2 pixelOf(const View& view, const glm::dvec3& atom) {
+glm::dvec2 toPixel(const View& view, const glm::dvec3& atom) {
     const glm::dvec3 v = view.rotation * atom + view.shift;
     const glm::dvec2 plane = glm::dvec2(v) * (view.eyeDistance / (view.eyeDistance - v.z));
     return {(plane.x + view.pan.x) * view.pixelsPerAngstrom + view.width / 2.0,
@@ -55,18 +55,18 @@ TEST(HeadsetEyes, AtomsAreWhereOpenXrProjectsThem) {
     for (const bool canted : {false, true}) {
         auto eyes = lookingAhead();
         if (canted) eyes[1].orientation = eyes[1].orientation * glm::angleAxis(-0.1, glm::dvec3(0, 1, 0));
-        const EyeViews seen = viewsOf(p, eyes, kWidth, kHeight);
+        const EyeViews seen = makeViews(p, eyes, kWidth, kHeight);
         for (const glm::dvec3 atom : {glm::dvec3(0), glm::dvec3(10, -4, 3), glm::dvec3(-3, 14, -9)})
             for (std::size_t i = 0; i < 2; ++i) {
                 const glm::dvec3 there = p.center + p.metresPerAngstrom * (p.rotation * atom);
-                EXPECT_LT(glm::distance(pixelOf(seen.views[i], atom), pixelOf(seen.eyes[i], there)), 1e-6);
+                EXPECT_LT(glm::distance(toPixel(seen.views[i], atom), toPixel(seen.eyes[i], there)), 1e-6);
             }
     }
 }
 
 TEST(HeadsetEyes, PixelsAreSquaresAndShowAllThatTheEyeSees) {
     const auto eyes = lookingAhead();
-    const EyeViews seen = viewsOf(molecule(), eyes, kWidth, kHeight);
+    const EyeViews seen = makeViews(molecule(), eyes, kWidth, kHeight);
     for (std::size_t i = 0; i < 2; ++i) {
         const EyePose& wide = seen.eyes[i];
         EXPECT_NEAR((wide.right - wide.left) / kWidth, (wide.up - wide.down) / kHeight, 1e-12);
@@ -80,7 +80,7 @@ TEST(HeadsetEyes, PixelsAreSquaresAndShowAllThatTheEyeSees) {
 TEST(HeadsetEyes, ParallelEyesDifferByShiftAndPanAlone) {
     auto eyes = lookingAhead();
     eyes[1].position += glm::dvec3(1e-8, -2e-8, 1e-8);  // as floats round
-    const EyeViews seen = viewsOf(molecule(), eyes, kWidth, kHeight);
+    const EyeViews seen = makeViews(molecule(), eyes, kWidth, kHeight);
     View right = otherView(paired(seen.views[0], seen.views[1]));
     EXPECT_EQ(right.rotation, seen.views[1].rotation);
     EXPECT_EQ(right.eyeDistance, seen.views[1].eyeDistance);
@@ -109,10 +109,10 @@ TEST(HeadsetEyes, AMoleculeBehindTheHeadStaysAndDoesNotShow) {
     const glm::dvec3 before = p.center;
     const Placement shown = keepInFront(p, eyes);
     EXPECT_EQ(p.center, before);
-    const EyeViews seen = viewsOf(shown, eyes, kWidth, kHeight);
+    const EyeViews seen = makeViews(shown, eyes, kWidth, kHeight);
     for (const View& view : seen.views) {
         EXPECT_GT(view.eyeDistance, view.radius);
-        EXPECT_GT(pixelOf(view, {0, 0, 0}).x - view.radius * view.pixelsPerAngstrom, kWidth);
+        EXPECT_GT(toPixel(view, {0, 0, 0}).x - view.radius * view.pixelsPerAngstrom, kWidth);
     }
 }
 

@@ -86,7 +86,7 @@ protected:
         Renderer renderer(first.device);
         renderer.setScene(session.viewer().document()->drawing.joinedScene());
         std::array<std::vector<std::uint8_t>, 2> bytes;
-        const EyeViews views = viewsOf(placement, poses, runtime().width, runtime().height);
+        const EyeViews views = makeViews(placement, poses, runtime().width, runtime().height);
         for (std::size_t i = 0; i < 2; ++i) {
             settings.view = views.views[i];
             const Picture picture = renderer.render(settings);
@@ -115,7 +115,7 @@ protected:
 using Layers = std::array<std::vector<std::uint8_t>, 2>;
 
 /// By how much channels of pixels differ at most; 256: in size.
-int mostOf(const Layers& a, const Layers& b) {
+int largestDifference(const Layers& a, const Layers& b) {
     int most = 0;
     for (std::size_t eye = 0; eye < 2; ++eye) {
         if (a[eye].size() != b[eye].size()) return 256;
@@ -129,7 +129,7 @@ int rounding(const HeadsetSession& session) {
     return session.renderer()->stats().device.name.starts_with("llvmpipe") ? 1 : 0;
 }
 
-std::string failureOf(const std::function<void()>& call) {
+std::string catchError(const std::function<void()>& call) {
     try {
         call();
     } catch (const Error& error) {
@@ -148,7 +148,8 @@ TEST_F(HeadsetTest, BothLayersAreThePicturesOfTheirCameras) {
         show(session);
         const ShownFrame& shown = runtime().frames.back();
         ASSERT_TRUE(shown.layered);
-        EXPECT_LE(mostOf(shown.pixels, pictures(session, eyes, first)), rounding(session)) << visibilityName(path);
+        EXPECT_LE(largestDifference(shown.pixels, pictures(session, eyes, first)), rounding(session))
+            << visibilityName(path);
     }
 }
 
@@ -181,7 +182,7 @@ TEST_F(Foveation, OneMapForBothEyesAndThePicturesOfTheirCameras) {
         std::filesystem::remove(told);
         HeadsetSession session(first);
         show(session);
-        EXPECT_LE(mostOf(runtime().frames.back().pixels, pictures(session, runtime().eyes(0), first)), 1);
+        EXPECT_LE(largestDifference(runtime().frames.back().pixels, pictures(session, runtime().eyes(0), first)), 1);
         EXPECT_EQ(maps(), Lines{"map 3x3, 2 layers from 0, 2 views"}) << visibilityName(path);
     }
 }
@@ -190,7 +191,7 @@ TEST_F(Foveation, EachCantedEyeHasItsLayer) {
     runtime().eyes = [](XrTime) { return eyesAt({0, 0, 0}, 0.1f); };
     HeadsetSession session(first);
     show(session);
-    EXPECT_LE(mostOf(runtime().frames.back().pixels, pictures(session, runtime().eyes(0), first)), 1);
+    EXPECT_LE(largestDifference(runtime().frames.back().pixels, pictures(session, runtime().eyes(0), first)), 1);
     EXPECT_EQ(maps(), (Lines{"map 3x3, 1 layers from 0, 0 views", "map 3x3, 1 layers from 1, 0 views"}));
 }
 
@@ -207,7 +208,7 @@ TEST_F(Foveation, EyesWithOtherAnglesGetAnotherMap) {
         wider += 0.05f;
         show(session);
     }
-    EXPECT_LE(mostOf(runtime().frames.back().pixels, pictures(session, runtime().eyes(0), first)), 1);
+    EXPECT_LE(largestDifference(runtime().frames.back().pixels, pictures(session, runtime().eyes(0), first)), 1);
 }
 
 TEST_F(Foveation, CanBeSwitchedOff) {
@@ -226,7 +227,7 @@ TEST_F(HeadsetTest, OcclusionIsBakedBesideTheFrames) {
     show(session);
     const auto baked = pictures(session, runtime().eyes(0), first);
     // A bake in slices rounds elsewhere.
-    EXPECT_LE(mostOf(runtime().frames.back().pixels, baked), 1);
+    EXPECT_LE(largestDifference(runtime().frames.back().pixels, baked), 1);
 }
 
 TEST_F(HeadsetTest, CantedEyesHaveAFrameEachAndTheSamePictures) {
@@ -235,7 +236,7 @@ TEST_F(HeadsetTest, CantedEyesHaveAFrameEachAndTheSamePictures) {
     runtime().format = VK_FORMAT_B8G8R8A8_SRGB;
     HeadsetSession session(first);
     show(session);
-    EXPECT_LE(mostOf(runtime().frames.back().pixels, pictures(session, eyes, first)), rounding(session));
+    EXPECT_LE(largestDifference(runtime().frames.back().pixels, pictures(session, eyes, first)), rounding(session));
 }
 
 TEST_F(HeadsetTest, TheMoleculeIsWhereBothEyesMeet) {
@@ -292,7 +293,8 @@ TEST_F(HeadsetTest, OneHandTurnsAndScales) {
     EXPECT_NEAR(std::abs(glm::dot(after.orientation, turned)), 1, 1e-6);
     EXPECT_NEAR(after.zoom / before.zoom, std::sqrt(2.0), 1e-4);
     session.step();
-    EXPECT_GT(mostOf(runtime().frames.back().pixels, runtime().frames[runtime().frames.size() - 4].pixels), 0);
+    EXPECT_GT(largestDifference(runtime().frames.back().pixels, runtime().frames[runtime().frames.size() - 4].pixels),
+              0);
 }
 
 TEST_F(HeadsetTest, AHeadThatIsNotTrackedSeesNothingUntilItIs) {
@@ -329,30 +331,30 @@ TEST_F(HeadsetTest, AnotherSessionFollowsALostOne) {
     runtime().loseSession();
     session.step();
     show(session, 4);
-    EXPECT_EQ(mostOf(runtime().frames.back().pixels, before), 0);
+    EXPECT_EQ(largestDifference(runtime().frames.back().pixels, before), 0);
 }
 
 TEST_F(HeadsetTest, SessionsThatAreAlwaysLostEndIt) {
     sessions = HeadsetSession::kMostLosses + 1;
     runtime().before = [](int) { runtime().loseSession(); };
     const auto run = [&] { HeadsetSession(first).loop(); };
-    EXPECT_EQ(failureOf(run), "cannot show in a headset: OpenXR: the session was lost 4 times");
+    EXPECT_EQ(catchError(run), "cannot show in a headset: OpenXR: the session was lost 4 times");
 }
 
 TEST_F(HeadsetTest, WhatIsMissingIsSaidInALine) {
     sessions = 0;
     const auto open = [&] { HeadsetSession session(first); };
     setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
-    EXPECT_EQ(failureOf(open),
+    EXPECT_EQ(catchError(open),
               "cannot show in a headset: OpenXR: no runtime is active: start the headset's software, such as Monado, "
               "SteamVR or WiVRn");
     setenv("XR_RUNTIME_JSON", NACRE_XR_RUNTIME, 1);
     runtime().connected = false;
-    EXPECT_EQ(failureOf(open),
+    EXPECT_EQ(catchError(open),
               "cannot show in a headset: OpenXR: the runtime finds no headset: is it connected and switched on?");
     runtime().vulkan = false;
     EXPECT_EQ(
-        failureOf(open),
+        catchError(open),
         "cannot show in a headset: OpenXR: the runtime cannot show what Vulkan draws: it has no XR_KHR_vulkan_enable2");
 }
 

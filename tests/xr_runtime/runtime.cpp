@@ -23,7 +23,7 @@ Structure typed(VkStructureType type) {
 }
 
 template <typename Handle>
-Handle handleOf(std::uintptr_t number) {
+Handle toHandle(std::uintptr_t number) {
     return reinterpret_cast<Handle>(number);
 }
 
@@ -71,7 +71,7 @@ XrResult fault(const char* what, XrResult result = XR_ERROR_CALL_ORDER_INVALID) 
 
 /// Results of every call of a session.
 std::optional<XrResult> refused(XrSession session) {
-    if (!s().session || session != handleOf<XrSession>(s().session))
+    if (!s().session || session != toHandle<XrSession>(s().session))
         return fault("no such session", XR_ERROR_HANDLE_INVALID);
     if (s().lost) return XR_ERROR_SESSION_LOST;
     return {};
@@ -195,7 +195,7 @@ XrResult XRAPI_CALL enumerateExtensions(const char*, std::uint32_t capacity, std
 XrResult XRAPI_CALL createInstance(const XrInstanceCreateInfo*, XrInstance* instance) {
     s() = {};
     s().instance = true;
-    *instance = handleOf<XrInstance>(1);
+    *instance = toHandle<XrInstance>(1);
     return XR_SUCCESS;
 }
 
@@ -279,7 +279,7 @@ XrResult XRAPI_CALL createSession(XrInstance, const XrSessionCreateInfo* info, X
     vkGetDeviceQueue(s().device, s().family, binding->queueIndex, &s().queue);
     s().session = 100 + static_cast<std::uintptr_t>(++runtime().sessions);
     s().lost = s().running = s().stopping = s().attached = s().begun = s().taken = false;
-    *session = handleOf<XrSession>(s().session);
+    *session = toHandle<XrSession>(s().session);
     runtime().announce(XR_SESSION_STATE_IDLE);
     runtime().announce(XR_SESSION_STATE_READY);
     return XR_SUCCESS;
@@ -328,7 +328,7 @@ XrResult XRAPI_CALL requestExit(XrSession session) {
 
 XrResult addSpace(int kind, XrPath hand, XrSpace* space) {
     s().spaces.emplace_back(kind, hand);
-    *space = handleOf<XrSpace>(s().spaces.size() - 1);
+    *space = toHandle<XrSpace>(s().spaces.size() - 1);
     return XR_SUCCESS;
 }
 
@@ -343,14 +343,14 @@ XrResult XRAPI_CALL createActionSpace(XrSession session, const XrActionSpaceCrea
     return addSpace(2, info->subactionPath, space);
 }
 
-std::size_t handOf(XrPath path) { return s().paths.at(path) == "/user/hand/right" ? 1 : 0; }
+std::size_t findHand(XrPath path) { return s().paths.at(path) == "/user/hand/right" ? 1 : 0; }
 
 XrResult XRAPI_CALL locateSpace(XrSpace space, XrSpace, XrTime time, XrSpaceLocation* location) {
     if (s().lost) return XR_ERROR_SESSION_LOST;
     const auto& [kind, path] = s().spaces.at(reinterpret_cast<std::uintptr_t>(space));
     location->locationFlags = 0;
     if (kind != 2 || !runtime().hands) return XR_SUCCESS;
-    const Hand hand = runtime().hands(time)[handOf(path)];
+    const Hand hand = runtime().hands(time)[findHand(path)];
     if (!hand.tracked) return XR_SUCCESS;
     location->locationFlags = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
     location->pose = hand.pose;
@@ -365,7 +365,7 @@ XrResult XRAPI_CALL stringToPath(XrInstance, const char* text, XrPath* path) {
 }
 
 XrResult XRAPI_CALL createActionSet(XrInstance, const XrActionSetCreateInfo*, XrActionSet* set) {
-    *set = handleOf<XrActionSet>(7);
+    *set = toHandle<XrActionSet>(7);
     return XR_SUCCESS;
 }
 
@@ -373,7 +373,7 @@ XrResult XRAPI_CALL createAction(XrActionSet, const XrActionCreateInfo* info, Xr
     if (s().attached)
         return fault("an action is made after its set was attached", XR_ERROR_ACTIONSETS_ALREADY_ATTACHED);
     s().actions.emplace_back(info->actionName);
-    *action = handleOf<XrAction>(s().actions.size() - 1);
+    *action = toHandle<XrAction>(s().actions.size() - 1);
     return XR_SUCCESS;
 }
 
@@ -411,7 +411,7 @@ XrResult XRAPI_CALL getBoolean(XrSession session, const XrActionStateGetInfo* in
     if (const auto no = refused(session)) return *no;
     const std::string& action = s().actions.at(reinterpret_cast<std::uintptr_t>(info->action));
     const std::string& input = s().bound[{action, info->subactionPath}];
-    const std::size_t i = handOf(info->subactionPath);
+    const std::size_t i = findHand(info->subactionPath);
     const auto value = [&](const Hand& hand) { return input == "/input/select/click" ? hand.select : hand.menu; };
     state->isActive = s().hands[i].tracked ? XR_TRUE : XR_FALSE;
     state->currentState = value(s().hands[i]) ? XR_TRUE : XR_FALSE;
@@ -435,7 +435,7 @@ XrResult XRAPI_CALL createSwapchain(XrSession session, const XrSwapchainCreateIn
     if (const auto no = refused(session)) return *no;
     if (info->format != runtime().format || info->arraySize != 2) return XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED;
     for (std::uint32_t i = 0; i < kImages; ++i) s().images.push_back(makeImage(*info));
-    *swapchain = handleOf<XrSwapchain>(9);
+    *swapchain = toHandle<XrSwapchain>(9);
     return XR_SUCCESS;
 }
 
@@ -599,7 +599,7 @@ Runtime& runtime() {
 void Runtime::announce(XrSessionState state) {
     XrEventDataSessionStateChanged event{};
     event.type = XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED;
-    event.session = handleOf<XrSession>(s().session);
+    event.session = toHandle<XrSession>(s().session);
     event.state = s().state = state;
     event.time = s().time;
     s().events.push_back(event);

@@ -24,15 +24,15 @@ NS_ASSUME_NONNULL_BEGIN
 namespace nacre::app {
 
 /// Empty for nil.
-std::string textOf(NSString* _Nullable string);
-NSString* stringOf(const std::string& text);
+std::string toString(NSString* _Nullable string);
+NSString* toNSString(const std::string& text);
 
 /// Returns a file's bytes. Waits until they are downloaded and nobody writes them. Looks for a missing file by name
 /// among the app's own documents. @throws Error
 std::string readDocument(const std::string& path);
 
 /// A folder of the app, created if missing; nil on failure.
-NSURL* _Nullable folderOf(NSSearchPathDirectory kind);
+NSURL* _Nullable findFolder(NSSearchPathDirectory kind);
 
 }  // namespace nacre::app
 

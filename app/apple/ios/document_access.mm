@@ -36,17 +36,17 @@
 
 namespace nacre::app {
 
-std::string textOf(NSString* _Nullable string) {
+std::string toString(NSString* _Nullable string) {
     const char* text = string.UTF8String;
     return text ? text : "";
 }
 
-NSString* stringOf(const std::string& text) {
+NSString* toNSString(const std::string& text) {
     NSString* string = [NSString stringWithUTF8String:text.c_str()];
     return string ? string : @"";  // nil if it is not UTF-8
 }
 
-NSURL* _Nullable folderOf(NSSearchPathDirectory kind) {
+NSURL* _Nullable findFolder(NSSearchPathDirectory kind) {
     return [NSFileManager.defaultManager URLForDirectory:kind
                                                 inDomain:NSUserDomainMask
                                        appropriateForURL:nil
@@ -56,9 +56,9 @@ NSURL* _Nullable folderOf(NSSearchPathDirectory kind) {
 
 /// The file itself, or the one of that name among the app's own documents.
 static NSURL* present(const std::string& path) {
-    NSURL* url = [NSURL fileURLWithPath:stringOf(path)];
+    NSURL* url = [NSURL fileURLWithPath:toNSString(path)];
     NSString* name = url.lastPathComponent;
-    NSURL* own = name ? [folderOf(NSDocumentDirectory) URLByAppendingPathComponent:name] : nil;
+    NSURL* own = name ? [findFolder(NSDocumentDirectory) URLByAppendingPathComponent:name] : nil;
     const auto exists = [](NSURL* _Nullable file) {
         NSString* at = file.path;
         return at && [NSFileManager.defaultManager fileExistsAtPath:at];
@@ -83,8 +83,8 @@ std::string readDocument(const std::string& path) {
                                    failure = error;
                                  }];
     if (!data)
-        throw Error("cannot read molecule", textOf(url.lastPathComponent),
-                    textOf((refusal ? refusal : failure).localizedDescription));
+        throw Error("cannot read molecule", toString(url.lastPathComponent),
+                    toString((refusal ? refusal : failure).localizedDescription));
     return std::string(static_cast<const char*>(data.bytes), data.length);
 }
 

@@ -16,7 +16,7 @@ constexpr std::int64_t kGlance = 100'000'000;  // nanoseconds between checks for
 }  // namespace
 
 void fetchBySystem(const std::string& url, const HttpTake& take) {
-    NSURL* address = [NSURL URLWithString:stringOf(url)];
+    NSURL* address = [NSURL URLWithString:toNSString(url)];
     if (!address) throw HttpFailure("invalid address", false);
     __block NSData* bytes = nil;
     __block NSInteger status = 0;

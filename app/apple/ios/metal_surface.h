@@ -9,7 +9,7 @@ NS_ASSUME_NONNULL_BEGIN
 namespace nacre::app {
 
 /// Makes Vulkan draw into a layer, by VK_EXT_metal_surface. The layer outlives the surface.
-SurfaceSource surfaceOf(CAMetalLayer* layer);
+SurfaceSource makeSurface(CAMetalLayer* layer);
 
 }  // namespace nacre::app
 

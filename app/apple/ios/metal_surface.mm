@@ -7,7 +7,7 @@
 
 namespace nacre::app {
 
-SurfaceSource surfaceOf(CAMetalLayer* layer) {
+SurfaceSource makeSurface(CAMetalLayer* layer) {
     SurfaceSource source;
     source.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_EXT_METAL_SURFACE_EXTENSION_NAME};
     source.create = [layer](VkInstance instance) {

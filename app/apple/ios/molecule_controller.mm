@@ -26,7 +26,7 @@ constexpr double kHot = 0.94;
 constexpr double kBackgroundPatience = 2;  // seconds; the system ends apps that take more than 5
 
 /// For ResolutionControl::setHeat(): the system slows down from "serious" on.
-double heatOf(NSProcessInfoThermalState state) {
+double toHeat(NSProcessInfoThermalState state) {
     switch (state) {
         case NSProcessInfoThermalStateNominal:
             return 0;
@@ -57,9 +57,9 @@ double heatOf(NSProcessInfoThermalState state) {
     if ((self = [super initWithNibName:nil bundle:nil])) {
         NSString* json = state[kView];
         NSData* bookmark = state[kBookmark];
-        if (json) _first = viewOfState(textOf(json)).value_or(PictureDescription());
+        if (json) _first = viewOfState(toString(json)).value_or(PictureDescription());
         if (bookmark) _document = [DocumentAccess accessWithBookmark:bookmark];
-        if (_document) _first.input.path = textOf(_document.url.path);  // it may have moved
+        if (_document) _first.input.path = toString(_document.url.path);  // it may have moved
         if (_first.input.path.empty()) _first.input.path = "sample:dna";
     }
     return self;
@@ -118,28 +118,28 @@ double heatOf(NSProcessInfoThermalState state) {
     __weak MoleculeController* weakSelf = self;
     PhoneHost host;
     host.clock = CACurrentMediaTime;
-    host.surface = surfaceOf(_molecule.metalLayer);
+    host.surface = makeSurface(_molecule.metalLayer);
     host.readFile = readDocument;
     host.wake = [clock = _clock] {
         dispatch_async(dispatch_get_main_queue(), ^{
           [clock wake];
         });
     };
-    host.cache = textOf(folderOf(NSCachesDirectory).path);
+    host.cache = toString(findFolder(NSCachesDirectory).path);
     host.pickDocument = [weakSelf] { [weakSelf pickDocument]; };
     host.sharePicture = [weakSelf](const PictureBytes& picture, const std::string& name) {
-        [weakSelf share:pngOf(picture) name:name];
+        [weakSelf share:encodePng(picture) name:name];
     };
     host.shareText = [weakSelf](const std::string& text, const std::string& name) {
-        [weakSelf share:[stringOf(text) dataUsingEncoding:NSUTF8StringEncoding] name:name];
+        [weakSelf share:[toNSString(text) dataUsingEncoding:NSUTF8StringEncoding] name:name];
     };
     host.askText = [weakSelf](const std::string& name, const std::string& text) {
-        [weakSelf askFor:stringOf(name) text:stringOf(text)];
+        [weakSelf askFor:toNSString(name) text:toNSString(text)];
     };
-    host.copyText = [](const std::string& text) { UIPasteboard.generalPasteboard.string = stringOf(text); };
+    host.copyText = [](const std::string& text) { UIPasteboard.generalPasteboard.string = toNSString(text); };
     host.system =
-        textOf([NSString stringWithFormat:@"%@ %@, %@", UIDevice.currentDevice.systemName,
-                                          UIDevice.currentDevice.systemVersion, UIDevice.currentDevice.model]);
+        toString([NSString stringWithFormat:@"%@ %@, %@", UIDevice.currentDevice.systemName,
+                                            UIDevice.currentDevice.systemVersion, UIDevice.currentDevice.model]);
     host.downloads = true;
     host.shakes = true;
     host.dark = self.traitCollection.userInterfaceStyle == UIUserInterfaceStyleDark;
@@ -154,7 +154,7 @@ double heatOf(NSProcessInfoThermalState state) {
         what();
         return YES;
     } catch (const std::exception& error) {
-        tell(@"Nacre", stringOf(error.what()), self);
+        tell(@"Nacre", toNSString(error.what()), self);
         return NO;
     }
 }
@@ -162,7 +162,7 @@ double heatOf(NSProcessInfoThermalState state) {
 - (double)step:(double)interval {
     __block double next = std::numeric_limits<double>::infinity();
     _session->viewer().schedule().setDisplayInterval(interval);
-    const double heat = heatOf(NSProcessInfo.processInfo.thermalState);
+    const double heat = toHeat(NSProcessInfo.processInfo.thermalState);
     _session->viewer().schedule().setHeat(heat);
     if (_clock.hot != (heat > kHot)) _clock.hot = heat > kHot;
     const BOOL drawn = [self attempt:^{
@@ -173,7 +173,7 @@ double heatOf(NSProcessInfoThermalState state) {
         return next;
     }
     [_molecule say:_session->spoken()];
-    self.view.window.windowScene.title = stringOf(_session->viewer().title());
+    self.view.window.windowScene.title = toNSString(_session->viewer().title());
     return next;
 }
 
@@ -189,7 +189,7 @@ double heatOf(NSProcessInfoThermalState state) {
     ask(name, text, self, ^(NSString* typed) {
       MoleculeController* controller = weakSelf;
       if (!controller) return;
-      controller->_session->typed(textOf(name), textOf(typed));
+      controller->_session->typed(toString(name), toString(typed));
       [controller->_clock wake];
     });
 }
@@ -200,7 +200,7 @@ double heatOf(NSProcessInfoThermalState state) {
 }
 
 - (void)share:(NSData*)data name:(const std::string&)name {
-    if (data) share(data, stringOf(name), self, _molecule);
+    if (data) share(data, toNSString(name), self, _molecule);
 }
 
 // --- documents
@@ -220,7 +220,7 @@ double heatOf(NSProcessInfoThermalState state) {
 - (void)openDocument:(NSURL*)url {
     [self loadViewIfNeeded];
     _document = [[DocumentAccess alloc] initWithURL:url];
-    const std::string path = textOf(url.path);
+    const std::string path = toString(url.path);
     if ([url.lastPathComponent.lowercaseString hasSuffix:@".view.json"]) return [self openView:path];
     _session->open(path);
     [_clock wake];
@@ -238,7 +238,7 @@ double heatOf(NSProcessInfoThermalState state) {
 - (NSDictionary*)state {
     [self loadViewIfNeeded];
     NSMutableDictionary* state = [NSMutableDictionary dictionary];
-    state[kView] = stringOf(_session->state());
+    state[kView] = toNSString(_session->state());
     state[kBookmark] = _document.bookmark;
     return state;
 }

@@ -17,28 +17,28 @@ namespace {
 constexpr std::int64_t kPointer = -1;  // id of the pointer, used like a finger's
 constexpr double kPointsPerStep = 40;  // of a two-finger scroll per step of a wheel
 
-glm::dvec2 placeOf(CGPoint point) { return {point.x, point.y}; }
+glm::dvec2 toVector(CGPoint point) { return {point.x, point.y}; }
 
-std::int64_t nameOf(UITouch* touch) { return reinterpret_cast<std::intptr_t>((__bridge void*)touch); }
+std::int64_t touchId(UITouch* touch) { return reinterpret_cast<std::intptr_t>((__bridge void*)touch); }
 
-nacre::app::Modifiers modifiersOf(UIKeyModifierFlags flags) {
+nacre::app::Modifiers toModifiers(UIKeyModifierFlags flags) {
     return {(flags & UIKeyModifierShift) != 0, (flags & UIKeyModifierControl) != 0};
 }
 
-std::optional<char32_t> codeOf(UIKey* key) {
+std::optional<char32_t> toCode(UIKey* key) {
     switch (key.keyCode) {
         case UIKeyboardHIDUsageKeyboardLeftArrow:
-            return nacre::app::keyOf(SpecialKey::left);
+            return nacre::app::toKey(SpecialKey::left);
         case UIKeyboardHIDUsageKeyboardRightArrow:
-            return nacre::app::keyOf(SpecialKey::right);
+            return nacre::app::toKey(SpecialKey::right);
         case UIKeyboardHIDUsageKeyboardUpArrow:
-            return nacre::app::keyOf(SpecialKey::up);
+            return nacre::app::toKey(SpecialKey::up);
         case UIKeyboardHIDUsageKeyboardDownArrow:
-            return nacre::app::keyOf(SpecialKey::down);
+            return nacre::app::toKey(SpecialKey::down);
         case UIKeyboardHIDUsageKeyboardHome:
-            return nacre::app::keyOf(SpecialKey::home);
+            return nacre::app::toKey(SpecialKey::home);
         case UIKeyboardHIDUsageKeyboardEscape:
-            return nacre::app::keyOf(SpecialKey::escape);
+            return nacre::app::toKey(SpecialKey::escape);
         default:
             break;
     }
@@ -49,8 +49,8 @@ std::optional<char32_t> codeOf(UIKey* key) {
 /// The command of a hardware key, from the table shared by all shells.
 std::optional<ViewerCommand> commandOfKey(UIKey* key) {
     if (key.modifierFlags & (UIKeyModifierCommand | UIKeyModifierAlternate)) return std::nullopt;  // the system's
-    const std::optional<char32_t> code = codeOf(key);
-    return code ? nacre::app::commandOf({*code, modifiersOf(key.modifierFlags)}) : std::nullopt;
+    const std::optional<char32_t> code = toCode(key);
+    return code ? nacre::app::findCommand({*code, toModifiers(key.modifierFlags)}) : std::nullopt;
 }
 
 }  // namespace
@@ -112,11 +112,11 @@ std::optional<ViewerCommand> commandOfKey(UIKey* key) {
 - (void)forward:(NSSet<UITouch*>*)touches event:(nullable UIEvent*)event phase:(TouchPhase)phase {
     if (!self.session) return;
     for (UITouch* touch in touches) {
-        const glm::dvec2 at = placeOf([touch locationInView:self]);
+        const glm::dvec2 at = toVector([touch locationInView:self]);
         if (touch.type == UITouchTypeIndirectPointer)
             [self mouse:at event:event phase:phase when:touch.timestamp];
         else
-            self.session->touch({nameOf(touch), phase, at}, touch.timestamp);
+            self.session->touch({touchId(touch), phase, at}, touch.timestamp);
     }
     [self.delegate moleculeViewTouched:self];
 }
@@ -124,7 +124,7 @@ std::optional<ViewerCommand> commandOfKey(UIKey* key) {
 - (void)mouse:(glm::dvec2)at event:(nullable UIEvent*)event phase:(TouchPhase)phase when:(double)when {
     if (phase == TouchPhase::began)
         _held = event.buttonMask & UIEventButtonMaskSecondary ? MouseButton::right : MouseButton::left;
-    self.session->mouse(_held, {kPointer, phase, at}, modifiersOf(event.modifierFlags), when);
+    self.session->mouse(_held, {kPointer, phase, at}, toModifiers(event.modifierFlags), when);
 }
 
 - (void)touchesBegan:(NSSet<UITouch*>*)touches withEvent:(UIEvent*)event {
@@ -155,7 +155,7 @@ std::optional<ViewerCommand> commandOfKey(UIKey* key) {
 - (void)scroll:(UIPanGestureRecognizer*)recognizer {
     if (!self.session) return;
     self.session->wheel([recognizer translationInView:self].y / kPointsPerStep,
-                        placeOf([recognizer locationInView:self]));
+                        toVector([recognizer locationInView:self]));
     [recognizer setTranslation:CGPointZero inView:self];
     [self.delegate moleculeViewTouched:self];
 }
@@ -165,7 +165,7 @@ std::optional<ViewerCommand> commandOfKey(UIKey* key) {
     if (!self.session) return;
     const BOOL there =
         recognizer.state == UIGestureRecognizerStateBegan || recognizer.state == UIGestureRecognizerStateChanged;
-    self.session->hover(there ? std::optional(placeOf([recognizer locationInView:self])) : std::nullopt);
+    self.session->hover(there ? std::optional(toVector([recognizer locationInView:self])) : std::nullopt);
     [self.delegate moleculeViewTouched:self];
 }
 
@@ -173,7 +173,7 @@ std::optional<ViewerCommand> commandOfKey(UIKey* key) {
     if (!self.session) return;
     Gesture gesture;
     gesture.kind = Gesture::Kind::transform;
-    gesture.at = placeOf([recognizer locationInView:self]);
+    gesture.at = toVector([recognizer locationInView:self]);
     gesture.scale = scale;
     gesture.turn = turn;
     self.session->viewer().gesture(gesture, CACurrentMediaTime());

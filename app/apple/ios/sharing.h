@@ -9,7 +9,7 @@ NS_ASSUME_NONNULL_BEGIN
 namespace nacre::app {
 
 /// The picture as PNG in sRGB; nil if memory is short.
-NSData* _Nullable pngOf(const PictureBytes& picture);
+NSData* _Nullable encodePng(const PictureBytes& picture);
 
 /// Shows the share sheet for bytes under a file name. @param from target of its arrow
 void share(NSData* data, NSString* name, UIViewController* over, UIView* from);

@@ -4,7 +4,7 @@
 
 namespace nacre::app {
 
-NSData* _Nullable pngOf(const PictureBytes& picture) {
+NSData* _Nullable encodePng(const PictureBytes& picture) {
     NSData* bytes = [NSData dataWithBytes:picture.rgba.data() length:picture.rgba.size()];
     CGColorSpaceRef space = CGColorSpaceCreateWithName(kCGColorSpaceSRGB);
     CGDataProviderRef provider = CGDataProviderCreateWithCFData((__bridge CFDataRef)bytes);

@@ -21,7 +21,7 @@ SpokenAction const kActions[] = {
     {@"Next colouring", ViewerCommand::nextColor},
 };
 
-UIAccessibilityTraits traitsOf(const Control& control) {
+UIAccessibilityTraits toTraits(const Control& control) {
     if (control.role == "image")
         return UIAccessibilityTraitImage | UIAccessibilityTraitAdjustable | UIAccessibilityTraitAllowsDirectInteraction;
     UIAccessibilityTraits traits = UIAccessibilityTraitButton;
@@ -50,9 +50,9 @@ UIAccessibilityTraits traitsOf(const Control& control) {
 - (void)tell:(const Control&)control {
     _control = control;
     const CGFloat scale = self.view.contentScaleFactor;
-    self.accessibilityLabel = nacre::app::stringOf(control.name);
-    self.accessibilityValue = nacre::app::stringOf(control.value);
-    self.accessibilityTraits = traitsOf(control);
+    self.accessibilityLabel = nacre::app::toNSString(control.name);
+    self.accessibilityValue = nacre::app::toNSString(control.value);
+    self.accessibilityTraits = toTraits(control);
     self.accessibilityFrameInContainerSpace =
         CGRectMake(control.seenLeft / scale, control.seenTop / scale, (control.seenRight - control.seenLeft) / scale,
                    (control.seenBottom - control.seenTop) / scale);
@@ -122,7 +122,7 @@ UIAccessibilityTraits traitsOf(const Control& control) {
     if (others) UIAccessibilityPostNotification(UIAccessibilityLayoutChangedNotification, nil);
     const std::string& value = controls.front().value;
     if (value != _value && !value.empty())
-        UIAccessibilityPostNotification(UIAccessibilityAnnouncementNotification, nacre::app::stringOf(value));
+        UIAccessibilityPostNotification(UIAccessibilityAnnouncementNotification, nacre::app::toNSString(value));
     _value = value;
 }
 

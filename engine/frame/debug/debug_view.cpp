@@ -8,7 +8,7 @@ namespace {
 
 constexpr Type kLayers[] = {kSampled, kSampled};
 
-gpu::ShaderWords shaderOf(DebugView view) {
+gpu::ShaderWords chooseShader(DebugView view) {
     static const gpu::ShaderWords kShaders[] = {{},
                                                 shaders::debugDepth,
                                                 shaders::debugEncoded,
@@ -45,7 +45,7 @@ void drawDebugView(gpu::PassContext& context, const SceneView& view, DebugView w
                    vk::ImageView source, vk::ImageView under) {
     // Always written, even if the shader reads one image: lavapipe accesses both.
     const vk::ImageView images[] = {source, under ? under : source};
-    drawShown(context, view, {shaderOf(what), {}, debugViewNames()[static_cast<std::size_t>(what)]}, tile, images);
+    drawShown(context, view, {chooseShader(what), {}, debugViewNames()[static_cast<std::size_t>(what)]}, tile, images);
 }
 
 void drawTileMean(gpu::PassContext& context, const SceneView& view, std::uint32_t tile, vk::ImageView source) {

@@ -52,8 +52,8 @@ void declareDeferred(Frame& f, const FrameShape& shape) {
             .color(f.add(target, shape), target.clear)
             .record(draws(f, [=, atlas = f.atlas, numbers = f.nearest, output = target.output, clear = target.clear](
                                  const auto& c, const SceneView&) {
-                passes::DeferredPass pass{output, readsOf(c, fromEarlierPass(c), atlas, numbers)};
-                if (drawnRims) pass.rims = passes::DeferredRims{viewOf(c, *drawnRims), clear};
+                passes::DeferredPass pass{output, makeReads(c, fromEarlierPass(c), atlas, numbers)};
+                if (drawnRims) pass.rims = passes::DeferredRims{viewIn(c, *drawnRims), clear};
                 return pass;
             }));
     }

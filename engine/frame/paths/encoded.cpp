@@ -45,7 +45,7 @@ void declareEncoded(Frame& f, const FrameShape& shape) {
         const std::optional<Clear> clear = clearFirst(share, format.farthest);
         if (format.ordered)
             encoding.ordered(f.nearest, clear).record(draws(f, [=](const auto& c, const SceneView&) {
-                return passes::orderedDepth(readsOf(c, NearestFrom::ownAttachment, atlas, nearest));
+                return passes::orderedDepth(makeReads(c, NearestFrom::ownAttachment, atlas, nearest));
             }));
         else
             encoding.color(f.nearest, clear)
@@ -62,7 +62,7 @@ void declareEncoded(Frame& f, const FrameShape& shape) {
             f.draw(f.lit(shading.input(f.nearest)), target, shape, share);
             shading.record(draws(
                 f, [=, output = target.output, encoding = passes::Encoding(format)](const auto& c, const SceneView&) {
-                    return shadedImpostors(output, readsOf(c, fromEarlierPass(c), atlas, nearest), encoding, settles);
+                    return shadedImpostors(output, makeReads(c, fromEarlierPass(c), atlas, nearest), encoding, settles);
                 }));
         }
 }

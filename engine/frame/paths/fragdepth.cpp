@@ -33,7 +33,7 @@ void declareFragdepth(Frame& f, const FrameShape& shape) {
     bool begins = !shape.choice.prepass;
     for (const ScreenTarget& target : shape.targets) {
         const auto describe = [atlas = f.atlas, output = target.output](const auto& c, const SceneView& scene) {
-            return shadedImpostors(output, readsOf(c, NearestFrom::depthBuffer, atlas), scene.samples > 1);
+            return shadedImpostors(output, makeReads(c, NearestFrom::depthBuffer, atlas), scene.samples > 1);
         };
         for (const graph::Share& share : vertices.shading.shares()) {
             std::optional<Clear> clear;

@@ -44,7 +44,7 @@ void declareRasterOrder(Frame& f, const FrameShape& shape) {
             f.draw(f.lit(f.graphics(target.pass).share(share).depthTest(f.depth)), target, shape, share)
                 .ordered(f.nearest, clearFirst(share, 1.0f))
                 .record(draws(f, [=, output = target.output](const auto& c, const SceneView& scene) {
-                    return orderedImpostors(output, readsOf(c, NearestFrom::ownAttachment, atlas, nearest),
+                    return orderedImpostors(output, makeReads(c, NearestFrom::ownAttachment, atlas, nearest),
                                             scene.samples > 1);
                 }));
         return;
@@ -55,14 +55,14 @@ void declareRasterOrder(Frame& f, const FrameShape& shape) {
             .depthTest(f.depth)
             .ordered(f.nearest, clearFirst(share, 1.0f))
             .record(draws(f, [=](const auto& c, const SceneView&) {
-                return passes::orderedDepth(readsOf(c, NearestFrom::ownAttachment, atlas, nearest));
+                return passes::orderedDepth(makeReads(c, NearestFrom::ownAttachment, atlas, nearest));
             }));
     for (const ScreenTarget& target : shape.targets)  // share the previous pass's attachments
         for (const graph::Share& share : vertices.shading.shares())
             f.draw(f.lit(f.graphics(target.pass).share(share).depthTest(f.depth)), target, shape, share)
                 .samples(f.nearest)
                 .record(draws(f, [=, output = target.output](const auto& c, const SceneView&) {
-                    return impostorsAtNearest(output, readsOf(c, NearestFrom::texture, atlas, nearest));
+                    return impostorsAtNearest(output, makeReads(c, NearestFrom::texture, atlas, nearest));
                 }));
 }
 

@@ -36,7 +36,7 @@ void declareShadedByCompute(Frame& f, const FrameShape& shape) {
         f.lit(nearest).writes(f.numbers);
         if (f.edges) nearest.writes(*f.edges);
         nearest.record(draws(f, [atlas = f.atlas](const auto& c, const SceneView&) {
-            return passes::NearestByTiles{viewOf(c, atlas)};
+            return passes::NearestByTiles{viewIn(c, atlas)};
         }));
     }
     if (!f.edges) return;
@@ -77,7 +77,7 @@ void declareTiles(Frame& f, const FrameShape& shape) {
         f.lit(shading.reads(f.numbers))
             .color(f.add(target, shape), target.clear)
             .record(draws(f, [=, atlas = f.atlas, output = target.output](const auto& c, const SceneView&) {
-                return passes::TileShading{viewOf(c, atlas), output, depth};
+                return passes::TileShading{viewIn(c, atlas), output, depth};
             }));
     }
     if (f.edges)

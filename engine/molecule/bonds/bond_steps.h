@@ -31,9 +31,9 @@ constexpr float kLongestTemplateBond = 2.5f;  ///< Å; templates do not bond acr
 struct BondWork {
     Molecule& molecule;
     std::vector<PositionGroup> groups;
-    std::vector<std::uint32_t> groupOf;   ///< by atom
-    std::vector<std::uint8_t> templated;  ///< by atom: the residue's template has it
-    std::vector<std::uint8_t> settled;    ///< by atom: the file states all bonds of its residue
+    std::vector<std::uint32_t> atomGroup;  ///< by atom
+    std::vector<std::uint8_t> templated;   ///< by atom: the residue's template has it
+    std::vector<std::uint8_t> settled;     ///< by atom: the file states all bonds of its residue
 };
 
 /// Adds the bonds of residue templates and links between consecutive residues; marks `templated`.

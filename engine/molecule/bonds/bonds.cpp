@@ -17,7 +17,7 @@ std::vector<PositionGroup> findGroups(const Molecule& molecule) {
     const Residue* before = nullptr;
     for (std::uint32_t r = 0; r < molecule.residues.size(); ++r) {
         const Residue& residue = molecule.residues[r];
-        if (!before || !residue.atPositionOf(*before)) groups.push_back({r, 0, residue.firstAtom, 0});
+        if (!before || !residue.sharesPosition(*before)) groups.push_back({r, 0, residue.firstAtom, 0});
         ++groups.back().residueCount;
         groups.back().atomCount += residue.atomCount;
         before = &residue;
@@ -35,13 +35,13 @@ void markSettled(BondWork& work) {
     bool links = false;
     for (const Bond& bond : molecule.bonds) {
         linked[bond.a] = linked[bond.b] = 1;
-        links = links || work.groupOf[bond.a] != work.groupOf[bond.b];
-        if (work.groupOf[bond.a] == work.groupOf[bond.b]) stated[bond.a] = stated[bond.b] = 1;
+        links = links || work.atomGroup[bond.a] != work.atomGroup[bond.b];
+        if (work.atomGroup[bond.a] == work.atomGroup[bond.b]) stated[bond.a] = stated[bond.b] = 1;
     }
     std::size_t joinable = 0, joined = 0;
     for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
         const Atom& atom = molecule.atoms[i];
-        const bool alone = work.groups[work.groupOf[i]].atomCount == 1 && !linked[i];
+        const bool alone = work.groups[work.atomGroup[i]].atomCount == 1 && !linked[i];
         if (alone || isHydrogen(atom.element) || isWater(molecule.residues[atom.residue].name)) continue;
         ++joinable;
         joined += linked[i];
@@ -101,12 +101,12 @@ void perceiveBonds(Molecule& molecule) {
     if (molecule.file.bonds.value_or(0) > 0 || molecule.lacksPositions) return;
 
     BondWork work{molecule, findGroups(molecule), {}, {}, {}};
-    work.groupOf.resize(molecule.atoms.size());
+    work.atomGroup.resize(molecule.atoms.size());
     work.templated.resize(molecule.atoms.size());
     work.settled.resize(molecule.atoms.size());
     for (std::uint32_t g = 0; g < work.groups.size(); ++g) {
         const PositionGroup& group = work.groups[g];
-        std::fill_n(work.groupOf.begin() + group.firstAtom, group.atomCount, g);
+        std::fill_n(work.atomGroup.begin() + group.firstAtom, group.atomCount, g);
     }
     markSettled(work);
     addTemplateBonds(work);

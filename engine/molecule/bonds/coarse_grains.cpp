@@ -39,7 +39,7 @@ struct TailBead {
     int number = 0;
     char tail = '\0';
 };
-TailBead tailOf(std::string_view name) {
+TailBead parseTail(std::string_view name) {
     const bool fits = name.size() == 3 && (name[0] == 'C' || name[0] == 'D' || name[0] == 'T') && name[1] >= '1' &&
                       name[1] <= '9' && name[2] >= 'A' && name[2] <= 'D';
     return fits ? TailBead{name[1] - '0', name[2]} : TailBead{};
@@ -60,7 +60,7 @@ public:
             if (isCandidate(molecule.atoms[i])) beads.push_back(i);
         if (crystal || molecule.lacksPositions || !molecule.masses.empty() || beads.size() <= kFewResidues) return;
         for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
-            cubes_[cubeOf(molecule.atoms[i].position)].push_back(i);
+            cubes_[findCube(molecule.atoms[i].position)].push_back(i);
         if (std::any_of(beads.begin(), beads.end(), [&](std::uint32_t bead) { return hasNeighbour(bead); })) return;
         for (const std::uint32_t bead : beads) lone_[bead] = true;
     }
@@ -78,13 +78,13 @@ private:
                           (atom.element == kScandium && name == "Sc") || (atom.element == 0 && name == "BB");
         return bead && atom.radius == 0;
     }
-    static Cube cubeOf(const glm::vec3& p) {
+    static Cube findCube(const glm::vec3& p) {
         const auto along = [](float x) { return static_cast<long>(std::floor(static_cast<double>(x) / kCube)); };
         return {along(p.x), along(p.y), along(p.z)};
     }
     /// Also true in a crowd.
     bool hasNeighbour(std::uint32_t atom) const {
-        const Cube at = cubeOf(molecule_.atoms[atom].position);
+        const Cube at = findCube(molecule_.atoms[atom].position);
         for (int i = 0; i < 27; ++i) {
             const auto cube = cubes_.find({at[0] + i % 3 - 1, at[1] + i / 3 % 3 - 1, at[2] + i / 9 - 1});
             if (cube == cubes_.end()) continue;
@@ -111,7 +111,7 @@ public:
         std::vector<GrainKind> kinds;
         std::size_t singles = 0, grains = 0;
         for (const Residue& residue : molecule_.residues) {
-            kinds.push_back(kindOf(residue));
+            kinds.push_back(findKind(residue));
             grains += kinds.back() != GrainKind::none && kinds.back() != GrainKind::water;
             singles += isSingle(residue);
         }
@@ -133,7 +133,7 @@ public:
             for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
                 Atom& atom = molecule_.atoms[i];
                 atom.element = 0;
-                atom.radius = radiusOf(residue, kinds[r], atom.name);
+                atom.radius = grainRadius(residue, kinds[r], atom.name);
                 ++count;
             }
             if (!molecule_.lacksPositions && molecule_.file.bonds.value_or(0) == 0) bond(r, kinds);
@@ -160,7 +160,7 @@ private:
     /// Joins chains of only alpha carbons, or only phosphorus.
     void joinGuides() {
         if (molecule_.lacksPositions || molecule_.file.bonds.value_or(0) > 0) return;
-        const auto guideOf = [&](const Residue& residue) -> std::string_view {
+        const auto findGuide = [&](const Residue& residue) -> std::string_view {
             if (residue.atomCount != 1) return {};
             const std::string_view name = molecule_.atoms[residue.firstAtom].name.view();
             if (name == "CA" && aminoAcidLetter(residue.name) != '\0') return name;
@@ -169,7 +169,7 @@ private:
         std::string_view before;
         for (std::size_t r = 0; r < molecule_.residues.size(); ++r) {
             const Residue& residue = molecule_.residues[r];
-            const std::string_view guide = guideOf(residue);
+            const std::string_view guide = findGuide(residue);
             if (!guide.empty() && guide == before && molecule_.residues[r - 1].chain == residue.chain)
                 join(molecule_.residues[r - 1].firstAtom, residue.firstAtom,
                      guide == "CA" ? kLongestBackboneBond : kLongestPhosphateBond);
@@ -183,7 +183,7 @@ private:
         return std::nullopt;
     }
 
-    GrainKind kindOf(const Residue& residue) const {
+    GrainKind findKind(const Residue& residue) const {
         if (residue.atomCount == 0 || residue.atomCount > kLargestGrainResidue) return GrainKind::none;
         const Name& first = molecule_.atoms[residue.firstAtom].name;
         if (isOneOfNames(residue.name, {"W", "WF", "PW", "WN", "SW", "TW"}) &&
@@ -213,7 +213,7 @@ private:
     }
 
     /// Rings have small beads. A single grain has about the volume of its amino acid.
-    static float radiusOf(const Residue& residue, GrainKind kind, const Name& atom) {
+    static float grainRadius(const Residue& residue, GrainKind kind, const Name& atom) {
         if (kind == GrainKind::single) return residue.name.view() == "GLY" ? 2.4f : 3.0f;
         const bool ring = isOneOfNames(residue.name, {"HIS", "HSD", "HSE", "HID", "HIE", "PHE", "TYR", "TRP"});
         if (kind == GrainKind::protein && ring && numberAfter(atom.view(), "SC") > 0) return kSmallBead;
@@ -277,7 +277,7 @@ private:
             join(residue, first, second);
         }
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
-            const TailBead bead = tailOf(molecule_.atoms[i].name.view());
+            const TailBead bead = parseTail(molecule_.atoms[i].name.view());
             if (bead.number == 0) continue;
             if (bead.number == 1) {
                 const bool isFirst = bead.tail == 'A';
@@ -285,7 +285,7 @@ private:
                     if (const auto other = find(residue, link)) join(*other, i, kLongestChainBond);
             }
             for (std::uint32_t k = residue.firstAtom; k < residue.firstAtom + residue.atomCount; ++k) {
-                const TailBead next = tailOf(molecule_.atoms[k].name.view());
+                const TailBead next = parseTail(molecule_.atoms[k].name.view());
                 if (next.tail == bead.tail && next.number == bead.number + 1) join(i, k, kLongestChainBond);
             }
         }

@@ -43,7 +43,7 @@ constexpr std::uint8_t kMostBondsPerAtom = 16;
 constexpr int kAxisBits = 21;
 constexpr double kLargestCoordinate = (1 << kAxisBits) - 2;
 
-std::uint64_t keyOf(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+std::uint64_t makeKey(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
     return (x << (2 * kAxisBits)) | (y << kAxisBits) | z;
 }
 
@@ -54,7 +54,7 @@ bool isNobleGas(Element e) { return e == 2 || e == 10 || e == 18; }
 /// isolated water oxygens, and hydrogens that already have a bond.
 bool neverBonds(const BondWork& work, std::uint32_t i, bool hasBond, bool water) {
     const Atom& atom = work.molecule.atoms[i];
-    const bool alone = work.groups[work.groupOf[i]].atomCount == 1;
+    const bool alone = work.groups[work.atomGroup[i]].atomCount == 1;
     if (alone && (water || isMetal(atom.element) || isHalogen(atom.element))) return true;
     if (atom.radius > 0 || isNobleGas(atom.element) || (hasBond && isHydrogen(atom.element))) return true;
     const glm::vec3 p = atom.position;
@@ -77,7 +77,7 @@ std::vector<Site> collectSites(const BondWork& work) {
             if (isMetal(atom.element)) flags |= kMetal;
             if (work.templated[i]) flags |= kTemplated;
             if (work.settled[i]) flags |= kSettled;
-            sites.push_back({atom.position, covalentRadius(atom.element), i, work.groupOf[i], atom.alternate,
+            sites.push_back({atom.position, covalentRadius(atom.element), i, work.atomGroup[i], atom.alternate,
                              static_cast<std::uint8_t>(flags)});
         }
     }
@@ -100,7 +100,7 @@ std::vector<Cell> sortIntoCells(std::vector<Site>& sites, double cellSize) {
     entries.reserve(sites.size());
     for (std::uint32_t i = 0; i < sites.size(); ++i) {
         const glm::vec3 p = sites[i].position;
-        entries.push_back({keyOf(coordinate(p.x, low.x), coordinate(p.y, low.y), coordinate(p.z, low.z)), i});
+        entries.push_back({makeKey(coordinate(p.x, low.x), coordinate(p.y, low.y), coordinate(p.z, low.z)), i});
     }
     std::sort(entries.begin(), entries.end(),
               [](const Entry& l, const Entry& r) { return l.key != r.key ? l.key < r.key : l.site < r.site; });

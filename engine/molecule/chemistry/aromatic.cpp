@@ -121,19 +121,19 @@ void findAromatic(ChemistryWork& work) {
     std::vector<Ring>& rings = work.chemistry.rings;
     const PiElectrons electrons(work);
     const std::vector<std::uint32_t> able = candidates(work, electrons);
-    std::vector<std::vector<std::uint32_t>> ringsOf(work.molecule.atoms.size());
+    std::vector<std::vector<std::uint32_t>> atomRings(work.molecule.atoms.size());
     for (Ring& ring : rings)
         if (ring.atoms.size() >= 5 && ring.atoms.size() <= kLargestAromatic && statedAromatic(work, ring))
             markRing(work, ring);
     for (const std::uint32_t r : able) {
-        for (const std::uint32_t atom : rings[r].atoms) ringsOf[atom].push_back(r);
+        for (const std::uint32_t atom : rings[r].atoms) atomRings[atom].push_back(r);
         if (obeysHueckel(electrons, {rings[r].atoms.begin(), rings[r].atoms.end()})) markRing(work, rings[r]);
     }
     // Azulene and the like: two rings that share a bond.
     for (const std::uint32_t r : able) {
         if (rings[r].aromatic) continue;
         std::set<std::uint32_t> others;
-        for (const std::uint32_t atom : rings[r].atoms) others.insert(ringsOf[atom].begin(), ringsOf[atom].end());
+        for (const std::uint32_t atom : rings[r].atoms) others.insert(atomRings[atom].begin(), atomRings[atom].end());
         for (const std::uint32_t other : others) {
             if (other == r) continue;
             std::set<std::uint32_t> both(rings[r].atoms.begin(), rings[r].atoms.end());

@@ -20,7 +20,7 @@ public:
     }
 
     /// The number of an atom's system.
-    std::uint32_t of(std::uint32_t atom) { return systems_.rootOf(atom); }
+    std::uint32_t of(std::uint32_t atom) { return systems_.findRoot(atom); }
     bool cyclic(std::uint32_t bond) const { return cyclic_[bond] != 0; }
 
 private:

@@ -110,7 +110,7 @@ void AtomBox::cut(const AtomBox& other) {
     high = glm::min(high, other.high);
 }
 
-AtomBox boxOf(const Molecule& molecule, const std::vector<bool>& atoms) {
+AtomBox boundingBox(const Molecule& molecule, const std::vector<bool>& atoms) {
     AtomBox box;
     for (std::size_t i = 0; i < atoms.size(); ++i)
         if (atoms[i]) box.add(molecule.atoms[i].position);
@@ -120,9 +120,9 @@ AtomBox boxOf(const Molecule& molecule, const std::vector<bool>& atoms) {
 Features featuresAround(const Features& features, const Molecule& molecule, const Chemistry& chemistry,
                         const AtomBox& box) {
     const auto inside = [&](std::uint32_t atom) { return box.holds(molecule.atoms[atom].position); };
-    const auto keep = [&](const auto& from, auto& to, const auto& atomOf) {
+    const auto keep = [&](const auto& from, auto& to, const auto& getAtom) {
         for (const auto& feature : from)
-            if (inside(atomOf(feature))) to.push_back(feature);
+            if (inside(getAtom(feature))) to.push_back(feature);
     };
     const auto itself = [](std::uint32_t atom) { return atom; };
     const auto named = [](const auto& feature) { return feature.atom; };

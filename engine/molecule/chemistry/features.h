@@ -63,7 +63,7 @@ struct AtomBox {
         return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
     }
 };
-AtomBox boxOf(const Molecule& molecule, const std::vector<bool>& atoms);
+AtomBox boundingBox(const Molecule& molecule, const std::vector<bool>& atoms);
 
 /// The features in a box, with groups by their first atoms: all that a search there needs.
 Features featuresAround(const Features& features, const Molecule& molecule, const Chemistry& chemistry,

@@ -21,7 +21,7 @@ constexpr double kBakerLength = 2.5, kBakerAngle = 120;
 // Wernet et al. (2004): donor to acceptor less than 3.3 Å - 0.00044 Å delta², delta the angle H-D-A in degrees.
 constexpr double kWernetLength = 3.3, kWernetFactor = 0.00044;
 
-std::vector<glm::vec3> placesOf(const InteractionSearch& search, const std::vector<std::uint32_t>& atoms) {
+std::vector<glm::vec3> collectPlaces(const InteractionSearch& search, const std::vector<std::uint32_t>& atoms) {
     std::vector<glm::vec3> places;
     places.reserve(atoms.size());
     for (const std::uint32_t atom : atoms) places.push_back(search.molecule.atoms[atom].position);
@@ -48,7 +48,7 @@ double angleOutOfPlane(const InteractionSearch& search, std::uint32_t atom, cons
 }
 
 /// Mol*: an oxygen next to a planar carbon is planar, whatever its other neighbour.
-std::uint8_t acceptorShapeOf(const InteractionSearch& search, std::uint32_t acceptor) {
+std::uint8_t findAcceptorShape(const InteractionSearch& search, std::uint32_t acceptor) {
     const std::uint8_t shape = search.chemistry.hybrid[acceptor];
     if (shape != 3 || search.molecule.atoms[acceptor].element != kOxygen) return shape;
     for (const Neighbour& n : search.chemistry.of(acceptor))
@@ -84,7 +84,7 @@ void findMolstarBonds(InteractionSearch& search, const PlaceGrid& grid) {
             if (!molstarGeometry(search, donor.atom, acceptor)) return;
             std::uint32_t nearest = kNoHydrogen;
             double least = 1e9;
-            for (const PlacedHydrogen& h : hydrogensOf(search, donor)) {
+            for (const PlacedHydrogen& h : placeHydrogens(search, donor)) {
                 const double away = glm::distance(h.place, search.at(acceptor));
                 if (away >= least) continue;
                 least = away;
@@ -101,7 +101,7 @@ void findMolstarBonds(InteractionSearch& search, const PlaceGrid& grid) {
 void findPlipBonds(InteractionSearch& search, const PlaceGrid& grid) {
     for (const Donor& donor : search.features.donors) {
         if (search.features.waterOxygen[donor.atom]) continue;
-        const std::vector<PlacedHydrogen> hydrogens = hydrogensOf(search, donor);
+        const std::vector<PlacedHydrogen> hydrogens = placeHydrogens(search, donor);
         grid.near(search.molecule.atoms[donor.atom].position, [&](std::uint32_t index, double squared) {
             const std::uint32_t acceptor = search.features.acceptors[index];
             if (squared >= kPlipLength * kPlipLength || squared <= kShortest * kShortest) return;
@@ -118,7 +118,7 @@ void findPlipBonds(InteractionSearch& search, const PlaceGrid& grid) {
 
 }  // namespace
 
-std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const Donor& donor) {
+std::vector<PlacedHydrogen> placeHydrogens(const InteractionSearch& search, const Donor& donor) {
     std::vector<PlacedHydrogen> hydrogens;
     for (const Neighbour& n : search.chemistry.of(donor.atom))
         if (isHydrogen(search.molecule.atoms[n.atom].element)) hydrogens.push_back({search.at(n.atom), n.atom});
@@ -135,7 +135,7 @@ std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const D
 bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor,
                      const MolstarLimits& limits) {
     const glm::dvec3 way = search.at(acceptor) - search.at(donor);
-    const std::uint8_t donorShape = search.chemistry.hybrid[donor], acceptorShape = acceptorShapeOf(search, acceptor);
+    const std::uint8_t donorShape = search.chemistry.hybrid[donor], acceptorShape = findAcceptorShape(search, acceptor);
     double hydrogen = 181;
     glm::dvec3 from = search.at(donor);  // or its hydrogen that is nearest to the acceptor
     for (const Neighbour& n : search.chemistry.of(donor)) {
@@ -160,7 +160,7 @@ bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::
 }
 
 void findHydrogenBonds(InteractionSearch& search) {
-    const std::vector<glm::vec3> places = placesOf(search, search.features.acceptors);
+    const std::vector<glm::vec3> places = collectPlaces(search, search.features.acceptors);
     const PlaceGrid grid(places, kMolstarSulphurLength);
     search.rules == InteractionRules::plip ? findPlipBonds(search, grid) : findMolstarBonds(search, grid);
 }
@@ -175,7 +175,7 @@ void findHydrogenBondsByHydrogens(InteractionSearch& search) {
     const auto count = static_cast<std::uint32_t>(search.molecule.atoms.size());
     for (std::uint32_t i = 0; i < count; ++i)
         if (eligible(i)) acceptors.push_back(i);
-    const std::vector<glm::vec3> places = placesOf(search, acceptors);
+    const std::vector<glm::vec3> places = collectPlaces(search, acceptors);
     const bool baker = search.rules == InteractionRules::bakerHubbard;
     const PlaceGrid grid(places, baker ? kBakerLength : kWernetLength);
     for (const std::uint32_t donor : acceptors) {

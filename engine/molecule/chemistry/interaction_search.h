@@ -38,9 +38,9 @@ struct InteractionSearch {
     }
     /// Whether two atoms are ever drawn together.
     bool together(std::uint32_t first, std::uint32_t second) const {
-        return !modelsApart || modelOf(first) == modelOf(second);
+        return !modelsApart || findModel(first) == findModel(second);
     }
-    int modelOf(std::uint32_t atom) const { return molecule.chains[molecule.residues[residue(atom)].chain].model; }
+    int findModel(std::uint32_t atom) const { return molecule.chains[molecule.residues[residue(atom)].chain].model; }
 
     /// Whether a pair belongs to the query, and in which order: 0 no, 1 the first is a, 2 the second is a.
     int sides(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) const;
@@ -74,7 +74,7 @@ struct PlacedHydrogen {
     std::uint32_t atom;  ///< kNoHydrogen: computed
 };
 constexpr std::uint32_t kNoHydrogen = 0xffffffffu;
-std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const Donor& donor);
+std::vector<PlacedHydrogen> placeHydrogens(const InteractionSearch& search, const Donor& donor);
 
 /// Mol*'s limits for a hydrogen bond, degrees: deviation from ideal angles, and from planes of atoms.
 struct MolstarLimits {

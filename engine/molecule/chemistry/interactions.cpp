@@ -188,7 +188,7 @@ namespace {
 
 constexpr float kWidestBridge = 8.2f;  // Å: of a water bridge, the longest interaction
 
-std::vector<bool> othersOf(const InteractionQuery& query) {
+std::vector<bool> findOthers(const InteractionQuery& query) {
     if (!query.b.empty()) return query.b;
     std::vector<bool> others = query.a;
     if (std::find(others.begin(), others.end(), false) != others.end()) others.flip();
@@ -253,11 +253,11 @@ InteractionFinder& InteractionFinder::operator=(InteractionFinder&&) noexcept = 
 
 std::vector<Interaction> InteractionFinder::find(const Molecule& molecule, const InteractionQuery& query) const {
     const bool all = std::find(query.a.begin(), query.a.end(), false) == query.a.end();
-    const std::vector<bool> others = othersOf(query);
+    const std::vector<bool> others = findOthers(query);
     Features around;  // groups extend some Å beyond their first atoms
     if (!all)
         around = featuresAround(kept_->features, molecule, kept_->chemistry,
-                                boxOf(molecule, query.a).grown(kWidestBridge + 5));
+                                boundingBox(molecule, query.a).grown(kWidestBridge + 5));
     std::vector<Interaction> found;
     InteractionSearch search{
         molecule, kept_->chemistry, all ? kept_->features : around, kept_->rules, query, others, false, false, found};
@@ -268,7 +268,7 @@ std::vector<Interaction> InteractionFinder::find(const Molecule& molecule, const
 std::vector<Interaction> InteractionFinder::findBetween(const Molecule& molecule, const glm::dmat4x3& image,
                                                         const InteractionQuery& query) const {
     const std::vector<bool> everything(molecule.atoms.size(), true);
-    const AtomBox near = boxOf(molecule, everything).grown(kWidestBridge);
+    const AtomBox near = boundingBox(molecule, everything).grown(kWidestBridge);
     const auto enters = [&](const Atom& atom) { return near.holds(glm::vec3(image * glm::dvec4(atom.position, 1))); };
     if (std::none_of(molecule.atoms.begin(), molecule.atoms.end(), enters)) return {};
     const Molecule both = withImage(molecule, image);
@@ -277,14 +277,14 @@ std::vector<Interaction> InteractionFinder::findBetween(const Molecule& molecule
     std::vector<bool> second(everything.size(), false);
     second.insert(second.end(), everything.begin(), everything.end());
     AtomBox shared = near;
-    shared.cut(boxOf(both, second).grown(kWidestBridge));
+    shared.cut(boundingBox(both, second).grown(kWidestBridge));
     const Features features =
         featuresAround(withImage(kept_->features, kept_->chemistry), both, chemistry, shared.grown(5));
     const auto twice = [](std::vector<bool> values) {
         values.insert(values.end(), values.begin(), values.end());
         return values;
     };
-    const std::vector<bool> others = othersOf(query);
+    const std::vector<bool> others = findOthers(query);
     InteractionQuery doubled{twice(query.a), query.b.empty() ? query.b : twice(query.b), query.kinds};
     std::vector<Interaction> found;
     const std::vector<bool> othersTwice = twice(others);

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSight = 3.0;     // Å from the middle of an interaction: search range
 constexpr double kAtTheEnd = 1.0;  // Å from an end: inside a group
 
-glm::dvec3 middleOf(const Interaction& interaction) {
+glm::dvec3 findMiddle(const Interaction& interaction) {
     return (glm::dvec3(interaction.a.place) + glm::dvec3(interaction.b.place)) / 2.0;
 }
 
@@ -21,7 +21,7 @@ glm::dvec3 middleOf(const Interaction& interaction) {
 std::vector<std::uint32_t> atomsAround(const InteractionSearch& search) {
     glm::vec3 low(1e30f), high(-1e30f);
     for (const Interaction& interaction : search.found) {
-        const glm::vec3 middle(middleOf(interaction));
+        const glm::vec3 middle(findMiddle(interaction));
         low = glm::min(low, middle - glm::vec3(kSight));
         high = glm::max(high, middle + glm::vec3(kSight));
     }
@@ -56,7 +56,7 @@ void dropBlocked(InteractionSearch& search) {
     std::erase_if(search.found, [&](const Interaction& interaction) {
         if (ownBonds && interaction.kind == InteractionKind::hydrogenBond) return false;
         bool blocked = false;
-        grid.near(glm::vec3(middleOf(interaction)), [&](std::uint32_t i, double squared) {
+        grid.near(glm::vec3(findMiddle(interaction)), [&](std::uint32_t i, double squared) {
             const std::uint32_t atom = atoms[i];
             const double radius = vanDerWaalsRadius(search.molecule.atoms[atom].element);
             if (blocked || squared >= radius * radius || !search.together(atom, interaction.a.atoms.front())) return;

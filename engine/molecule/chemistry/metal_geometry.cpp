@@ -59,7 +59,7 @@ struct Fit {
 
 constexpr double kUnmatched = 999;  // PLIP's score of an empty place
 
-Fit fitOf(const IdealComplex& complex, const Angles& angles) {
+Fit fitComplex(const IdealComplex& complex, const Angles& angles) {
     Fit fit{0, complex.partners, std::vector<std::uint8_t>(angles.size(), 1)};
     for (std::size_t s = 0; s < complex.count; ++s) {
         for (std::size_t time = 0; time < complex.sets[s].times; ++time) {
@@ -92,7 +92,7 @@ std::vector<std::uint8_t> superfluousPartners(const glm::dvec3& metal, const std
         for (std::size_t j = 0; j < partners.size(); ++j)
             if (i != j) angles[i].push_back(angleBetween(partners[i] - metal, partners[j] - metal));
     std::vector<Fit> fits;
-    for (const IdealComplex& complex : kComplexes) fits.push_back(fitOf(complex, angles));
+    for (const IdealComplex& complex : kComplexes) fits.push_back(fitComplex(complex, angles));
     const auto off = [&](const Fit& fit) {
         return std::abs(static_cast<double>(fit.partners) - static_cast<double>(partners.size()));
     };

@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-bool namedOneOf(const Name& name, std::initializer_list<std::string_view> names) {
+bool isNamed(const Name& name, std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), name.view()) != names.end();
 }
 
@@ -57,8 +57,8 @@ private:
     /// It is seldom known which nitrogen of a histidine has the hydrogen: both donate and accept.
     bool histidineNitrogen(std::uint32_t atom) const {
         return element(atom) == kNitrogen &&
-               namedOneOf(residueName(atom), {"HIS", "HID", "HIE", "HIP", "HSD", "HSE", "HSP"}) &&
-               namedOneOf(molecule_.atoms[atom].name, {"ND1", "NE2"});
+               isNamed(residueName(atom), {"HIS", "HID", "HIE", "HIP", "HSD", "HSE", "HSP"}) &&
+               isNamed(molecule_.atoms[atom].name, {"ND1", "NE2"});
     }
 
     bool donates(std::uint32_t atom) const {
@@ -70,7 +70,7 @@ private:
     bool accepts(std::uint32_t atom) const {
         const Element e = element(atom);
         if (e == kOxygen) return chemistry_.charge[atom] < 1;
-        if (e == kSulphur) return namedOneOf(residueName(atom), {"CYS", "MET"}) || chemistry_.charge[atom] < 0;
+        if (e == kSulphur) return isNamed(residueName(atom), {"CYS", "MET"}) || chemistry_.charge[atom] < 0;
         if (e != kNitrogen) return false;
         if (histidineNitrogen(atom)) return true;
         if (chemistry_.charge[atom] > 0) return false;
@@ -87,12 +87,12 @@ private:
         if (isStandardAminoAcid(residue)) {
             if (e == kOxygen)
                 return !isSideChain(molecule_, atom) ||
-                       namedOneOf(residue, {"ASP", "GLU", "SER", "THR", "TYR", "ASN", "GLN"});
+                       isNamed(residue, {"ASP", "GLU", "SER", "THR", "TYR", "ASN", "GLN"});
             if (e == kSulphur || e == kSelenium) return true;
             return histidineNitrogen(atom);
         }
         if (residueTemplate(residue) && nucleotideLetter(residue) != '\0')
-            return namedOneOf(name, {"N3", "N4", "N7", "O2", "O4", "O6"}) ||
+            return isNamed(name, {"N3", "N4", "N7", "O2", "O4", "O6"}) ||
                    (e == kOxygen && isBackbone(ResidueKind::nucleic, name));
         return e == kNitrogen || e == kOxygen || e == kSulphur || e == kSelenium || isHalogen(e);
     }
@@ -106,8 +106,8 @@ private:
     void addSideChains() {
         for (std::uint32_t r = 0; r < molecule_.residues.size(); ++r) {
             const Name& name = molecule_.residues[r].name;
-            const bool positive = namedOneOf(name, {"ARG", "LYS", "HIS", "HIP", "HSP"});
-            if (!positive && !namedOneOf(name, {"ASP", "GLU"})) continue;
+            const bool positive = isNamed(name, {"ARG", "LYS", "HIS", "HIP", "HSP"});
+            if (!positive && !isNamed(name, {"ASP", "GLU"})) continue;
             add(sideChainAtoms(molecule_, chemistry_, r, positive ? kNitrogen : kOxygen), positive);
         }
     }

@@ -84,7 +84,7 @@ std::size_t OrderFeatures::nitrogensAt(std::uint32_t i) const {
 }
 
 /// Mean sine of the torsions about a bond; empty if one of its atoms has no other neighbour.
-std::optional<float> OrderFeatures::twistOf(const Bond& bond) const {
+std::optional<float> OrderFeatures::measureTwist(const Bond& bond) const {
     const glm::vec3 a = work_.position(bond.a), b = work_.position(bond.b);
     float sum = 0;
     int count = 0;

@@ -88,7 +88,7 @@ public:
             const std::size_t outer = lengths.pair <= kPairCO ? lengths.pair : 3;
             const std::size_t flat = std::size_t{inFlatRing(bond.a)} + std::size_t{inFlatRing(bond.b)};
             add(kLeadsOut + outer * 3 + flat, 1.0f);
-            if (const std::optional<float> twist = twistOf(bond))
+            if (const std::optional<float> twist = measureTwist(bond))
                 curve(kTwisted + group * kTwistKnots.size(), kTwistKnots, *twist, add);
             else
                 add(kUntwisted + group, 1.0f);
@@ -121,20 +121,20 @@ public:
         switch (work_.element(i)) {
             case kCarbon:
                 if (count == 0 && degree == 3) {
-                    const std::size_t place = ringsMeet(i) ? std::size_t{kOrderPlaces} : placeOf(i);
+                    const std::size_t place = ringsMeet(i) ? std::size_t{kOrderPlaces} : ringPlace(i);
                     curve(kCarbonThree + place * kThreeAngleKnots.size(), kThreeAngleKnots, angle_[i], add);
                     add(kCarbonHetero + std::min<std::size_t>(hetero(i, true), 3), 1.0f);
                 }
                 if (count == 0 && degree == 2)
-                    curve(kCarbonTwo + placeOf(i) * kTwoAngleKnots.size(), kTwoAngleKnots, angle_[i], add);
+                    curve(kCarbonTwo + ringPlace(i) * kTwoAngleKnots.size(), kTwoAngleKnots, angle_[i], add);
                 if (count == 0 && degree == 1) add(kCarbonEnd, 1.0f);
                 if (count == 2 && degree == 2) curve(kCarbonLinear, kLinearKnots, angle_[i], add);
                 break;
             case kNitrogen:
                 if (count == 1 && degree == 3)
-                    curve(kNitrogenThree + placeOf(i) * kThreeAngleKnots.size(), kThreeAngleKnots, angle_[i], add);
+                    curve(kNitrogenThree + ringPlace(i) * kThreeAngleKnots.size(), kThreeAngleKnots, angle_[i], add);
                 if (count == 0 && degree == 2) {
-                    curve(kNitrogenTwo + placeOf(i) * kTwoAngleKnots.size(), kTwoAngleKnots, angle_[i], add);
+                    curve(kNitrogenTwo + ringPlace(i) * kTwoAngleKnots.size(), kTwoAngleKnots, angle_[i], add);
                     add(kNitrogenBesideN + nitrogensAt(i), 1.0f);
                 }
                 if (count == 2 && degree == 2) curve(kNitrogenLinear, kLinearKnots, angle_[i], add);
@@ -177,11 +177,11 @@ private:
         const auto around = work_.chemistry.of(i);
         return std::all_of(around.begin(), around.end(), [&](const Neighbour& n) { return work_.inRing[n.bond] != 0; });
     }
-    bool inFlatRing(std::uint32_t i) const { return placeOf(i) == kFiveFlat || placeOf(i) == kSixFlat; }
-    std::size_t placeOf(std::uint32_t i) const { return place_[i]; }
+    bool inFlatRing(std::uint32_t i) const { return ringPlace(i) == kFiveFlat || ringPlace(i) == kSixFlat; }
+    std::size_t ringPlace(std::uint32_t i) const { return place_[i]; }
     std::size_t hetero(std::uint32_t i, bool sulphur) const;
     std::size_t nitrogensAt(std::uint32_t i) const;
-    std::optional<float> twistOf(const Bond& bond) const;
+    std::optional<float> measureTwist(const Bond& bond) const;
 
     const ChemistryWork& work_;
     std::vector<BondRing> ringOf_;     // by bond

@@ -17,7 +17,7 @@ constexpr float kLengthError = 0.06f;      // Å, of bonds to the ends of a grou
 constexpr double kLeastPlanarAngle = 114;  // degrees, mean of three
 constexpr float kCertain = 4, kLikely = 2, kMaybe = 1;
 
-float gainOf(float length, float lower, float upper) {
+float computeGain(float length, float lower, float upper) {
     return std::clamp((0.5f * (lower + upper) - length) / (0.5f * (upper - lower)), -2 * kLongestGain, kLongestGain);
 }
 
@@ -58,7 +58,7 @@ private:
     }
 
     /// Terminal neighbours that may have a double bond, the likeliest first.
-    std::vector<Neighbour> endsOf(std::uint32_t atom) const {
+    std::vector<Neighbour> findEnds(std::uint32_t atom) const {
         std::vector<Neighbour> left, ends;
         for (const Neighbour& n : work_.chemistry.of(atom)) {
             const Element e = work_.element(n.atom);
@@ -90,7 +90,7 @@ private:
         if (e == kPhosphorus || e == kArsenic) doubles = degree == 4 || degree == 3 ? 1 : 0;
         if (e == kChlorine || e == kBromine || e == kIodine) doubles = degree == 4 ? 3 : degree == 3 ? 2 : 0;
         if (e == kNitrogen && degree == 2) return settleDiazo(atom);
-        const std::vector<Neighbour> ends = endsOf(atom);
+        const std::vector<Neighbour> ends = findEnds(atom);
         if (e == kNitrogen && degree == 3 && ends.size() >= 2) doubles = 1;
         if (e == kCarbon && degree == 3 && ends.size() == 2 && features_.angle(atom) > kLeastPlanarAngle) doubles = 1;
         if (doubles == 0) return;
@@ -193,8 +193,8 @@ private:
         const Bond& bond = work_.molecule.bonds[index];
         if (hydrogenated(bond.a) || hydrogenated(bond.b)) {
             const float length = work_.length(bond.a, bond.b);
-            const float one = gainOf(length, lengths.twofold, lengths.single) + ringBonus(index, bond.a, bond.b);
-            return {0, one, one + gainOf(length, lengths.threefold, lengths.twofold)};
+            const float one = computeGain(length, lengths.twofold, lengths.single) + ringBonus(index, bond.a, bond.b);
+            return {0, one, one + computeGain(length, lengths.threefold, lengths.twofold)};
         }
         float one = 0, second = 0;
         features_.pi(index, lengths, [&](std::size_t feature, float value) { one += value * kOrderWeight[feature]; });

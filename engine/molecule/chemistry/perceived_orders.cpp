@@ -18,9 +18,9 @@ std::vector<std::uint8_t> drawnAromaticBonds(const Molecule& molecule, const Che
     return bonds;
 }
 
-/// @param aromaticOf  by bond, of the chemistry of a conformer
-template <typename AromaticOf>
-std::vector<std::uint8_t> ordersOf(const ResidueFacts& facts, const AromaticOf& aromaticOf) {
+/// @param listAromatic  by bond, of the chemistry of a conformer
+template <typename ListAromatic>
+std::vector<std::uint8_t> findOrders(const ResidueFacts& facts, const ListAromatic& listAromatic) {
     const Molecule& molecule = facts.molecule();
     const auto wanted = [&](std::uint32_t atom) { return !facts.isPolymer(molecule.atoms[atom].residue); };
     std::vector<std::uint8_t> orders;
@@ -36,7 +36,7 @@ std::vector<std::uint8_t> ordersOf(const ResidueFacts& facts, const AromaticOf& 
     for (std::vector<std::uint32_t>& atoms : conformers(molecule, {.water = false, .hydrogens = true})) {
         std::erase_if(atoms, [&](std::uint32_t atom) { return !looked[molecule.atoms[atom].residue]; });
         const Chemistry chemistry = perceiveChemistry(molecule, atoms);
-        const std::vector<std::uint8_t> aromatic = aromaticOf(chemistry);
+        const std::vector<std::uint8_t> aromatic = listAromatic(chemistry);
         for (std::size_t i = 0; i < orders.size(); ++i) {
             const Bond& bond = molecule.bonds[i];
             if (known[i] || !chemistry.present[bond.a] || !chemistry.present[bond.b]) continue;
@@ -51,11 +51,12 @@ std::vector<std::uint8_t> ordersOf(const ResidueFacts& facts, const AromaticOf& 
 }  // namespace
 
 std::vector<std::uint8_t> perceivedOrders(const ResidueFacts& facts) {
-    return ordersOf(facts, [](const Chemistry& chemistry) { return chemistry.aromatic; });
+    return findOrders(facts, [](const Chemistry& chemistry) { return chemistry.aromatic; });
 }
 
 std::vector<std::uint8_t> drawnOrders(const ResidueFacts& facts) {
-    return ordersOf(facts, [&](const Chemistry& chemistry) { return drawnAromaticBonds(facts.molecule(), chemistry); });
+    return findOrders(facts,
+                      [&](const Chemistry& chemistry) { return drawnAromaticBonds(facts.molecule(), chemistry); });
 }
 
 }  // namespace nacre

@@ -10,22 +10,22 @@ namespace {
 
 /// Bonds in an order that opens and closes atoms quickly: breadth first from each start.
 std::vector<std::uint32_t> frontierOrder(const PiSystem& system) {
-    std::vector<std::vector<std::uint32_t>> bondsOf(system.atoms.size());
+    std::vector<std::vector<std::uint32_t>> atomBonds(system.atoms.size());
     for (std::uint32_t b = 0; b < system.bonds.size(); ++b) {
-        bondsOf[system.bonds[b].a].push_back(b);
-        bondsOf[system.bonds[b].b].push_back(b);
+        atomBonds[system.bonds[b].a].push_back(b);
+        atomBonds[system.bonds[b].b].push_back(b);
     }
     std::vector<std::uint32_t> starts(system.atoms.size()), order, queue;
     for (std::uint32_t i = 0; i < starts.size(); ++i) starts[i] = i;
     std::stable_sort(starts.begin(), starts.end(),
-                     [&](std::uint32_t l, std::uint32_t r) { return bondsOf[l].size() < bondsOf[r].size(); });
+                     [&](std::uint32_t l, std::uint32_t r) { return atomBonds[l].size() < atomBonds[r].size(); });
     std::vector<std::uint8_t> seen(system.atoms.size()), taken(system.bonds.size());
     for (const std::uint32_t start : starts) {
         if (seen[start]) continue;
         queue.assign(1, start);
         seen[start] = 1;
         for (std::size_t at = 0; at < queue.size(); ++at) {
-            for (const std::uint32_t b : bondsOf[queue[at]]) {
+            for (const std::uint32_t b : atomBonds[queue[at]]) {
                 if (taken[b]) continue;
                 taken[b] = 1;
                 order.push_back(b);
@@ -83,7 +83,7 @@ private:
         return false;
     }
 
-    static unsigned countOf(std::uint64_t key, std::uint8_t slot) { return key >> (2 * slot) & 3u; }
+    static unsigned slotCount(std::uint64_t key, std::uint8_t slot) { return key >> (2 * slot) & 3u; }
 
     void step(const PiSystem::Bond& bond, std::uint32_t index) {
         const bool possible = open(bond.a) && open(bond.b);
@@ -119,7 +119,7 @@ private:
              bool closesB) {
         for (const auto& [atom, closes] : {std::pair(bond.a, closesA), std::pair(bond.b, closesB)}) {
             const std::uint8_t slot = slot_[atom];
-            const unsigned count = countOf(key, slot) + pi;
+            const unsigned count = slotCount(key, slot) + pi;
             if (count > system_.atoms[atom].most) return false;
             key &= ~(std::uint64_t{3} << (2 * slot));
             if (closes)

@@ -18,7 +18,7 @@ public:
     /// @param reach  Å: the largest distance for near()
     PlaceGrid(const std::vector<glm::vec3>& places, double reach) : places_(places), reach_(reach) {
         entries_.reserve(places.size());
-        for (std::uint32_t i = 0; i < places.size(); ++i) entries_.push_back({keyOf(cellOf(places[i])), i});
+        for (std::uint32_t i = 0; i < places.size(); ++i) entries_.push_back({makeKey(findCell(places[i])), i});
         std::sort(entries_.begin(), entries_.end(),
                   [](const Entry& l, const Entry& r) { return l.key != r.key ? l.key < r.key : l.index < r.index; });
     }
@@ -28,12 +28,12 @@ public:
     /// crowd at one place would take forever
     template <typename Visit>
     void near(const glm::vec3& from, const Visit& visit) const {
-        const Cell centre = cellOf(from);
+        const Cell centre = findCell(from);
         const double most = reach_ * reach_;
         std::uint64_t looked = 0;
         for (std::int64_t x = centre.x - 1; x <= centre.x + 1; ++x) {
             for (std::int64_t y = centre.y - 1; y <= centre.y + 1; ++y) {
-                const std::uint64_t first = keyOf({x, y, centre.z - 1}), last = keyOf({x, y, centre.z + 1});
+                const std::uint64_t first = makeKey({x, y, centre.z - 1}), last = makeKey({x, y, centre.z + 1});
                 auto at = std::lower_bound(entries_.begin(), entries_.end(), first,
                                            [](const Entry& entry, std::uint64_t key) { return entry.key < key; });
                 for (; at != entries_.end() && at->key <= last; ++at) {
@@ -57,7 +57,7 @@ private:
         std::uint32_t index;
     };
 
-    Cell cellOf(const glm::vec3& place) const {
+    Cell findCell(const glm::vec3& place) const {
         const auto axis = [&](float value) {
             constexpr double kFarthest = (1 << 20) - 2;
             const double cell = std::floor(static_cast<double>(value) / reach_);
@@ -65,7 +65,7 @@ private:
         };
         return {axis(place.x), axis(place.y), axis(place.z)};
     }
-    static std::uint64_t keyOf(const Cell& cell) {
+    static std::uint64_t makeKey(const Cell& cell) {
         return static_cast<std::uint64_t>(cell.x) << 42 | static_cast<std::uint64_t>(cell.y) << 21 |
                static_cast<std::uint64_t>(cell.z);
     }

@@ -102,10 +102,10 @@ private:
 
     Element element(std::uint32_t atom) const { return molecule_.atoms[atom].element; }
     bool receptor(std::uint32_t atom) const { return features_.receptor[molecule_.atoms[atom].residue] != 0; }
-    std::string_view residueOf(std::uint32_t atom) const {
+    std::string_view residueName(std::uint32_t atom) const {
         return molecule_.residues[molecule_.atoms[atom].residue].name.view();
     }
-    std::string_view nameOf(std::uint32_t atom) const { return molecule_.atoms[atom].name.view(); }
+    std::string_view atomName(std::uint32_t atom) const { return molecule_.atoms[atom].name.view(); }
 
     std::size_t count(std::uint32_t atom, Element e) const {
         std::size_t number = 0;
@@ -161,7 +161,7 @@ private:
         if (receptor(atom)) {
             // By Open Babel's kekulisation: arginine's double bond is at NE, tryptophan's nitrogen has no hydrogen, and
             // histidine's ND1 has one if it is above CD2.
-            const std::string_view residue = residueOf(atom), name = nameOf(atom);
+            const std::string_view residue = residueName(atom), name = atomName(atom);
             if (residue == "ARG" && name == "NE") return 0;
             if (residue == "ARG" && (name == "NH1" || name == "NH2")) return 2;
             if (residue == "TRP" && name == "NE1") return 0;
@@ -222,7 +222,7 @@ private:
             if (element(n.atom) != kCarbon || !chemistry_.aromaticAtom[n.atom]) continue;
             std::optional<std::uint32_t> other;
             bool amine = false;
-            for (const std::uint32_t m : neighboursOf(n.atom, kNitrogen)) {
+            for (const std::uint32_t m : findNeighbours(n.atom, kNitrogen)) {
                 const std::size_t heavy = heavyNeighbours(molecule_, chemistry_, m).size();
                 amine = amine || heavy == 1;
                 if (m != atom && heavy == 2) other = m;
@@ -233,9 +233,9 @@ private:
     }
 
     bool besideCarbonyl(std::uint32_t nitrogen) const {
-        const auto carbons = neighboursOf(nitrogen, kCarbon);
+        const auto carbons = findNeighbours(nitrogen, kCarbon);
         return std::any_of(carbons.begin(), carbons.end(), [&](std::uint32_t carbon) {
-            const auto oxygens = neighboursOf(carbon, kOxygen);
+            const auto oxygens = findNeighbours(carbon, kOxygen);
             return std::any_of(oxygens.begin(), oxygens.end(), [&](std::uint32_t oxygen) {
                 return heavyNeighbours(molecule_, chemistry_, oxygen).size() == 1;
             });
@@ -247,7 +247,7 @@ private:
         const Residue& residue = molecule_.residues[molecule_.atoms[atom].residue];
         const std::uint32_t count = std::min(residue.atomCount, kLargestAminoAcid);
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + count; ++i)
-            if (chemistry_.present[i] && nameOf(i) == "CD2")
+            if (chemistry_.present[i] && atomName(i) == "CD2")
                 return molecule_.atoms[atom].position.z > molecule_.atoms[i].position.z;
         return false;
     }
@@ -332,7 +332,7 @@ private:
         }
     }
 
-    std::vector<std::uint32_t> neighboursOf(std::uint32_t atom, Element e) const {
+    std::vector<std::uint32_t> findNeighbours(std::uint32_t atom, Element e) const {
         std::vector<std::uint32_t> list;
         for (const Neighbour& n : chemistry_.of(atom))
             if (element(n.atom) == e) list.push_back(n.atom);
@@ -351,7 +351,7 @@ private:
             case kSulphur:
                 if (degree == 3) addCharge({atom}, {atom}, true);
                 if (degree != 3 && (oxygens == 3 || oxygens == 4)) {
-                    std::vector<std::uint32_t> atoms = neighboursOf(atom, kOxygen);
+                    std::vector<std::uint32_t> atoms = findNeighbours(atom, kOxygen);
                     atoms.push_back(atom);
                     addCharge(atoms, {atom}, false);
                 }
@@ -365,7 +365,7 @@ private:
                 break;
             case kCarbon:
                 if (oxygens == 2 && count(atom, kCarbon) == 1) {
-                    const auto ends = neighboursOf(atom, kOxygen);
+                    const auto ends = findNeighbours(atom, kOxygen);
                     addCharge(ends, ends, false);
                 } else if (degree == 3 && count(atom, kNitrogen) == 3) {
                     const bool end = std::any_of(around.begin(), around.end(), [&](std::uint32_t n) {
@@ -380,7 +380,7 @@ private:
     }
 
     bool receptorBindsMetal(std::uint32_t atom) const {
-        const std::string_view residue = residueOf(atom);
+        const std::string_view residue = residueName(atom);
         const bool side = isSideChain(molecule_, atom);
         if (element(atom) == kOxygen)
             return !side || residue == "ASP" || residue == "GLU" || residue == "SER" || residue == "THR" ||

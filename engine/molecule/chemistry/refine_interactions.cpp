@@ -86,22 +86,22 @@ void keepOnePerDonor(const InteractionSearch& search, std::vector<std::uint8_t>&
 /// A ring that stacks with a histidine has no cation-pi contact with that histidine's charge.
 void dropHistidineCations(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
     std::set<std::pair<std::vector<std::uint32_t>, std::int32_t>> stacked;  // a ring, and the histidine's number
-    const auto residueOf = [&](const InteractionEnd& end) -> const Residue& {
+    const auto findResidue = [&](const InteractionEnd& end) -> const Residue& {
         return search.molecule.residues[search.residue(end.atoms[0])];
     };
-    const auto histidine = [&](const InteractionEnd& end) { return residueOf(end).name == Name("HIS"); };
+    const auto histidine = [&](const InteractionEnd& end) { return findResidue(end).name == Name("HIS"); };
     for (const Interaction& interaction : search.found) {
         if (interaction.kind != InteractionKind::piStacking) continue;
         const InteractionEnd &a = interaction.a, &b = interaction.b;
-        if (histidine(a)) stacked.emplace(b.atoms, residueOf(a).number);
-        if (histidine(b)) stacked.emplace(a.atoms, residueOf(b).number);
+        if (histidine(a)) stacked.emplace(b.atoms, findResidue(a).number);
+        if (histidine(b)) stacked.emplace(a.atoms, findResidue(b).number);
     }
     for (std::size_t i = 0; i < search.found.size(); ++i) {
         const Interaction& interaction = search.found[i];
         if (interaction.kind != InteractionKind::cationPi) continue;
         const InteractionEnd& ring = interaction.a.ring ? interaction.a : interaction.b;
         const InteractionEnd& charge = interaction.a.ring ? interaction.b : interaction.a;
-        dropped[i] = dropped[i] || (histidine(charge) && stacked.contains({ring.atoms, residueOf(charge).number}));
+        dropped[i] = dropped[i] || (histidine(charge) && stacked.contains({ring.atoms, findResidue(charge).number}));
     }
 }
 
@@ -170,14 +170,14 @@ void reducePlipHydrophobic(const InteractionSearch& search, std::vector<std::uin
     const std::vector<std::size_t> shortest = shortestPerResidue(search, dropped);
     for (std::size_t i = 0; i < search.found.size(); ++i)
         if (search.found[i].kind == InteractionKind::hydrophobic) dropped[i] = 1;
-    const auto sideOf = [&](std::size_t i, bool ligand) {
+    const auto sideAtom = [&](std::size_t i, bool ligand) {
         const Interaction& interaction = search.found[i];
         return (ligandIsA(search, interaction) == ligand ? interaction.a : interaction.b).atoms[0];
     };
-    for (const std::size_t i : shortest) byReceptor[sideOf(i, false)].push_back(i);
+    for (const std::size_t i : shortest) byReceptor[sideAtom(i, false)].push_back(i);
     for (const auto& [receptor, contacts] : byReceptor) {
         std::vector<std::uint32_t> atoms;
-        for (const std::size_t i : contacts) atoms.push_back(sideOf(i, true));
+        for (const std::size_t i : contacts) atoms.push_back(sideAtom(i, true));
         const std::vector<std::size_t> group = clusters(search, atoms);
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             bool keep = contacts.size() == 1 || std::count(group.begin(), group.end(), group[i]) > 1;
@@ -219,20 +219,20 @@ void dropMetals(const InteractionSearch& search, std::vector<std::uint8_t>& drop
 /// Mol*: keeps the shortest hydrophobic contact between an atom and a residue, from either side.
 void keepShortestPerAtom(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
     std::map<AtomPair, std::size_t> best;  // by an atom and the residue that it touches
-    const auto sidesOf = [&](const Interaction& contact) {
+    const auto listSides = [&](const Interaction& contact) {
         const std::uint32_t a = contact.a.atoms[0], b = contact.b.atoms[0];
         return std::array<AtomPair, 2>{AtomPair(a, search.residue(b)), AtomPair(b, search.residue(a))};
     };
     for (std::size_t i = 0; i < search.found.size(); ++i) {
         if (search.found[i].kind != InteractionKind::hydrophobic) continue;
-        for (const AtomPair& side : sidesOf(search.found[i])) {
+        for (const AtomPair& side : listSides(search.found[i])) {
             const auto [known, added] = best.try_emplace(side, i);
             if (!added && search.found[i].distance < search.found[known->second].distance) known->second = i;
         }
     }
     for (std::size_t i = 0; i < search.found.size(); ++i) {
         if (search.found[i].kind != InteractionKind::hydrophobic) continue;
-        for (const AtomPair& side : sidesOf(search.found[i])) dropped[i] |= best.at(side) != i;
+        for (const AtomPair& side : listSides(search.found[i])) dropped[i] |= best.at(side) != i;
     }
 }
 
@@ -249,7 +249,7 @@ bool joined(const Interaction& interaction, const std::set<AtomPair>& stronger) 
 void keepOnePerPair(std::vector<Interaction>& found) {
     using Key =
         std::tuple<InteractionKind, std::vector<std::uint32_t>, std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
-    const auto atomsOf = [](const Interaction& interaction, const InteractionEnd& end) {
+    const auto sortedAtoms = [](const Interaction& interaction, const InteractionEnd& end) {
         std::vector<std::uint32_t> atoms = end.atoms;
         const bool hydrogens =
             interaction.kind == InteractionKind::hydrogenBond || interaction.kind == InteractionKind::waterBridge;
@@ -257,17 +257,17 @@ void keepOnePerPair(std::vector<Interaction>& found) {
         std::sort(atoms.begin(), atoms.end());
         return atoms;
     };
-    const auto angleOf = [](const Interaction& interaction) {
+    const auto lastAngle = [](const Interaction& interaction) {
         return interaction.angles.empty() ? 0 : interaction.angles.back().degrees;
     };
     std::map<Key, std::size_t> best;
     std::vector<std::uint8_t> dropped(found.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
-        auto first = atomsOf(found[i], found[i].a), second = atomsOf(found[i], found[i].b);
+        auto first = sortedAtoms(found[i], found[i].a), second = sortedAtoms(found[i], found[i].b);
         if (second < first) std::swap(first, second);
         const auto [at, added] = best.try_emplace(Key(found[i].kind, first, second, found[i].waters), i);
         if (added) continue;
-        const bool better = angleOf(found[i]) > angleOf(found[at->second]);
+        const bool better = lastAngle(found[i]) > lastAngle(found[at->second]);
         dropped[better ? at->second : i] = 1;
         if (better) at->second = i;
     }

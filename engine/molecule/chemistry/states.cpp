@@ -36,7 +36,7 @@ public:
     void run() {
         const auto count = static_cast<std::uint32_t>(chemistry_.present.size());
         for (std::uint32_t i = 0; i < count; ++i)
-            if (chemistry_.present[i] && !work_.isHydrogenAt(i)) chemistry_.hybrid[i] = hybridOf(i);
+            if (chemistry_.present[i] && !work_.isHydrogenAt(i)) chemistry_.hybrid[i] = findHybrid(i);
         for (std::uint32_t i = 0; i < count; ++i)
             if (chemistry_.present[i] && !work_.isHydrogenAt(i)) setState(i);
         for (std::uint32_t i = 0; i < count; ++i)
@@ -44,15 +44,15 @@ public:
     }
 
 private:
-    int piOf(std::uint32_t atom) const {
+    int countPi(std::uint32_t atom) const {
         return chemistry_.orders(atom) - static_cast<int>(chemistry_.of(atom).size());
     }
 
-    bool planarAtom(std::uint32_t atom) const { return chemistry_.aromaticAtom[atom] || piOf(atom) == 1; }
+    bool planarAtom(std::uint32_t atom) const { return chemistry_.aromaticAtom[atom] || countPi(atom) == 1; }
 
-    std::uint8_t hybridOf(std::uint32_t atom) const {
+    std::uint8_t findHybrid(std::uint32_t atom) const {
         const Element e = work_.element(atom);
-        const int pi = piOf(atom);
+        const int pi = countPi(atom);
         if (isMetal(e) || e == 0) return 0;
         if (e == kSulphur || e == kPhosphorus || e == kArsenic || e == kSelenium || e == kChlorine)
             if (work_.degree(atom) >= 3) return 3;
@@ -77,7 +77,7 @@ private:
     /// of the periodic table: N+ binds like carbon, S+ like phosphorus. Only the third period and below exceed the
     /// octet.
     static int lackingHydrogens(Element e, int charge, int orders) {
-        const int group = groupOf(e);
+        const int group = periodicGroup(e);
         if (group == 0) return 0;
         const int like = group - charge;  // 14: carbon
         const bool octet = e <= kFluorine || like <= 14;
@@ -87,7 +87,7 @@ private:
         return 0;
     }
 
-    static int groupOf(Element e) {
+    static int periodicGroup(Element e) {
         switch (e) {
             case kBoron:
                 return 13;
@@ -117,7 +117,7 @@ private:
         const int sum = chemistry_.orders(atom);
         const Atom& record = work_.atom(atom);
         std::int8_t charge = record.charge;
-        if (charge == 0) charge = static_cast<std::int8_t>(chargeOf(atom, e, sum));
+        if (charge == 0) charge = static_cast<std::int8_t>(computeCharge(atom, e, sum));
         chemistry_.charge[atom] = charge;
         const std::uint8_t there = hydrogensThere(atom);
         if (hasHydrogens_[record.residue] && (there > 0 || e == kCarbon || stateOfHydrogensKnown(atom))) {
@@ -153,7 +153,7 @@ private:
         return residueTemplate(residue) && (name == Name("C") || name == Name("P"));
     }
 
-    int chargeOf(std::uint32_t atom, Element e, int sum) const {
+    int computeCharge(std::uint32_t atom, Element e, int sum) const {
         const bool known = hasHydrogens_[work_.atom(atom).residue] != 0;
         const std::size_t degree = work_.degree(atom);
         switch (e) {
@@ -196,7 +196,7 @@ private:
     bool besideDiazo(std::uint32_t atom, int sum) const {
         if (sum != 2) return false;
         for (const Neighbour& n : chemistry_.of(atom)) {
-            const bool middle = work_.element(n.atom) == kNitrogen && work_.degree(n.atom) == 2 && piOf(n.atom) == 2;
+            const bool middle = work_.element(n.atom) == kNitrogen && work_.degree(n.atom) == 2 && countPi(n.atom) == 2;
             if (middle && (work_.degree(atom) == 1 || chemistry_.order[n.bond] == 1)) return true;
         }
         return false;
@@ -229,7 +229,7 @@ private:
             if (work_.element(n.atom) != kNitrogen) continue;
             ++nitrogens;
             for (const Neighbour& m : chemistry_.of(n.atom))  // next to an acyl or nitro group: not a base
-                if (m.atom != carbon && !work_.isHydrogenAt(m.atom) && piOf(m.atom) > 0) return false;
+                if (m.atom != carbon && !work_.isHydrogenAt(m.atom) && countPi(m.atom) > 0) return false;
         }
         return nitrogens >= 2;
     }
@@ -243,7 +243,7 @@ private:
         if (e == kNitrogen) return chemistry_.orders(n.atom) >= 4;
         for (const Neighbour& m : chemistry_.of(n.atom)) {
             if (m.atom == atom || chemistry_.order[m.bond] != 2 || work_.degree(m.atom) != 1) continue;
-            const bool acid = e == kCarbon || e == kSulphur || e == kSelenium || groupOf(e) == 17;
+            const bool acid = e == kCarbon || e == kSulphur || e == kSelenium || periodicGroup(e) == 17;
             if (acid) return work_.element(m.atom) == kOxygen;
         }
         return false;
@@ -253,7 +253,7 @@ private:
     void markDelocalised(std::uint32_t centre) {
         const Element e = work_.element(centre);
         const bool guanidine =
-            e == kCarbon && !chemistry_.aromaticAtom[centre] && piOf(centre) == 1 && amidineCarbon(centre);
+            e == kCarbon && !chemistry_.aromaticAtom[centre] && countPi(centre) == 1 && amidineCarbon(centre);
         std::size_t ends = 0, twofold = 0;
         const auto counts = [&](const Neighbour& n) {
             const Element other = work_.element(n.atom);

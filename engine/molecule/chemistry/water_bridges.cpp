@@ -112,7 +112,7 @@ void findMolstarBridges(InteractionSearch& search, const PlaceGrid& grid) {
 }
 
 /// The residue that PLIP takes as the ligand of a bridge.
-std::uint32_t unitOf(const InteractionSearch& search, std::uint32_t acceptor, std::uint32_t donor) {
+std::uint32_t findUnit(const InteractionSearch& search, std::uint32_t acceptor, std::uint32_t donor) {
     const std::uint32_t first = search.residue(acceptor), second = search.residue(donor);
     const bool byDonor = search.features.receptor[first] && !search.features.receptor[second];
     return search.features.unit[byDonor ? second : first];
@@ -135,7 +135,7 @@ Partners plipPartners(InteractionSearch& search, const PlaceGrid& grid) {
                 partners[search.features.waters[index]].push_back({acceptor, false, {}, kNoHydrogen, -1});
         });
     for (const Donor& donor : search.features.donors) {
-        const std::vector<PlacedHydrogen> hydrogens = hydrogensOf(search, donor);
+        const std::vector<PlacedHydrogen> hydrogens = placeHydrogens(search, donor);
         grid.near(search.molecule.atoms[donor.atom].position, [&](std::uint32_t index, double squared) {
             const std::uint32_t water = search.features.waters[index];
             if (squared < kNearest || !search.together(donor.atom, water)) return;
@@ -155,7 +155,7 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> busyDonors(const InteractionSe
         if (bond.kind != InteractionKind::hydrogenBond) continue;
         const bool fromA = bond.donor == DonorSide::a;
         const std::uint32_t donor = (fromA ? bond.a : bond.b).atoms[0], other = (fromA ? bond.b : bond.a).atoms[0];
-        busy.insert({donor, unitOf(search, other, donor)});
+        busy.insert({donor, findUnit(search, other, donor)});
     }
     return busy;
 }
@@ -200,7 +200,7 @@ void findPlipBridges(InteractionSearch& search, const PlaceGrid& grid) {
             for (const WaterPartner& donor : list) {
                 if (acceptor.donates || !donor.donates || search.sides(acceptor.atom, donor.atom) == 0) continue;
                 if (!search.apart(acceptor.atom, donor.atom) || !search.allowed(acceptor.atom, donor.atom)) continue;
-                const std::uint32_t unit = unitOf(search, acceptor.atom, donor.atom);
+                const std::uint32_t unit = findUnit(search, acceptor.atom, donor.atom);
                 if (busy.contains({donor.atom, unit})) continue;
                 const double angle =
                     angleBetween(search.at(acceptor.atom) - search.at(water), donor.hydrogen - search.at(water));

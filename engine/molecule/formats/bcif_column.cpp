@@ -40,7 +40,7 @@ double needNumber(const MsgpackValue& map, const char* key) {
 }
 
 /// Encodings in the order in which they were applied; decoding goes from the last to the first.
-std::vector<MsgpackValue> encodingsOf(const MsgpackValue& list) {
+std::vector<MsgpackValue> readEncodings(const MsgpackValue& list) {
     std::vector<MsgpackValue> encodings;
     MsgpackElements elements(list);
     for (MsgpackValue encoding; elements.next(encoding);) {
@@ -103,12 +103,12 @@ BcifColumn::BcifColumn(const MsgpackValue& column, std::size_t rows, std::size_t
     decode(need(column, "data"), rows);
     const auto mask = column.find("mask");
     if (!mask || mask->is(MsgpackValue::Kind::nothing)) return;
-    missing_ = exactly(decodeIntegers(needBytes(*mask, "data"), encodingsOf(need(*mask, "encoding")), 0), rows);
+    missing_ = exactly(decodeIntegers(needBytes(*mask, "data"), readEncodings(need(*mask, "encoding")), 0), rows);
 }
 
 void BcifColumn::decode(const MsgpackValue& data, std::size_t rows) {
     const std::string_view bytes = needBytes(data, "data");
-    const std::vector<MsgpackValue> encodings = encodingsOf(need(data, "encoding"));
+    const std::vector<MsgpackValue> encodings = readEncodings(need(data, "encoding"));
     const MsgpackValue& outer = encodings.front();
     const std::string_view kind = needText(outer, "kind");
     if (kind == "StringArray") {
@@ -144,10 +144,10 @@ void BcifColumn::decodeFloats(std::string_view bytes, std::size_t rows) {
 
 void BcifColumn::decodeStrings(const MsgpackValue& encoding, std::string_view bytes, std::size_t rows) {
     kind_ = Kind::strings;
-    integers_ = exactly(decodeIntegers(bytes, encodingsOf(need(encoding, "dataEncoding")), 0), rows);
+    integers_ = exactly(decodeIntegers(bytes, readEncodings(need(encoding, "dataEncoding")), 0), rows);
     text_ = needText(encoding, "stringData");
     const IntegersPointer offsets =
-        decodeIntegers(needBytes(encoding, "offsets"), encodingsOf(need(encoding, "offsetEncoding")), 0);
+        decodeIntegers(needBytes(encoding, "offsets"), readEncodings(need(encoding, "offsetEncoding")), 0);
     for (std::int32_t offset = 0; offsets->next(offset);) {
         const std::int64_t last = offsets_.empty() ? 0 : offsets_.back();
         if (offset < last || static_cast<std::size_t>(offset) > text_.size())

@@ -10,7 +10,7 @@ namespace nacre {
 namespace {
 
 /// A symmetry operation as a transform of Å, shifted by whole cells so that the copy's centre lies in the cell at 0.
-TransformRows transformOf(const gemmi::Op& operation, const gemmi::UnitCell& cell, const gemmi::Fractional& centre) {
+TransformRows makeTransform(const gemmi::Op& operation, const gemmi::UnitCell& cell, const gemmi::Fractional& centre) {
     gemmi::Transform fractional;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) fractional.mat[i][j] = double(operation.rot[i][j]) / gemmi::Op::DEN;
@@ -76,7 +76,7 @@ void CellSites::addUnitCell(MoleculeBuilder& builder) const {
         std::vector<glm::mat4x3> transforms;
         for (const gemmi::Op& operation : operations_) {
             limits.spend(1, 1);
-            transforms.push_back(toMatrix(transformOf(operation, cell_, centre)));
+            transforms.push_back(toMatrix(makeTransform(operation, cell_, centre)));
         }
         if (const auto general = builder.subchain(prefix_)) addPart(assembly, transforms, {*general});
         for (const auto& [kept, name] : groups_) {

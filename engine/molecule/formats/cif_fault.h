@@ -8,34 +8,34 @@
 namespace nacre {
 
 template <typename Fault>
-auto messageOf(const Fault& fault, int) -> decltype(std::string(fault.message())) {
+auto faultMessage(const Fault& fault, int) -> decltype(std::string(fault.message())) {
     return std::string(fault.message());
 }
 /// PEGTL 2.8: "SOURCE:LINE:COLUMN(BYTE): words".
 template <typename Fault>
-std::string messageOf(const Fault& fault, long) {
+std::string faultMessage(const Fault& fault, long) {
     const std::string text = fault.what();
     const std::size_t end = text.find("): ");
     return end == std::string::npos ? text : text.substr(end + 3);
 }
 /// The message without a position.
 template <typename Fault>
-std::string messageOf(const Fault& fault) {
-    return messageOf(fault, 0);
+std::string faultMessage(const Fault& fault) {
+    return faultMessage(fault, 0);
 }
 
 template <typename Fault>
-auto lineOf(const Fault& fault, int) -> decltype(static_cast<std::size_t>(fault.positions().front().line)) {
+auto lineNumber(const Fault& fault, int) -> decltype(static_cast<std::size_t>(fault.positions().front().line)) {
     return fault.positions().front().line;
 }
 template <typename Fault>
-std::size_t lineOf(const Fault& fault, long) {
+std::size_t lineNumber(const Fault& fault, long) {
     return fault.positions.front().line;
 }
 /// The position.
 template <typename Fault>
-std::size_t lineOf(const Fault& fault) {
-    return lineOf(fault, 0);
+std::size_t lineNumber(const Fault& fault) {
+    return lineNumber(fault, 0);
 }
 
 }  // namespace nacre

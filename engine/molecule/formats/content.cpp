@@ -24,7 +24,7 @@ constexpr std::size_t kTellingBytes = std::size_t{64} << 10;  // enough to detec
     cannotRead(name, "it is larger than the limit of " + std::to_string(maxBytes) + " bytes");
 }
 
-std::string headOf(const TextSource& text) {
+std::string readHead(const TextSource& text) {
     std::string head;
     appendText(head, text, {0, std::min<std::uint64_t>(kTellingBytes, text.size)});
     return head;
@@ -32,8 +32,9 @@ std::string headOf(const TextSource& text) {
 
 /// A text that is read by lines, and the positions of its models; else empty.
 std::optional<Content> plainText(const std::string& name, TextSource text, const ReadOptions& options) {
-    const std::string head = headOf(text);
-    if (!compressionOf(head).empty() || startsWith(head, "\xEF\xBB\xBF") || utf8FromUtf16(head)) return std::nullopt;
+    const std::string head = readHead(text);
+    if (!detectCompression(head).empty() || startsWith(head, "\xEF\xBB\xBF") || utf8FromUtf16(head))
+        return std::nullopt;
     if (detectBinaryFormat(head)) return std::nullopt;
     Content content{name, options.format ? *options.format : detectFormat(name, head), nullptr, std::move(text), {}};
     content.spans = modelSpans(content.format, content.text);
@@ -128,15 +129,15 @@ std::optional<Content> openSeveral(const std::string& path, const ReadOptions& o
     const std::shared_ptr<ByteFile> file = ByteFile::open(path);
     if (!file || file->size() == 0 || file->size() > options.maxBytes) return std::nullopt;
     TextSource text = textInFile(file);
-    if (compressionOf(headOf(text)).empty())
+    if (detectCompression(readHead(text)).empty())
         return file->size() > options.heldText ? severalModels(path, std::move(text), options) : std::nullopt;
     std::string bytes(static_cast<std::size_t>(file->size()), '\0');
     file->read(0, bytes.data(), bytes.size());
     Inflated taken(path, options);
     decompress(path, bytes, options.maxBytes, [&](std::string_view part) { taken.take(part); });
-    if (!taken.file()) return contentOf(path, std::move(taken.held()), options);
+    if (!taken.file()) return makeContent(path, std::move(taken.held()), options);
     std::optional<Content> content = severalModels(path, textInFile(taken.file()), options);
-    return content ? content : contentOf(path, std::move(bytes), options);
+    return content ? content : makeContent(path, std::move(bytes), options);
 }
 
 }  // namespace
@@ -152,8 +153,8 @@ void unifyLineEnds(std::string& text) {
     text.resize(to);
 }
 
-Content contentOf(const std::string& name, std::string bytes, const ReadOptions& options) {
-    if (!compressionOf(bytes).empty()) bytes = decompress(name, bytes, options.maxBytes);
+Content makeContent(const std::string& name, std::string bytes, const ReadOptions& options) {
+    if (!detectCompression(bytes).empty()) bytes = decompress(name, bytes, options.maxBytes);
     if (startsWith(bytes, "\xEF\xBB\xBF")) bytes.erase(0, 3);
     if (bytes.size() > options.maxBytes) refuseLarge(name, options.maxBytes);
     if (auto utf8 = utf8FromUtf16(bytes)) bytes = std::move(*utf8);
@@ -167,14 +168,14 @@ Content contentOf(const std::string& name, std::string bytes, const ReadOptions&
 }
 
 Content openContent(const std::string& path, const ReadOptions& options) {
-    if (path == "-") return contentOf("standard input", readAll(stdin, "standard input", options), options);
+    if (path == "-") return makeContent("standard input", readAll(stdin, "standard input", options), options);
     const std::string shown = printable(path, kMaxMessage);
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) cannotRead(shown, "it is a folder");
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     if (!file) cannotRead(shown, std::strerror(errno));
     if (std::optional<Content> several = openSeveral(path, options)) return std::move(*several);
-    return contentOf(path, readAll(file.get(), shown, options), options);
+    return makeContent(path, readAll(file.get(), shown, options), options);
 }
 
 Content heldWhole(const Content& content, const ReadOptions& options) {
@@ -182,7 +183,7 @@ Content heldWhole(const Content& content, const ReadOptions& options) {
     appendText(text, content.text, {0, content.text.size});
     ReadOptions known = options;
     known.format = content.format;
-    return contentOf(content.name, std::move(text), known);
+    return makeContent(content.name, std::move(text), known);
 }
 
 }  // namespace nacre

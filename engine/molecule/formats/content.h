@@ -22,7 +22,7 @@ struct Content {
 };
 
 /// @param bytes  contents of the file @throws Error
-Content contentOf(const std::string& name, std::string bytes, const ReadOptions& options);
+Content makeContent(const std::string& name, std::string bytes, const ReadOptions& options);
 
 /// A file's content. Text longer than ReadOptions::heldText is not held in memory if its models can be separated: it is
 /// read from the file, or from a temporary one if that is compressed. @param path  "-": standard input @throws Error

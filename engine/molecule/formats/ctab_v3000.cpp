@@ -98,11 +98,12 @@ private:
         const Words words = splitWords(line_);
         const auto type = parseInteger(words[1]), a = parseInteger(words[2]), b = parseInteger(words[3]);
         if (!type || !a || !b) fail("expected a bond, not '" + printable(line_) + "'");
-        const auto atomOf = [&](std::int64_t id) {
+        const auto findAtom = [&](std::int64_t id) {
             std::uint32_t record = 0;
             return index.find(id, record) == IdIndex::Found::one ? builder_.atomOfRecord(record) : -1;
         };
-        if (const int order = bondOrderOfCtab(*type)) builder_.addBond(atomOf(*a), atomOf(*b), order, lines_.number());
+        if (const int order = bondOrderOfCtab(*type))
+            builder_.addBond(findAtom(*a), findAtom(*b), order, lines_.number());
     }
 
     MoleculeBuilder& builder_;

@@ -42,7 +42,7 @@ struct Window {
 
 /// A step of a library whose stream has zlib's fields. @return the step's result
 template <typename Stream, typename Step>
-auto stepOf(Stream& stream, Window& w, const Step& step) {
+auto runStep(Stream& stream, Window& w, const Step& step) {
     stream.next_in = reinterpret_cast<decltype(stream.next_in)>(const_cast<char*>(w.in));
     stream.avail_in = static_cast<decltype(stream.avail_in)>(w.inLeft);
     stream.next_out = reinterpret_cast<decltype(stream.next_out)>(w.out);
@@ -70,7 +70,7 @@ public:
     ~GzipMember() override { inflateEnd(&stream_); }
 
     bool step(Window& w) override {
-        const int state = stepOf(stream_, w, [](z_stream* stream) { return inflate(stream, Z_NO_FLUSH); });
+        const int state = runStep(stream_, w, [](z_stream* stream) { return inflate(stream, Z_NO_FLUSH); });
         if (state == Z_DATA_ERROR && stream_.msg && std::string_view(stream_.msg) == "incorrect data check")
             throw Damage(kWrongChecksum);
         if (state != Z_OK && state != Z_STREAM_END && state != Z_BUF_ERROR)
@@ -90,7 +90,7 @@ public:
     ~XzMember() override { lzma_end(&stream_); }
 
     bool step(Window& w) override {
-        const auto state = stepOf(stream_, w, [](lzma_stream* stream) { return lzma_code(stream, LZMA_RUN); });
+        const auto state = runStep(stream_, w, [](lzma_stream* stream) { return lzma_code(stream, LZMA_RUN); });
         if (state == LZMA_MEM_ERROR) throw std::bad_alloc();
         if (state == LZMA_MEMLIMIT_ERROR) throw Damage("it takes too much memory to inflate");
         if (state == LZMA_OPTIONS_ERROR) throw Damage("it needs a newer xz than this program has");
@@ -111,7 +111,7 @@ public:
     ~Bzip2Member() override { BZ2_bzDecompressEnd(&stream_); }
 
     bool step(Window& w) override {
-        const int state = stepOf(stream_, w, BZ2_bzDecompress);
+        const int state = runStep(stream_, w, BZ2_bzDecompress);
         if (state == BZ_MEM_ERROR) throw std::bad_alloc();
         if (state != BZ_OK && state != BZ_STREAM_END) throw Damage("the file is damaged, or its checksum is wrong");
         return state == BZ_STREAM_END;
@@ -140,7 +140,7 @@ private:
     std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream_;
 };
 
-std::unique_ptr<Member> memberOf(std::string_view compression) {
+std::unique_ptr<Member> makeMember(std::string_view compression) {
     if (compression == "gzip") return std::make_unique<GzipMember>();
     if (compression == "xz") return std::make_unique<XzMember>();
     if (compression == "bzip2") return std::make_unique<Bzip2Member>();
@@ -170,7 +170,7 @@ void inflateMember(Member& member, std::string_view& bytes, std::size_t whole, s
 
 }  // namespace
 
-std::string_view compressionOf(std::string_view bytes) {
+std::string_view detectCompression(std::string_view bytes) {
     using std::string_view_literals::operator""sv;
     const auto begins = [&](std::string_view mark) { return bytes.substr(0, mark.size()) == mark; };
     if (begins("\x1f\x8b")) return "gzip";
@@ -182,12 +182,12 @@ std::string_view compressionOf(std::string_view bytes) {
 
 void decompress(const std::string& name, std::string_view bytes, std::size_t maxBytes,
                 const std::function<void(std::string_view)>& take) {
-    const std::string_view compression = compressionOf(bytes);
+    const std::string_view compression = detectCompression(bytes);
     const std::size_t whole = bytes.size();
     std::uint64_t out = 0;
     try {
-        do inflateMember(*memberOf(compression), bytes, whole, maxBytes, out, take);
-        while (compressionOf(bytes) == compression);
+        do inflateMember(*makeMember(compression), bytes, whole, maxBytes, out, take);
+        while (detectCompression(bytes) == compression);
     } catch (const Damage& damage) {
         throw Error("cannot inflate " + std::string(compression) + " file", name, damage.what());
     }

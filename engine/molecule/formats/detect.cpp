@@ -37,7 +37,7 @@ Guess guessBinary(std::string_view head) {
                                                 {"\x7f"
                                                  "ELF",
                                                  "a program, not a molecule"}};
-    if (!compressionOf(head).empty()) return isNot("compressed twice; unpack it first");
+    if (!detectCompression(head).empty()) return isNot("compressed twice; unpack it first");
     for (const Signature& signature : kSignatures)
         if (startsWith(head, signature.bytes)) return isNot(signature.words);
     if (head.substr(0, 1) == std::string_view("\0", 1) && contains(head.substr(0, 16), "VERSION "))

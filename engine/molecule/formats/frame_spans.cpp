@@ -24,7 +24,7 @@ std::optional<XdatcarHeader> xdatcarHeader(TextCutter cut) {
         counts = std::string(cut.line());
     }
     if (cut.atEnd() || header.lines < kMostLines - 1) return std::nullopt;
-    for (const std::string_view word : wordsOf(counts)) {
+    for (const std::string_view word : splitAllWords(counts)) {
         const auto count = parseInteger(word);
         if (!count || *count < 0 || *count > INT32_MAX) return std::nullopt;
         header.atoms += *count;

@@ -17,9 +17,9 @@ void LammpsTypes::add(std::string_view type, double mass, std::string_view label
 void LammpsTypes::apply(MoleculeBuilder& builder) const {
     Molecule& molecule = builder.molecule();
     // Grains have masses of 1 in reduced units; hydrogen has 1.008.
-    const auto elementOf = [](const Kind& kind) { return kind.mass == 1 ? Element{0} : elementFromMass(kind.mass); };
+    const auto findElement = [](const Kind& kind) { return kind.mass == 1 ? Element{0} : elementFromMass(kind.mass); };
     const bool elements = !kinds_.empty() && std::all_of(kinds_.begin(), kinds_.end(), [&](const auto& kind) {
-        return elementOf(kind.second) != 0 || kind.second.mass == 0;
+        return findElement(kind.second) != 0 || kind.second.mass == 0;
     });
     bool masses = !kinds_.empty();
     for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
@@ -27,7 +27,7 @@ void LammpsTypes::apply(MoleculeBuilder& builder) const {
         Atom& atom = molecule.atoms[i];
         const bool known = kind != kinds_.end();
         masses = masses && known;
-        if (elements && known) atom.element = elementOf(kind->second);
+        if (elements && known) atom.element = findElement(kind->second);
         if (masses) molecule.masses.push_back(static_cast<float>(kind->second.mass));
         atom.name = known && !kind->second.label.empty() ? Name(kind->second.label)
                     : atom.element != 0                  ? Name(elementSymbol(atom.element))

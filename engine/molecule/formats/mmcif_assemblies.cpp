@@ -25,8 +25,8 @@ TransformsById readOperators(const MmcifTable& table) {
 }
 
 /// @param model  whose chains are listed, in a packed scene
-std::vector<std::uint32_t> subchainsOf(std::string_view list, std::optional<std::string_view> model,
-                                       const MoleculeBuilder& builder, AssemblyLimits& limits) {
+std::vector<std::uint32_t> findSubchains(std::string_view list, std::optional<std::string_view> model,
+                                         const MoleculeBuilder& builder, AssemblyLimits& limits) {
     std::vector<std::uint32_t> subchains;
     for (;;) {
         const std::size_t comma = list.find(',');
@@ -70,8 +70,8 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
         try {
             addPart(found[assembly->second],
                     expandOperators(generators.get(row, {"oper_expression"}).value_or(""), transforms, limits),
-                    subchainsOf(generators.get(row, {"asym_id_list"}).value_or(""),
-                                packed ? generators.get(row, {"pdb_model_num"}) : std::nullopt, builder, limits));
+                    findSubchains(generators.get(row, {"asym_id_list"}).value_or(""),
+                                  packed ? generators.get(row, {"pdb_model_num"}) : std::nullopt, builder, limits));
         } catch (const AssemblyFault& fault) {
             faults.emplace(assembly->first, fault.what());
         }

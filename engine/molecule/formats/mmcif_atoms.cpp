@@ -101,7 +101,7 @@ void MmcifAtoms::begin(const std::string& category, std::vector<std::string> col
 }
 
 /// Radius of a sphere, or of the sphere with a Gaussian's variance; 0 for an atom.
-float MmcifAtoms::radiusOf(const MmcifCell* cells) const {
+float MmcifAtoms::readRadius(const MmcifCell* cells) const {
     constexpr double kLargest = 1e6;  // Å
     double radius = cell(cells, sphereRadius).number().value_or(0);
     if (column_[varianceX] >= 0) {
@@ -120,7 +120,7 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     if (index < wantedFrom_ || index > wantedTo_) return;
     if (atoms_++ == maxAtoms_)
         throw tooManyAtoms(name() + (wantedFrom_ < wantedTo_ ? ", several models" : ""), maxAtoms_);
-    MoleculeBuilder& builder = builderOf(index);
+    MoleculeBuilder& builder = findBuilder(index);
     Atom atom;
     for (int axis = 0; axis < 3; ++axis) {
         const auto value = coordinate(cells, axis, line, builder);
@@ -130,7 +130,7 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     const std::string_view name = text(cells, authAtom, labelAtom), residue = text(cells, authComp, labelComp);
     const std::string_view type = text(cells, symbol);
     atom.name = Name(name);
-    atom.radius = radiusOf(cells);
+    atom.radius = readRadius(cells);
     const bool stated = !cell(cells, symbol).missing() || atom.radius > 0;
     if (atom.radius > 0) {
         atom.name = Name("BEAD");
@@ -192,7 +192,7 @@ void MmcifAtoms::refuseLongCells(const MmcifCell* cells, std::uint64_t line) con
                        line);
 }
 
-MoleculeBuilder& MmcifAtoms::builderOf(int index) {
+MoleculeBuilder& MmcifAtoms::findBuilder(int index) {
     const auto place = static_cast<std::size_t>(index - wantedFrom_);
     while (builders_.size() <= place) builders_.emplace_back(name(), maxAtoms_);
     return builders_[place];

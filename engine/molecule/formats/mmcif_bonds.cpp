@@ -51,10 +51,10 @@ public:
 
     /// At most kMaxAlternates atoms. @param alternate  '\0': any
     std::vector<std::uint32_t> find(const std::string& residue, const Name& name, char alternate) {
-        const std::vector<std::uint32_t>& atoms = atomsOf(residue);
+        const std::vector<std::uint32_t>& atoms = listAtoms(residue);
         const Place place(name.bytes, static_cast<unsigned char>(alternate));
         auto at = std::lower_bound(atoms.begin(), atoms.end(), place,
-                                   [&](std::uint32_t atom, const Place& sought) { return placeOf(atom) < sought; });
+                                   [&](std::uint32_t atom, const Place& sought) { return makePlace(atom) < sought; });
         std::vector<std::uint32_t> found;
         for (; at != atoms.end() && found.size() < kMaxAlternates; ++at) {
             const Atom& atom = molecule_.atoms[*at];
@@ -67,12 +67,12 @@ public:
 
 private:
     using Place = std::pair<std::array<char, 8>, unsigned char>;
-    Place placeOf(std::uint32_t atom) const {
+    Place makePlace(std::uint32_t atom) const {
         return {molecule_.atoms[atom].name.bytes, static_cast<unsigned char>(molecule_.atoms[atom].alternate)};
     }
 
     /// Atoms of all runs of the residue, sorted on first use.
-    const std::vector<std::uint32_t>& atomsOf(const std::string& residue) {
+    const std::vector<std::uint32_t>& listAtoms(const std::string& residue) {
         const auto [known, added] = atoms_.try_emplace(residue);
         if (!added) return known->second;
         const auto runs = residues_.equal_range(residue);
@@ -81,7 +81,7 @@ private:
             for (std::uint32_t i = 0; i < r.atomCount; ++i) known->second.push_back(r.firstAtom + i);
         }
         std::stable_sort(known->second.begin(), known->second.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return placeOf(a) < placeOf(b); });
+                         [&](std::uint32_t a, std::uint32_t b) { return makePlace(a) < makePlace(b); });
         return known->second;
     }
 
@@ -153,7 +153,7 @@ void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections)
         if (!index) index.emplace(molecule);
         const auto first = findAtoms(*index, connections, row, kPartners[0]);
         const auto second = findAtoms(*index, connections, row, kPartners[1]);
-        const std::uint64_t line = connections.lineOf(row);
+        const std::uint64_t line = connections.lineNumber(row);
         if (first.empty() || second.empty()) builder.leaveOut("connections", "_struct_conn names absent atoms", line);
         bool near = false, far = false;
         const int order = mmcifBondOrder(connections.get(row, {"pdbx_value_order"}));
@@ -194,12 +194,12 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
         const std::string name(atoms.get(row, {"atom_id"}).value_or(""));
         records.emplace(name, static_cast<std::uint32_t>(row));
         const auto axis = [&](std::size_t i) { return *atoms.get(row, {(*source)[i]}); };
-        const auto position = builder.position({axis(0), axis(1), axis(2)}, atoms.lineOf(row));
+        const auto position = builder.position({axis(0), axis(1), axis(2)}, atoms.lineNumber(row));
         if (!position) continue;
         Atom atom;
         atom.position = *position;
         atom.name = Name(name);
-        atom.element = builder.element(atoms.get(row, {"type_symbol"}).value_or(""), atoms.lineOf(row));
+        atom.element = builder.element(atoms.get(row, {"type_symbol"}).value_or(""), atoms.lineNumber(row));
         atom.hetero = true;
         const auto charge = parseInteger(atoms.get(row, {"charge"}).value_or("0"));
         if (charge && *charge >= -20 && *charge <= 20) atom.charge = static_cast<std::int8_t>(*charge);
@@ -209,11 +209,11 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
         const auto a = records.find(bonds.get(row, {"atom_id_1"}).value_or(""));
         const auto b = records.find(bonds.get(row, {"atom_id_2"}).value_or(""));
         if (a == records.end() || b == records.end() || a == b) {
-            builder.leaveOut("bonds", "_chem_comp_bond names absent atoms", bonds.lineOf(row));
+            builder.leaveOut("bonds", "_chem_comp_bond names absent atoms", bonds.lineNumber(row));
             continue;
         }
         builder.addBond(builder.atomOfRecord(a->second), builder.atomOfRecord(b->second),
-                        mmcifBondOrder(bonds.get(row, {"value_order", "type"})), bonds.lineOf(row));
+                        mmcifBondOrder(bonds.get(row, {"value_order", "type"})), bonds.lineNumber(row));
     }
     builder.molecule().file.models = 1;
     builder.molecule().file.bonds = static_cast<std::int64_t>(bonds.rows());

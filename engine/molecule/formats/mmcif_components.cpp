@@ -17,7 +17,7 @@ struct ComponentBond {
 };
 using Components = std::map<std::string, std::vector<ComponentBond>>;  // no hash that a file could aim at
 
-Components componentsOf(const MmcifTable& bonds) {
+Components readComponents(const MmcifTable& bonds) {
     Components components;
     for (std::size_t row = 0; row < bonds.rows(); ++row) {
         const auto component = bonds.get(row, {"comp_id"}), a = bonds.get(row, {"atom_id_1"}),
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> byName(const Molecule& molecule, const Residue& resid
 }  // namespace
 
 void addComponentBonds(MoleculeBuilder& builder, const MmcifTable& bonds) {
-    const Components components = componentsOf(bonds);
+    const Components components = readComponents(bonds);
     if (components.empty()) return;
     const Molecule& molecule = builder.molecule();
     std::size_t steps = 0;

@@ -298,9 +298,9 @@ std::vector<Molecule> MmcifModel::finish(const std::string& format) {
     MoleculeBuilder& builder = builders_.front();
     FileSummary& file = builder.molecule().file;
     file.format = format;
-    const char* titleOf = "chem_comp";
+    const char* titleCategory = "chem_comp";
     if (atoms_) {
-        titleOf = "struct";
+        titleCategory = "struct";
         finishModels(file);
     } else if (tables_["chem_comp_atom"].rows() > 0) {
         if (options_.model > 1) cannotRead(builder.name(), "a chemical component has only model 1");
@@ -308,7 +308,7 @@ std::vector<Molecule> MmcifModel::finish(const std::string& format) {
         file.format = format + "-chem_comp";
     } else if (tables_["atom_site"].rows() > 0) {
         if (options_.model > 1) cannotRead(builder.name(), "a small-molecule CIF has only model 1");
-        titleOf = "chemical";
+        titleCategory = "chemical";
         const bool old = tables_["symmetry_equiv"].rows() > 0;
         addSmallMolecule(builder,
                          {tables_["atom_site"], tables_["cell"], tables_[old ? "symmetry_equiv" : "space_group_symop"],
@@ -317,7 +317,7 @@ std::vector<Molecule> MmcifModel::finish(const std::string& format) {
     } else {
         cannotRead(builder.name(), "it has no _atom_site rows, so no atoms");
     }
-    summarise(file, titleOf);
+    summarise(file, titleCategory);
     std::vector<Molecule> models;
     for (MoleculeBuilder& each : builders_) {
         if (&each != &builder) each.molecule().file = models.front().file;
@@ -366,7 +366,7 @@ void MmcifModel::summariseCrystal(FileSummary& file) {
         const auto value = parseNumber(withoutUncertainty(cell.get(0, {kColumns[i]}).value_or("")));
         if (!value || !(*value > 0 && *value < (i < 3 ? 1e6 : 180))) {
             const bool stated = cell.get(0, {kColumns[i]}).has_value();
-            if (stated) builders_.front().leaveOut("unit cells", "no usable lengths and angles", cell.lineOf(0));
+            if (stated) builders_.front().leaveOut("unit cells", "no usable lengths and angles", cell.lineNumber(0));
             return;
         }
         values[i] = *value;
@@ -385,9 +385,9 @@ std::string MmcifModel::spaceGroupName() {
     return "";
 }
 
-void MmcifModel::summarise(FileSummary& file, const char* titleOf) {
+void MmcifModel::summarise(FileSummary& file, const char* titleCategory) {
     summariseCrystal(file);
-    setTitle(file, tables_[titleOf]);
+    setTitle(file, tables_[titleCategory]);
     for (const auto& [category, column] :
          {std::pair("refine", "ls_d_res_high"), std::pair("em_3d_reconstruction", "resolution")}) {
         const MmcifTable& table = tables_[category];
@@ -400,13 +400,13 @@ void MmcifModel::summarise(FileSummary& file, const char* titleOf) {
     for (std::size_t row = 0; row < metrics.rows(); ++row)
         file.confidence = file.confidence || lowerCase(metrics.get(row, {"type"}).value_or("")) == "plddt" ||
                           lowerCase(metrics.get(row, {"name"}).value_or("")) == "plddt";
-    const auto rowsOf = [&](const char* category) -> std::optional<std::int64_t> {
+    const auto countRows = [&](const char* category) -> std::optional<std::int64_t> {
         const MmcifTable& table = tables_[category];
         if (table.columns.empty()) return std::nullopt;
         return static_cast<std::int64_t>(table.rows());
     };
-    file.assemblies = rowsOf("pdbx_struct_assembly");
-    file.operators = rowsOf("pdbx_struct_oper_list");
+    file.assemblies = countRows("pdbx_struct_assembly");
+    file.operators = countRows("pdbx_struct_oper_list");
 }
 
 }  // namespace nacre

@@ -47,7 +47,7 @@ public:
     std::vector<std::uint64_t> lines;     ///< of the rows
 
     /// 0 if not known.
-    std::uint64_t lineOf(std::size_t row) const { return row < lines.size() ? lines[row] : 0; }
+    std::uint64_t lineNumber(std::size_t row) const { return row < lines.size() ? lines[row] : 0; }
     std::size_t rows() const { return columns.empty() ? 0 : cells.size() / columns.size(); }
     /// The first of these columns that has a value.
     std::optional<std::string_view> get(std::size_t row, std::initializer_list<const char*> names) const;
@@ -114,12 +114,12 @@ private:
     }
 
     const std::string& name() const { return builders_.front().name(); }
-    MoleculeBuilder& builderOf(int index);
+    MoleculeBuilder& findBuilder(int index);
     int modelIndex(std::string_view number);
     std::optional<float> coordinate(const MmcifCell* cells, int axis, std::uint64_t line,
                                     MoleculeBuilder& builder) const;
     static float property(const MmcifCell& cell, float otherwise, MoleculeBuilder& builder, std::uint64_t line);
-    float radiusOf(const MmcifCell* cells) const;
+    float readRadius(const MmcifCell* cells) const;
     static void noteSerial(const MmcifCell& given, Molecule& molecule);
     void countChains(const MmcifCell* cells);
     std::uint32_t entityIndex(std::string_view identifier);
@@ -184,7 +184,7 @@ private:
     std::string_view kept(const MmcifCell& cell);
     std::vector<EntityKind> entityKinds();
     void finishModels(FileSummary& file);
-    void summarise(FileSummary& file, const char* titleOf);
+    void summarise(FileSummary& file, const char* titleCategory);
     void summariseCrystal(FileSummary& file);
     std::string spaceGroupName();
     void nameParts(Molecule& molecule);

@@ -13,7 +13,7 @@ struct End {
     char code = '\0';
 };
 
-std::optional<End> endOf(const MmcifTable& table, std::size_t row, bool first) {
+std::optional<End> readEnd(const MmcifTable& table, std::size_t row, bool first) {
     const auto text = [&](const char* beginName, const char* endName) {
         return table.get(row, {first ? beginName : endName});
     };
@@ -32,7 +32,7 @@ std::optional<End> endOf(const MmcifTable& table, std::size_t row, bool first) {
 }
 
 /// Predicted models also list strands in struct_conf; turns and bends are not drawn.
-SecondaryStructure kindOf(std::string_view type) {
+SecondaryStructure parseKind(std::string_view type) {
     const std::string lower = lowerCase(type);
     if (startsWith(lower, "helx")) return SecondaryStructure::helix;
     return startsWith(lower, "strn") ? SecondaryStructure::strand : SecondaryStructure::none;
@@ -43,12 +43,13 @@ SecondaryStructure kindOf(std::string_view type) {
 void addSecondaryStructure(MoleculeBuilder& builder, const MmcifTable& conformations, const MmcifTable& strands) {
     std::vector<SecondaryRange> ranges;
     const auto add = [&](const MmcifTable& table, std::size_t row, SecondaryStructure kind) {
-        const auto first = endOf(table, row, true), last = endOf(table, row, false);
+        const auto first = readEnd(table, row, true), last = readEnd(table, row, false);
         if (kind == SecondaryStructure::none || !first || !last || first->chain != last->chain) return;
-        ranges.push_back({kind, first->chain, first->number, last->number, first->code, last->code, table.lineOf(row)});
+        ranges.push_back(
+            {kind, first->chain, first->number, last->number, first->code, last->code, table.lineNumber(row)});
     };
     for (std::size_t row = 0; row < conformations.rows(); ++row)
-        add(conformations, row, kindOf(conformations.get(row, {"conf_type_id"}).value_or("")));
+        add(conformations, row, parseKind(conformations.get(row, {"conf_type_id"}).value_or("")));
     for (std::size_t row = 0; row < strands.rows(); ++row) add(strands, row, SecondaryStructure::strand);
     applySecondaryStructure(builder.molecule(), ranges);
 }

@@ -38,7 +38,7 @@ gemmi::UnitCell readCell(const std::string& name, const MmcifTable& table) {
             cannotRead(name,
                        std::string("_cell_") + kColumns[i] +
                            " is missing or impossible, without which fractional coordinates mean nothing",
-                       table.lineOf(0));
+                       table.lineNumber(0));
         value[i] = *given;
     }
     gemmi::UnitCell cell;
@@ -81,7 +81,7 @@ Element elementOfLabel(std::string_view label, const std::vector<Element>& formu
 }
 
 /// Disorder groups 1, 2, ... become alternate locations A, B, ...; -1 marks disorder about a special position.
-char alternateOf(const MmcifTable& atoms, std::size_t row) {
+char readAlternate(const MmcifTable& atoms, std::size_t row) {
     const auto group = number(atoms, row, {"disorder_group"});
     if (!group || *group == 0 || !(std::abs(*group) <= 26)) return '\0';
     return static_cast<char>('A' + static_cast<int>(std::abs(*group)) - 1);
@@ -93,13 +93,13 @@ Atom readAtom(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row
     const auto type = atoms.get(row, {"type_symbol"});
     atom.name = Name(label);
     if (type) {
-        atom.element = builder.element(*type, atoms.lineOf(row));
+        atom.element = builder.element(*type, atoms.lineNumber(row));
     } else {
         atom.element = elementOfLabel(label, formula);
-        if (atom.element == 0) builder.element(label, atoms.lineOf(row));  // counts it as unknown
+        if (atom.element == 0) builder.element(label, atoms.lineNumber(row));  // counts it as unknown
         builder.guess("elements", "from site labels");
     }
-    atom.alternate = alternateOf(atoms, row);
+    atom.alternate = readAlternate(atoms, row);
     atom.hetero = true;
     const auto inRange = [](std::optional<double> value) { return value && std::abs(*value) <= 1e9; };
     if (const auto share = number(atoms, row, {"occupancy"}); inRange(share))
@@ -125,27 +125,27 @@ std::optional<gemmi::Fractional> readPosition(MoleculeBuilder& builder, const Mm
         if (text)
             builder.leaveOutAtom(std::string(kColumns[axis]) + " of row " + std::to_string(row + 1) +
                                      " of _atom_site is not a finite number: '" + printable(*text) + "'",
-                                 atoms.lineOf(row));
+                                 atoms.lineNumber(row));
         else
-            builder.leaveOut("atoms", "no usable coordinates", atoms.lineOf(row));
+            builder.leaveOut("atoms", "no usable coordinates", atoms.lineNumber(row));
         return std::nullopt;
     }
     return gemmi::Fractional(value[0], value[1], value[2]);
 }
 
 /// Operations that the file lists, else those of its space group.
-std::vector<gemmi::Op> operationsOf(const SmallMoleculeTables& tables) {
+std::vector<gemmi::Op> listOperations(const SmallMoleculeTables& tables) {
     std::vector<gemmi::Op> operations;
     const MmcifTable& symmetry = tables.symmetry;
     for (std::size_t row = 0; row < symmetry.rows(); ++row) {
         const auto text = symmetry.get(row, {"pos_as_xyz", "operation_xyz"});
         if (!text) throw AssemblyFault("a symmetry operation is missing");
-        const std::optional<gemmi::Op> operation = operationOf(*text);
+        const std::optional<gemmi::Op> operation = parseTriplet(*text);
         if (!operation) throw AssemblyFault("'" + printable(*text) + "' is not a symmetry operation");
         operations.push_back(*operation);
     }
     if (!operations.empty() || tables.spaceGroup.empty()) return operations;
-    const gemmi::SpaceGroup* group = spaceGroupOf(tables.spaceGroup);
+    const gemmi::SpaceGroup* group = findSpaceGroup(tables.spaceGroup);
     if (!group) throw AssemblyFault("there is no space group '" + printable(tables.spaceGroup) + "'");
     for (const gemmi::Op operation : group->operations()) operations.push_back(operation);
     return operations;
@@ -163,7 +163,7 @@ public:
         for (std::uint32_t rank = 0; rank < order.size(); ++rank) {
             const Atom& atom = atoms[order[rank]];
             if (atom.occupancy >= 1) continue;
-            std::vector<std::uint32_t>& cube = cubes_[keyOf(glm::floor(glm::dvec3(atom.position) / kCube))];
+            std::vector<std::uint32_t>& cube = cubes_[makeKey(glm::floor(glm::dvec3(atom.position) / kCube))];
             if (cube.size() <= kMostAround) cube.push_back(rank);
         }
     }
@@ -176,7 +176,7 @@ public:
         std::vector<std::uint32_t> found;
         std::size_t around = 0;
         for (int corner = 0; corner < 8; ++corner) {
-            const auto cube = cubes_.find(keyOf(low + glm::i64vec3(corner & 1, corner >> 1 & 1, corner >> 2)));
+            const auto cube = cubes_.find(makeKey(low + glm::i64vec3(corner & 1, corner >> 1 & 1, corner >> 2)));
             if (cube == cubes_.end()) continue;
             if ((around += cube->second.size()) > kMostAround) return {};
             for (const std::uint32_t other : cube->second)
@@ -192,7 +192,7 @@ private:
     static constexpr std::size_t kMostAround = 8 * kMostOnSite;
 
     /// Cubes with equal keys cost time, but do not change the result.
-    static std::uint64_t keyOf(const glm::i64vec3& cube) {
+    static std::uint64_t makeKey(const glm::i64vec3& cube) {
         std::uint64_t key = 0;
         for (int axis = 0; axis < 3; ++axis) key = (key ^ static_cast<std::uint64_t>(cube[axis])) * 0x9e3779b97f4a7c15u;
         return key ^ key >> 32;
@@ -276,7 +276,7 @@ std::optional<Displacement> readDisplacement(const gemmi::UnitCell& cell, const 
     for (int row3 = 0; row3 < 3; ++row3)
         for (int column = 0; column < 3; ++column)
             turn[column][row3] = cell.orth.mat[row3][column] * reciprocal[column];
-    return displacementOf(turn * ofAxes * glm::transpose(turn));
+    return toDisplacement(turn * ofAxes * glm::transpose(turn));
 }
 
 /// @param sites  atoms by their labels
@@ -288,7 +288,7 @@ void addDisplacements(MoleculeBuilder& builder, const gemmi::UnitCell& cell, con
         const auto u = readDisplacement(cell, table, row);
         if (!u || site == sites.end()) {
             builder.leaveOut("anisotropic displacements", u ? "of no atom" : "not six usable numbers",
-                             table.lineOf(row));
+                             table.lineNumber(row));
             continue;
         }
         all.resize(builder.molecule().atoms.size());
@@ -303,7 +303,7 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
     std::vector<gemmi::Op> operations;
     std::string fault;
     try {
-        operations = operationsOf(tables);
+        operations = listOperations(tables);
     } catch (const AssemblyFault& without) {
         fault = without.what();
     }
@@ -325,7 +325,7 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
         }
         if (!near) {
             builder.leaveOutAtom("the position in row " + std::to_string(row + 1) + " of _atom_site is too far away",
-                                 tables.atoms.lineOf(row));
+                                 tables.atoms.lineNumber(row));
             continue;
         }
         builder.addAtom(atom, "", 1, '\0', "", sites.add(*fractional));

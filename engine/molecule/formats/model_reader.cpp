@@ -19,7 +19,7 @@ constexpr std::uint64_t kMostBytesOfPasses = std::uint64_t{1} << 32;  // for all
 /// A reader's molecule, cleaned for the rest of the program. @param model  its number
 Molecule cleaned(Molecule molecule, int model) {
     for (const ReadNote& note : molecule.notes)
-        if (note.action == ReadAction::leftOut) molecule.warnings.push_back(sentenceOf(note));
+        if (note.action == ReadAction::leftOut) molecule.warnings.push_back(describeNote(note));
     if (molecule.warnings.size() > kMaxWarnings) molecule.warnings.resize(kMaxWarnings);
     for (std::string& warning : molecule.warnings) warning = printable(warning, kMaxMessage);
     molecule.file.title = printable(molecule.file.title, kMaxMessage);
@@ -43,7 +43,9 @@ void boundPasses(const Content& content, std::int64_t passes, std::uint64_t byte
 
 }  // namespace
 
-std::int64_t modelsOf(const FileSummary& file) { return std::max(file.models.value_or(1), file.records.value_or(1)); }
+std::int64_t countModels(const FileSummary& file) {
+    return std::max(file.models.value_or(1), file.records.value_or(1));
+}
 
 Molecule readStated(const Content& content, const ReadOptions& options) {
     return readText(content, *content.bytes, options);
@@ -62,7 +64,7 @@ std::optional<Molecule> readSpan(const Content& content, const ReadOptions& opti
             appendText(text, content.text, span);
         if (!content.bytes) unifyLineEnds(text);
         Molecule molecule = readText(content, text, alone);
-        if (modelsOf(molecule.file) != 1) return std::nullopt;
+        if (countModels(molecule.file) != 1) return std::nullopt;
         for (Chain& chain : molecule.chains) chain.model = model;
         return molecule;
     } catch (const Error&) {
@@ -71,7 +73,7 @@ std::optional<Molecule> readSpan(const Content& content, const ReadOptions& opti
 }
 
 ModelReader::ModelReader(Content content, const ReadOptions& options, const Molecule& first, Order order)
-    : content_(std::move(content)), options_(options), order_(order), count_(modelsOf(first.file)) {
+    : content_(std::move(content)), options_(options), order_(order), count_(countModels(first.file)) {
     options_.others = false;
     if (count_ < 2) return;
     const bool tables = formatRow(content_.format).readTables && content_.bytes;

@@ -21,7 +21,7 @@
 namespace nacre {
 
 /// Number of models or records in the file.
-std::int64_t modelsOf(const FileSummary& file);
+std::int64_t countModels(const FileSummary& file);
 
 /// The model selected in the options, read from the whole text, with the bonds from the file. @throws Error
 Molecule readStated(const Content& content, const ReadOptions& options);

@@ -102,7 +102,7 @@ bool take(std::string_view& rest, MsgpackValue& value) {
     return takeMarked(rest, mark, value);
 }
 
-std::uint64_t elementsOf(const MsgpackValue& value) {
+std::uint64_t countElements(const MsgpackValue& value) {
     if (value.is(Kind::array)) return value.count;
     return value.is(Kind::map) ? std::uint64_t{2} * value.count : 0;
 }
@@ -112,7 +112,7 @@ bool skip(std::string_view& rest) {
     MsgpackValue value;
     for (std::uint64_t open = 1; open > 0; --open) {
         if (!take(rest, value)) return false;
-        open += elementsOf(value);
+        open += countElements(value);
     }
     return true;
 }
@@ -120,7 +120,7 @@ bool skip(std::string_view& rest) {
 }  // namespace
 
 MsgpackElements::MsgpackElements(const MsgpackValue& container)
-    : rest_(container.bytes), left_(elementsOf(container)) {}
+    : rest_(container.bytes), left_(countElements(container)) {}
 
 bool MsgpackElements::next(MsgpackValue& element) {
     if (left_ == 0) return false;

@@ -28,7 +28,7 @@ bool isResidueNumber(std::string_view word) {
 /// Columns 55 to 80 from the words after the coordinates: occupancy, B factor, segment, element.
 std::string columnsBehind(std::string_view rest) {
     if (column(rest, 4) == '.' && column(rest, 10) == '.') return std::string(rest);
-    const std::vector<std::string_view> words = wordsOf(rest);
+    const std::vector<std::string_view> words = splitAllWords(rest);
     std::size_t next = 0;
     std::string text;
     for (int i = 0; i < 2; ++i)
@@ -58,7 +58,7 @@ std::optional<std::string> inColumns(std::string_view line, const Coordinates& w
     constexpr std::size_t kRecord = 6, kLongestName = 4, kSerial = 5;
     const std::size_t begin = static_cast<std::size_t>(where.fields[0].data() - line.data());
     const std::string_view record = trim(line.substr(0, std::min(kRecord, line.find('\t'))));
-    std::vector<std::string_view> words = wordsOf(line.substr(record.size(), begin - record.size()));
+    std::vector<std::string_view> words = splitAllWords(line.substr(record.size(), begin - record.size()));
     // Serial number, name, residue, number, and a chain that may be missing, or touch its neighbours.
     if (words.size() == 4 && isLetter(words[3][0]) && isResidueNumber(words[3].substr(1))) {
         words.push_back(words[3].substr(1));

@@ -33,7 +33,7 @@ struct Ignored {
 /// Numbers that fill their columns also touch, but end at column ends.
 std::vector<std::string_view> longNumbers(std::string_view line) {
     constexpr std::size_t kBegin = 6, kWidth = 5, kTouching = 10;
-    const std::vector<std::string_view> words = wordsOf(line.substr(kBegin));
+    const std::vector<std::string_view> words = splitAllWords(line.substr(kBegin));
     const auto isLong = [&](std::string_view word) {
         const auto end = static_cast<std::size_t>(word.data() + word.size() - line.data());
         return word.size() > kWidth && word.size() < kTouching && (end - kBegin) % kWidth != 0;

@@ -86,7 +86,7 @@ bool isPlainSymbol(std::string_view name) {
 }
 
 /// Element of an ion's name in capitals, without sign and numbers; some have special names in programs.
-Element ionOf(std::string_view name) {
+Element findIon(std::string_view name) {
     struct Ion {
         std::string_view name, symbol;
     };
@@ -254,7 +254,7 @@ Element elementByLooseName(std::string_view name, const Name& residueName) {
     if (residueTemplate(residueName)) return inStandardResidue(name);
     const std::string bare = bareName(name);
     if (isNamedAsIon(name, bare, residueName))
-        if (const Element ion = ionOf(bare)) return ion;
+        if (const Element ion = findIon(bare)) return ion;
     const std::string_view letters = name.substr(0, name.find_last_not_of("0123456789+-") + 1);
     if (isPlainSymbol(letters)) return elementFromSymbol(letters);
     return byNameColumns(name.size() < 4 ? " " + std::string(name) : std::string(name));
@@ -266,7 +266,7 @@ Element elementOfIon(const Name& name, const Name& residueName, Element stated) 
     const std::string bare = bareName(written);
     if (bare.empty()) return 0;
     const bool ofPrograms = bare.size() == 3;  // programs' symbols of three letters are in no other table
-    const Element ion = ofPrograms || isNamedAsIon(written, bare, residueName) ? ionOf(bare) : Element{0};
+    const Element ion = ofPrograms || isNamedAsIon(written, bare, residueName) ? findIon(bare) : Element{0};
     const bool unknown = stated == 0 || stated == oneLetter(bare.front());
     return unknown ? ion : stated;
 }

@@ -32,7 +32,7 @@ public:
 private:
     [[noreturn]] void fail(const std::string& why) const { cannotRead(name_, why); }
 
-    std::string nameOf(const MsgpackValue& map) const {
+    std::string readName(const MsgpackValue& map) const {
         const auto named = map.find("name");
         const auto text = named ? named->asText() : std::nullopt;
         if (!text) fail("a category or column has no name");
@@ -40,7 +40,7 @@ private:
     }
 
     void category(const MsgpackValue& content) {
-        std::string name = nameOf(content);
+        std::string name = readName(content);
         if (startsWith(name, "_")) name.erase(0, 1);
         if (!MmcifModel::isKept(name)) return;
         std::vector<std::string> names;
@@ -49,7 +49,7 @@ private:
         if (!columns || !columns->is(Kind::array)) fail("the category " + printable(name) + " has no columns");
         MsgpackElements elements(*columns);
         for (MsgpackValue column; elements.next(column);) {
-            std::string label = nameOf(column);
+            std::string label = readName(column);
             const bool repeated = std::find(names.begin(), names.end(), label) != names.end();
             if (repeated || !MmcifModel::isKept(name, label)) continue;
             if (names.size() == kMaxColumns) fail("the category _" + printable(name) + " has too many columns");

@@ -147,7 +147,7 @@ private:
             fail("its elements are nested more than " + std::to_string(kDeepestElement) + " deep");
         inName_ = name == "name" && moleculeDepth_ > 0 && nameText_.empty();
         inParameter_ = name == "cellParameter";
-        cellScalar_ = name == "scalar"                         ? cellScalarOf(attributes)
+        cellScalar_ = name == "scalar"                         ? findCellScalar(attributes)
                       : !inParameter_                          ? kNoScalar
                       : attributes["parameterType"] == "angle" ? 3
                                                                : 0;
@@ -191,7 +191,7 @@ private:
     }
 
     /// Which cell parameter a scalar of <crystal> is; in "cml:a" or "iucr:_cell_angle_alpha" the end decides.
-    static std::size_t cellScalarOf(const Attributes& attributes) {
+    static std::size_t findCellScalar(const Attributes& attributes) {
         static constexpr std::string_view kScalars[] = {"a", "b", "c", "alpha", "beta", "gamma"};
         std::string_view name = attributes["title"].empty() ? attributes["dictRef"] : attributes["title"];
         name = name.substr(name.find_last_of(":_") + 1);
@@ -208,7 +208,7 @@ private:
 
     /// Three rows of a rotation and a shift, in fractional coordinates; possibly a fourth row.
     void addOperation() {
-        const std::vector<std::string_view> words = wordsOf(operation_);
+        const std::vector<std::string_view> words = splitAllWords(operation_);
         gemmi::Op operation{};
         bool usable = (words.size() == 12 || words.size() == 16) && operations_.size() < kMostOperations;
         for (std::size_t i = 0; usable && i < 12; ++i) {
@@ -228,7 +228,7 @@ private:
     /// The crystal's operations: those that it lists, or its space group's; empty if it states neither.
     std::vector<gemmi::Op> symmetry() {
         std::vector<gemmi::Op> operations = operations_;
-        const gemmi::SpaceGroup* group = spaceGroup_.empty() ? nullptr : spaceGroupOf(spaceGroup_);
+        const gemmi::SpaceGroup* group = spaceGroup_.empty() ? nullptr : findSpaceGroup(spaceGroup_);
         if (operations.empty() && group)
             for (const gemmi::Op operation : group->operations()) operations.push_back(operation);
         if (operations.empty() && !spaceGroup_.empty())
@@ -255,7 +255,7 @@ private:
         }
         std::array<double, 6> cell{};
         for (std::size_t i = 0; i < cell.size(); ++i) cell[i] = parseNumber(cell_[i]).value_or(0);
-        const auto box = boxOf({cell[0], cell[1], cell[2]}, {cell[3], cell[4], cell[5]});
+        const auto box = makeBox({cell[0], cell[1], cell[2]}, {cell[3], cell[4], cell[5]});
         if (!box) fail("it has fractional coordinates and no unit cell");
         const std::vector<gemmi::Op> operations = symmetry();
         const std::string prefix = subchainPrefix(operations.size() > 1);
@@ -374,7 +374,7 @@ private:
         ++bondCount_;
         if (pending_.size() >= builder_.mostBonds()) fail("it has more bonds than its atoms could form");
         pending_.push_back(
-            {idIndex(a), idIndex(b), static_cast<std::uint8_t>(orderOf(order)), static_cast<std::uint32_t>(line())});
+            {idIndex(a), idIndex(b), static_cast<std::uint8_t>(parseOrder(order)), static_cast<std::uint32_t>(line())});
     }
 
     /// Names are stored once, whether an atom or a bond mentions them first.
@@ -386,7 +386,7 @@ private:
         return indexOfId_.emplace(id, static_cast<std::uint32_t>(indexOfId_.size())).first->second;
     }
 
-    int orderOf(std::string_view order) {
+    int parseOrder(std::string_view order) {
         if (order.empty() || order == "1" || order == "S") return 1;
         if (order == "2" || order == "D") return 2;
         if (order == "3" || order == "T") return 3;

@@ -77,9 +77,9 @@ private:
     void addParticles(MoleculeBuilder& builder, std::size_t frame, const TrajectoryFrame& places) {
         const std::string& group = data_.group();
         const Hdf5Handle species = data_.element(group + "/species");
-        const std::vector<double> kinds = H5mdData::valuesOf(species, frame, count_);
-        const std::vector<double> masses = H5mdData::valuesOf(data_.element(group + "/mass"), frame, count_),
-                                  charges = H5mdData::valuesOf(data_.element(group + "/charge"), frame, count_);
+        const std::vector<double> kinds = H5mdData::readValues(species, frame, count_);
+        const std::vector<double> masses = H5mdData::readValues(data_.element(group + "/mass"), frame, count_),
+                                  charges = H5mdData::readValues(data_.element(group + "/charge"), frame, count_);
         for (const auto& [list, items] : {std::pair("/velocity", "velocities"), std::pair("/force", "forces")})
             if (data_.element(group + list).valid()) builder.pass(items, static_cast<std::int64_t>(count_));
         const bool numbers = labels_.empty() && names_.empty() && masses.empty() && areAtomicNumbers(kinds);
@@ -124,28 +124,29 @@ private:
 
     void readSpecies() {
         const std::string& group = data_.group();
-        names_ = H5mdData::enumerationOf(data_.element(group + "/species"));
-        labels_ = data_.textsOf(data_.element(group + "/species_label"), count_, kMostTopologyBytes);
+        names_ = H5mdData::readEnumeration(data_.element(group + "/species"));
+        labels_ = data_.readTexts(data_.element(group + "/species_label"), count_, kMostTopologyBytes);
         readConnectivity();
     }
 
     void readConnectivity() {
         const Hdf5Handle pairs = data_.element("connectivity/bonds");
-        const Hdf5Sizes sizes = pairs.valid() ? H5mdData::sizesOf(pairs) : Hdf5Sizes();
+        const Hdf5Sizes sizes = pairs.valid() ? H5mdData::readSizes(pairs) : Hdf5Sizes();
         const std::size_t rank = sizes.size();
         if (rank < 2 || sizes[rank - 1] != 2 || sizes[rank - 2] > MoleculeBuilder::kMostBondsPerAtom * count_) return;
-        const std::vector<double> ends = H5mdData::rowOf(pairs, 0, 2 * sizes[rank - 2], rank == 3);
+        const std::vector<double> ends = H5mdData::readNumbers(pairs, 0, 2 * sizes[rank - 2], rank == 3);
         std::vector<std::int64_t> ids;
-        for (const double id : H5mdData::valuesOf(data_.element(data_.group() + "/id"), 0, count_))
+        for (const double id : H5mdData::readValues(data_.element(data_.group() + "/id"), 0, count_))
             ids.push_back(static_cast<std::int64_t>(std::clamp(id, -1e15, 1e15)));
         const IdIndex index(ids);
-        const auto atomOf = [&](double given) {
+        const auto findAtom = [&](double given) {
             const auto id = static_cast<std::int64_t>(std::clamp(given, -1e15, 1e15));
             if (ids.empty()) return id;
             std::uint32_t atom = 0;
             return index.find(id, atom) == IdIndex::Found::one ? std::int64_t{atom} : std::int64_t{-1};
         };
-        for (std::size_t i = 0; i + 1 < ends.size(); i += 2) bonds_.push_back({atomOf(ends[i]), atomOf(ends[i + 1])});
+        for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+            bonds_.push_back({findAtom(ends[i]), findAtom(ends[i + 1])});
     }
 
     void addAtoms(MoleculeBuilder& builder, const TrajectoryFrame& places) const {
@@ -167,14 +168,14 @@ private:
     }
 
     void readTopology() {
-        const std::vector<std::string> texts = data_.textsOf(data_.dataset("topology"), 1, kMostTopologyBytes);
+        const std::vector<std::string> texts = data_.readTexts(data_.dataset("topology"), 1, kMostTopologyBytes);
         if (texts.empty()) cannotRead(name_, "it has no topology: give a structure, and this file as --trajectory");
         JsonWalk walk(name_, texts[0]);
         walk.object([&](const std::string& key) {
             if (key == "chains")
-                eachOf(walk, [&] { readChain(walk); });
+                visitArray(walk, [&] { readChain(walk); });
             else if (key == "bonds")
-                eachOf(walk, [&] { readBond(walk); });
+                visitArray(walk, [&] { readBond(walk); });
             else
                 walk.skip();
         });
@@ -184,7 +185,7 @@ private:
     }
 
     template <typename Visit>
-    static void eachOf(JsonWalk& walk, const Visit& visit) {
+    static void visitArray(JsonWalk& walk, const Visit& visit) {
         walk.expect('[');
         if (walk.accept(']')) return;
         do visit();
@@ -195,7 +196,7 @@ private:
     void readChain(JsonWalk& walk) {
         walk.object([&](const std::string& key) {
             if (key == "residues")
-                eachOf(walk, [&] { readResidue(walk); });
+                visitArray(walk, [&] { readResidue(walk); });
             else
                 walk.skip();
         });
@@ -209,7 +210,7 @@ private:
         std::int64_t number = 1;
         walk.object([&](const std::string& key) {
             if (key == "atoms")
-                eachOf(walk, [&] { readAtom(walk); });
+                visitArray(walk, [&] { readAtom(walk); });
             else if (key == "name")
                 name = walk.string(buffer);
             else if (key == "segmentID" && walk.peek() == '"')
@@ -245,7 +246,7 @@ private:
     void readBond(JsonWalk& walk) {
         std::array<std::int64_t, 2> ends{-1, -1};
         std::size_t place = 0;
-        eachOf(walk, [&] {
+        visitArray(walk, [&] {
             if (place < ends.size())
                 ends[place++] = parseInteger(walk.number()).value_or(-1);
             else

@@ -83,7 +83,7 @@ Molecule readInpcrd(const std::string& name, std::string_view text, const ReadOp
     if ((given == 6 || given == 3) && (left == 1 || left == linesOfAtoms + 1)) {
         for (std::size_t i = 0; i < given; ++i)
             box[i] = parseNumber(columns(last, i * kInpcrdColumns, kInpcrdColumns)).value_or(0);
-        if (const auto vectors = boxOf({box[0], box[1], box[2]}, {box[3], box[4], box[5]})) builder.takeBox(*vectors);
+        if (const auto vectors = makeBox({box[0], box[1], box[2]}, {box[3], box[4], box[5]})) builder.takeBox(*vectors);
     }
     builder.warn("it has only coordinates: open its topology, and pass this file with --trajectory");
     file.format = "inpcrd";

@@ -110,7 +110,7 @@ private:
         if (labels_.size() < kMostLabels) labels_[std::string(words[0])] = words[1];
     }
     /// A type by its label, if it has one: rows may state either.
-    std::string_view typeOf(std::string_view stated) const {
+    std::string_view resolveType(std::string_view stated) const {
         const auto label = labels_.find(stated);
         return label == labels_.end() ? stated : label->second;
     }
@@ -118,7 +118,7 @@ private:
     void readMass(std::string_view line, std::string_view whole) {
         const Words words = splitWords(line);
         const std::size_t comment = whole.find('#');
-        const std::string_view type = typeOf(words[0]);
+        const std::string_view type = resolveType(words[0]);
         if (const auto mass = parseNumber(words[1]); mass && std::isfinite(*mass))
             types_.add(type, *mass,
                        comment != std::string_view::npos ? splitWords(whole.substr(comment + 1))[0]
@@ -167,7 +167,7 @@ private:
         atom.radius = number(at.diameter, "radii", 0, 1e6) / 2;
         if (atom.radius > 0) builder_.state("radii");
         const auto molecule = at.molecule == kNoColumn ? 1 : parseInteger(words[at.molecule]).value_or(0);
-        rows_.push_back({*id, atom, Name(typeOf(words[at.type])), static_cast<std::int32_t>(molecule), charge});
+        rows_.push_back({*id, atom, Name(resolveType(words[at.type])), static_cast<std::int32_t>(molecule), charge});
     }
 
     /// By number: the file and trajectories have atoms in any order.
@@ -193,11 +193,11 @@ private:
 
     void addBonds() {
         const IdIndex index(ids_);
-        const auto atomOf = [&](std::int64_t id) -> std::int64_t {
+        const auto findAtom = [&](std::int64_t id) -> std::int64_t {
             std::uint32_t atom = 0;
             return index.find(id, atom) == IdIndex::Found::one ? std::int64_t{atom} : -1;
         };
-        for (const LammpsBond& bond : bonds_) builder_.addBond(atomOf(bond.a), atomOf(bond.b), 1, bond.line);
+        for (const LammpsBond& bond : bonds_) builder_.addBond(findAtom(bond.a), findAtom(bond.b), 1, bond.line);
         if (!bonds_.empty()) builder_.molecule().file.bonds = static_cast<std::int64_t>(bonds_.size());
     }
 

@@ -34,7 +34,7 @@ private:
                 readBounds();
             } else if (startsWith(line, "ITEM: ATOMS")) {
                 if (!count) cannotRead(name_, "a frame does not state its number of atoms", lines_.number());
-                if (frame == model_) nameColumns(wordsOf(line));
+                if (frame == model_) nameColumns(splitAllWords(line));
                 return count;
             }
         }
@@ -47,7 +47,7 @@ private:
         std::size_t flags = 0;
         repeats_.fill(true);
         const bool general = lines_.line().find("abc origin") != std::string_view::npos;
-        for (const std::string_view word : wordsOf(lines_.line()))
+        for (const std::string_view word : splitAllWords(lines_.line()))
             if (word.size() == 2 && word.find_first_not_of("pfsm") == std::string_view::npos && flags < 3)
                 repeats_[flags++] = word[0] == 'p';
         glm::dvec3 high(0), tilt(0);
@@ -96,9 +96,9 @@ private:
     }
 
     void readAtom(std::string_view line) override {
-        std::vector<std::string_view> words = wordsOf(line);
+        std::vector<std::string_view> words = splitAllWords(line);
         std::string apart;
-        if (words.size() < columns_) words = wordsOf(apart = numbersApart(line));
+        if (words.size() < columns_) words = splitAllWords(apart = numbersApart(line));
         const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string_view(); };
         DumpAtom row;
         row.id = parseInteger(word(id_)).value_or(static_cast<std::int64_t>(rows_.size()));

@@ -130,7 +130,7 @@ private:
 
 /// The text that a rule matched: PEGTL 2.8 has no string_view().
 template <typename Input>
-std::string_view textOf(const Input& in) {
+std::string_view toText(const Input& in) {
     return {in.begin(), in.size()};
 }
 
@@ -149,11 +149,11 @@ struct Action : pegtl::nothing<Rule> {};
 NACRE_CIF_ACTION(datablockheading, block())
 NACRE_CIF_ACTION(framename, frame(true))
 NACRE_CIF_ACTION(endframe, frame(false))
-NACRE_CIF_ACTION(item_tag, itemTag(textOf(in), in.iterator().line))
-NACRE_CIF_ACTION(item_value, itemValue(textOf(in)))
+NACRE_CIF_ACTION(item_tag, itemTag(toText(in), in.iterator().line))
+NACRE_CIF_ACTION(item_value, itemValue(toText(in)))
 NACRE_CIF_ACTION(str_loop, beginLoop())
-NACRE_CIF_ACTION(loop_tag, loopTag(textOf(in), in.iterator().line))
-NACRE_CIF_ACTION(loop_value, loopValue(textOf(in), in.iterator().line))
+NACRE_CIF_ACTION(loop_tag, loopTag(toText(in), in.iterator().line))
+NACRE_CIF_ACTION(loop_value, loopValue(toText(in), in.iterator().line))
 NACRE_CIF_ACTION(loop, endLoop())
 NACRE_CIF_ACTION(field_sep, textDelimiter(in.iterator().line))
 #undef NACRE_CIF_ACTION
@@ -167,7 +167,7 @@ struct CifBlock {
 };
 
 /// The blocks with atoms: structures, or else chemical components.
-std::vector<CifBlock> blocksOf(std::string_view text) {
+std::vector<CifBlock> splitBlocks(std::string_view text) {
     std::vector<CifBlock> blocks{{{}, text}};
     bool quoted = false;
     for (LineReader lines(text); lines.next();) {
@@ -215,7 +215,7 @@ std::vector<Molecule> parseCif(const std::string& name, const CifBlock& block, c
 
 constexpr std::size_t kMostBlocksNamed = 5;
 
-std::string sentenceOf(const std::vector<CifBlock>& blocks) {
+std::string describeBlocks(const std::vector<CifBlock>& blocks) {
     std::string names;
     for (std::size_t i = 0; i < blocks.size() && i < kMostBlocksNamed; ++i)
         names += (i > 0 ? ", " : "") + printable(blocks[i].name);
@@ -258,7 +258,7 @@ std::vector<Molecule> parseBlocks(const std::string& name, const std::vector<Cif
     for (Molecule& model : models) {
         model.file.models = before;
         model.file.totalAtomsAllModels = atoms;
-        model.warnings.push_back(sentenceOf(blocks));
+        model.warnings.push_back(describeBlocks(blocks));
         if (fault) model.warnings.push_back(std::string("a data block is left out: ") + fault->what());
     }
     return models;
@@ -266,7 +266,7 @@ std::vector<Molecule> parseBlocks(const std::string& name, const std::vector<Cif
 
 std::vector<Molecule> parseFile(const std::string& name, std::string_view text, const ReadOptions& options,
                                 int lastModel) {
-    const std::vector<CifBlock> blocks = blocksOf(text);
+    const std::vector<CifBlock> blocks = splitBlocks(text);
     return blocks.size() > 1 ? parseBlocks(name, blocks, options, lastModel)
                              : parseCif(name, {{}, text}, options, lastModel);
 }
@@ -293,10 +293,10 @@ std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, 
         models.front().warnings.push_back("bytes that CIF does not allow, read as '?': " + std::to_string(foreign));
         return models;
     } catch (const pegtl::parse_error& fault) {
-        const std::string message = messageOf(fault);
+        const std::string message = faultMessage(fault);
         std::string why = "not valid CIF: " + printable(message, 200);
         if (message == "parse error") why += "; perhaps a quote or a text field before it is unclosed";
-        cannotRead(name, why, lineOf(fault));
+        cannotRead(name, why, lineNumber(fault));
     }
 }
 

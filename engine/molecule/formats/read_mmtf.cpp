@@ -182,8 +182,8 @@ private:
             const auto total = static_cast<std::int64_t>(atoms_);
             if (a < 0 || b < 0 || a >= total || b >= total || a == b)
                 fields_.fail("bondAtomList refers to an atom that is not there, or bonds one to itself");
-            const std::size_t model = modelOf(static_cast<std::size_t>(a));
-            if (model == builders_.size() || model != modelOf(static_cast<std::size_t>(b))) continue;
+            const std::size_t model = findModel(static_cast<std::size_t>(a));
+            if (model == builders_.size() || model != findModel(static_cast<std::size_t>(b))) continue;
             countBonds(1);
             const auto begin = static_cast<std::int64_t>(begins_[model]);
             builders_[model].addBond(a - begin, b - begin, mmtfBondOrder(order), 0);
@@ -191,7 +191,7 @@ private:
     }
 
     /// Index, among the models read, of the one that contains an atom of the file; their number if none does.
-    std::size_t modelOf(std::size_t atom) const {
+    std::size_t findModel(std::size_t atom) const {
         const auto after = std::upper_bound(begins_.begin(), begins_.end(), atom);
         if (after == begins_.begin() || atom >= end_) return builders_.size();
         return static_cast<std::size_t>(after - begins_.begin()) - 1;

@@ -88,7 +88,7 @@ struct Mol2Bond {
     std::uint8_t order;
 };
 
-std::uint8_t orderOf(std::string_view type) {
+std::uint8_t parseOrder(std::string_view type) {
     if (type == "2" || type == "3") return static_cast<std::uint8_t>(type[0] - '0');
     return type == "ar" ? 4 : 1;  // single, amide, dummy, unknown
 }
@@ -208,7 +208,7 @@ private:
         Atom atom;
         atom.position = *position;
         atom.name = Name(words[1]);
-        atom.element = elementOf(words, lines.number());
+        atom.element = guessElement(words, lines.number());
         addToResidue(atom, parseInteger(words[6]).value_or(1), words[7]);
         const auto charge = parseNumber(words[8]);
         const bool usable = charge && std::abs(*charge) <= 1000;
@@ -219,7 +219,7 @@ private:
     /// "C.ar" is carbon; all lower-case types ("ca", "c3", "hn") are GAFF's, which names the element by the first
     /// letter except for chlorine and bromine. Types of AMBER's and CHARMM's proteins ("CA", "NH1", "OS", "N*") look
     /// like other elements, so that the atom's name decides.
-    Element elementOf(const Words& words, std::uint64_t line) {
+    Element guessElement(const Words& words, std::uint64_t line) {
         const std::string_view symbol = words[5].substr(0, words[5].find('.'));
         const bool gaff = !symbol.empty() && symbol[0] >= 'a' && symbol[0] <= 'z';
         if (gaff && symbol != "cl" && symbol != "br") return builder_.element(symbol.substr(0, 1), line);
@@ -263,24 +263,25 @@ private:
         if (pending_.size() >= builder_.mostBonds())
             fail("it has more bonds than its atoms could form", lines.number());
         if (words[3] != "nc")  // "not connected"
-            pending_.push_back({*a, *b, static_cast<std::uint32_t>(lines.number()), orderOf(words[3])});
+            pending_.push_back({*a, *b, static_cast<std::uint32_t>(lines.number()), parseOrder(words[3])});
     }
 
     /// Bonds name atoms by the ids of their lines. PyMOL numbers lines through all records but bonds by position, so
     /// the position counts if ids do not resolve.
     void resolveBonds() {
         const IdIndex index(ids_);
-        const auto recordOf = [&](std::int64_t id) -> std::int64_t {
+        const auto findRecord = [&](std::int64_t id) -> std::int64_t {
             std::uint32_t record = 0;
             return index.find(id, record) == IdIndex::Found::one ? std::int64_t{record} : -1;
         };
         const bool usable =
             !index.repeats() && std::none_of(ids_.begin(), ids_.end(), [](std::int64_t id) { return id < 0; });
         const bool byId = usable && std::all_of(pending_.begin(), pending_.end(), [&](const Mol2Bond& bond) {
-                              return recordOf(bond.a) >= 0 && recordOf(bond.b) >= 0;
+                              return findRecord(bond.a) >= 0 && findRecord(bond.b) >= 0;
                           });
-        const auto atomOf = [&](std::int64_t id) { return builder_.atomOfRecord(byId ? recordOf(id) : id - 1); };
-        for (const Mol2Bond& bond : pending_) builder_.addBond(atomOf(bond.a), atomOf(bond.b), bond.order, bond.line);
+        const auto findAtom = [&](std::int64_t id) { return builder_.atomOfRecord(byId ? findRecord(id) : id - 1); };
+        for (const Mol2Bond& bond : pending_)
+            builder_.addBond(findAtom(bond.a), findAtom(bond.b), bond.order, bond.line);
     }
 
     const std::string& name_;

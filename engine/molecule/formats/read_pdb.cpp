@@ -94,7 +94,7 @@ private:
             if (modelInProgress() == wanted_)
                 atom(line);
             else if (modelInProgress() == 1 && sawModelRecord_ && firstModel_.size() < maxAtoms_)
-                firstModel_.emplace_back(pdb::serial(line).value_or(-1), identityOf(line));
+                firstModel_.emplace_back(pdb::serial(line).value_or(-1), hashAtom(line));
             ++atomsInModel_;
         } else if (startsWith(line, "ANISOU")) {
             if (modelInProgress() == wanted_) displacement(line);
@@ -217,14 +217,14 @@ private:
         const char alternate = pdb::column(before, 17);
         atom.alternate = alternate == ' ' ? '\0' : alternate;
         // PDBQT has charges in those columns.
-        atom.residue = residueOf(before, flavour_ == Flavour::pdb ? pdb::segment(after) : std::string_view());
+        atom.residue = findResidue(before, flavour_ == Flavour::pdb ? pdb::segment(after) : std::string_view());
         elementAndCharge(before, after, atom);
         ++molecule_.residues.back().atomCount;
         if (molecule_.atoms.size() >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
         molecule_.atoms.push_back(atom);
         serials_.push_back(pdb::serial(line).value_or(-1));
         latestAtom_ = pdb::columns(line, 13, 27);
-        if (!firstModel_.empty()) identities_.push_back(identityOf(line));
+        if (!firstModel_.empty()) identities_.push_back(hashAtom(line));
     }
 
     /// A record follows its atom's: U(1,1), U(2,2), U(3,3), U(1,2), U(1,3), U(2,3) in 1e-4 Å^2.
@@ -273,7 +273,7 @@ private:
     }
 
     /// Index of the residue that the line belongs to: the latest, or a new one.
-    std::uint32_t residueOf(std::string_view line, std::string_view segment) {
+    std::uint32_t findResidue(std::string_view line, std::string_view segment) {
         // Column 21 is blank by the format; simulation programs put the fourth letter of "TIP3" there.
         const std::string_view columns18to28 = pdb::columns(line, 18, 28);
         if (molecule_.residues.empty() || columns18to28 != latestResidue_ ||
@@ -308,7 +308,7 @@ private:
         // Programs with more chains than letters begin with A again; then residue numbers repeat.
         if (polymer && letter != ' ' && letter != latestLetter_ && residue.number <= last)
             chainIndex_[static_cast<unsigned char>(letter)] = -1;
-        residue.chain = residue.subchain = chainOf(letter, segment);
+        residue.chain = residue.subchain = chooseChain(letter, segment);
         if (polymer) last = residue.number;
         latestLetter_ = letter;
         residue.firstAtom = static_cast<std::uint32_t>(molecule_.atoms.size());
@@ -327,7 +327,7 @@ private:
     }
 
     /// Without a letter, the segment is the chain.
-    std::uint32_t chainOf(char letter, std::string_view segment) {
+    std::uint32_t chooseChain(char letter, std::string_view segment) {
         const bool bySegment = letter == ' ' && !segment.empty();
         int& index = bySegment ? chainOfSegment_.try_emplace(std::string(segment), -1).first->second
                                : chainIndex_[static_cast<unsigned char>(letter)];
@@ -396,7 +396,7 @@ private:
         }
     }
 
-    static std::size_t identityOf(std::string_view line) {
+    static std::size_t hashAtom(std::string_view line) {
         return std::hash<std::string_view>()(pdb::columns(line, 13, 27));
     }
 

@@ -76,11 +76,11 @@ private:
 
     /// Symbols precede the counts; in old files they are at best in the title. "Fe_pv" and "Fe/1a2b" name a potential.
     void readSpecies(std::string_view title) {
-        std::vector<std::string_view> symbols = wordsOf(next()), counts = symbols;
+        std::vector<std::string_view> symbols = splitAllWords(next()), counts = symbols;
         if (!symbols.empty() && parseInteger(symbols[0]))
-            symbols = wordsOf(title);
+            symbols = splitAllWords(title);
         else
-            counts = wordsOf(next());
+            counts = splitAllWords(next());
         species_.clear();
         atoms_ = 0;
         for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -128,7 +128,7 @@ private:
         std::int64_t rows = 0;
         for (const auto isNumber = [](std::string_view word) { return parseNumber(word).has_value(); };
              rows < atoms_ && ahead.next(); ++rows) {
-            const std::vector<std::string_view> words = wordsOf(ahead.line());
+            const std::vector<std::string_view> words = splitAllWords(ahead.line());
             if (words.size() != 3 || !std::all_of(words.begin(), words.end(), isNumber)) return;
         }
         if (rows == atoms_) builder_.pass("velocities", rows);

@@ -107,7 +107,7 @@ private:
 
     /// By blanks, or else by columns. Words that touch are divided at signs, or by decimal points in the usual columns.
     /// @param apart  holds the text of divided words
-    static PqrFields fieldsOf(std::string_view line, std::string& apart) {
+    static PqrFields splitFields(std::string_view line, std::string& apart) {
         if (const auto fields = fieldsByWords(line, 5)) return *fields;
         const PqrFields columned = fieldsByColumns(line);
         if (!columned.residue.empty() && !columned.radius.empty()) return columned;
@@ -138,7 +138,7 @@ private:
 
     void addAtom(std::string_view line) {
         std::string apart;
-        const PqrFields fields = fieldsOf(line, apart);
+        const PqrFields fields = splitFields(line, apart);
         if (fields.name.empty())
             return builder_.leaveOutAtom("an atom line needs nine fields: '" + printable(line) + "'", lines_.number());
         const auto position = builder_.position(fields.position, lines_.number());

@@ -68,7 +68,7 @@ public:
         builder_.pass("radii of implicit solvents", static_cast<std::int64_t>(fields("RADII", count).size()));
         const std::vector<double> box = numbers("BOX_DIMENSIONS", 4);
         if (box.size() >= 4)
-            if (const auto vectors = boxOf({box[1], box[2], box[3]}, {box[0], box[0], box[0]}))
+            if (const auto vectors = makeBox({box[1], box[2], box[3]}, {box[0], box[0], box[0]}))
                 builder_.takeBox(*vectors);
         if (const auto title = sections_.find("TITLE"); title != sections_.end())
             builder_.molecule().file.title = printable(trim(title->second.text), 200);
@@ -90,8 +90,8 @@ private:
                 const std::size_t open = line.find('('), letter = line.find_first_of("aAiIeEfF", open);
                 if (open == std::string_view::npos || letter == std::string_view::npos) continue;
                 const std::string_view width = line.substr(letter + 1);
-                section->perLine = countOf(line.substr(open + 1, letter - open - 1));
-                section->width = countOf(width.substr(0, width.find_first_of(".)")));
+                section->perLine = parseCount(line.substr(open + 1, letter - open - 1));
+                section->width = parseCount(width.substr(0, width.find_first_of(".)")));
                 section->line = lines.number() + 1;
                 section->text = lines.rest().substr(0, 0);
             } else if (section && section->width > 0 && !startsWith(line, "%")) {
@@ -100,7 +100,7 @@ private:
             }
         }
     }
-    static std::size_t countOf(std::string_view text) {
+    static std::size_t parseCount(std::string_view text) {
         return static_cast<std::size_t>(std::clamp<std::int64_t>(parseInteger(text).value_or(0), 0, 1000));
     }
 

@@ -40,7 +40,7 @@ public:
 
     Molecule run() {
         if (!lines_.next() || !startsWith(trim(lines_.line()), "PSF")) cannotRead(name_, "it is not a PSF file");
-        for (const std::string_view word : wordsOf(lines_.line())) extended_ = extended_ || word == "EXT";
+        for (const std::string_view word : splitAllWords(lines_.line())) extended_ = extended_ || word == "EXT";
         while (lines_.next()) {
             const std::string_view line = lines_.line();
             const std::size_t mark = line.find('!');
@@ -109,7 +109,7 @@ private:
         const std::size_t width = extended_ ? 10 : 8;
         while (count > 0 && lines_.next()) {
             std::string_view line = lines_.line();
-            std::vector<std::string_view> words = wordsOf(line);
+            std::vector<std::string_view> words = splitAllWords(line);
             // Numbers that fill their columns touch.
             if (words.size() % 2 != 0 || (!words.empty() && words[0].size() > width))
                 for (words.clear(); !trim(line).empty(); line.remove_prefix(std::min(width, line.size())))

@@ -47,14 +47,14 @@ private:
             numbers[i] = *value;
         }
         lines_ = ahead;
-        const auto box = boxOf({numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]});
+        const auto box = makeBox({numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]});
         if (wanted && box) builder_.takeBox(*box);
     }
 
     void readAtom(std::string_view line) override {
-        std::vector<std::string_view> words = wordsOf(line);
+        std::vector<std::string_view> words = splitAllWords(line);
         std::string apart;
-        if (std::any_of(words.begin(), words.end(), mayTouch)) words = wordsOf(apart = numbersApart(line));
+        if (std::any_of(words.begin(), words.end(), mayTouch)) words = splitAllWords(apart = numbersApart(line));
         readBonds(words);
         if (words.size() < 5)
             return builder_.leaveOutAtom(

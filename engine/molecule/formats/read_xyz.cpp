@@ -56,12 +56,12 @@ private:
 
     void beginAtoms() override {
         builder_.molecule().file.title = printable(trim(comment_), 200);
-        layout_ = layoutOf(comment_);
+        layout_ = parseLayout(comment_);
         takeLattice();
     }
 
     /// The value of a key in the comment, without quotes; empty if it is missing.
-    std::string_view valueOf(std::string_view key) const {
+    std::string_view findValue(std::string_view key) const {
         const std::string lower = lowerCase(comment_);
         const std::size_t at = lower.find(std::string(key) + "=");
         if (at == std::string::npos || (at > 0 && !isBlank(lower[at - 1]))) return {};
@@ -87,7 +87,7 @@ private:
 
     /// Lattice="ax ay az bx by bz cx cy cz", and pbc="T T F" for the vectors along which it repeats.
     void takeLattice() {
-        const std::string_view stated = valueOf("lattice");
+        const std::string_view stated = findValue("lattice");
         const std::string lattice = numbersApart(withoutBrackets(stated));
         const Words numbers = splitWords(lattice);
         if (trim(stated).empty()) return;
@@ -101,7 +101,7 @@ private:
             box[i / 3][static_cast<int>(i % 3)] = static_cast<float>(*value);
         }
         std::array<bool, 3> repeats{true, true, true};
-        const std::string pbc = withoutBrackets(valueOf("pbc"));  // "T T F", "1 1 0", "True, True, False"
+        const std::string pbc = withoutBrackets(findValue("pbc"));  // "T T F", "1 1 0", "True, True, False"
         const Words flags = splitWords(pbc);
         for (std::size_t i = 0; i < flags.count && i < 3; ++i)
             repeats[i] = flags[i] != "0" && upperCase(flags[i][0]) != 'F';
@@ -137,7 +137,7 @@ private:
     }
 
     /// Columns from the comment of an extended XYZ file; without a usable list, the usual ones.
-    Layout layoutOf(std::string_view comment) {
+    Layout parseLayout(std::string_view comment) {
         const std::string lower = lowerCase(comment);
         std::size_t at = lower.find("properties=");
         if (at == std::string::npos) return {};

@@ -65,7 +65,7 @@ struct Base {
     std::span<const TableAtom> atoms;
 };
 
-Base baseOf(char letter) {
+Base findBase(char letter) {
     switch (letter) {
         case 'A':
             return {"DA", kAdenine};
@@ -117,7 +117,7 @@ Molecule sampleDna() {
         for (int i = 0; i < length; ++i) {
             const Frame frame{0.5 * (length - 1) - i, opposite};
             const std::int32_t number = i + 1 + (opposite ? length : 0);
-            addNucleotide(builder, baseOf(kSequence[static_cast<std::size_t>(i)]), number, frame, i > 0);
+            addNucleotide(builder, findBase(kSequence[static_cast<std::size_t>(i)]), number, frame, i > 0);
         }
     }
     Molecule molecule = builder.finish();

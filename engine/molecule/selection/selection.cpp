@@ -124,7 +124,7 @@ private:
                 return ofKind({ResidueKind::protein, ResidueKind::nucleic});
             case SelectionTest::ligand:
                 if (!step.words.empty())  // the main chain identifier
-                    return whereResidue([main = mainLigandOf(facts_)](std::size_t i) { return main == i; });
+                    return whereResidue([main = findMainLigand(facts_)](std::size_t i) { return main == i; });
                 return ofKind({ResidueKind::ligand});
             case SelectionTest::water:
                 return ofKind({ResidueKind::water});
@@ -327,9 +327,9 @@ private:
         for (const Bond& bond : molecule_.bonds) connected.join(bond.a, bond.b);
         Set touched(set.size());
         for (std::uint32_t i = 0; i < set.size(); ++i)
-            if (set[i]) touched[connected.rootOf(i)] = true;
+            if (set[i]) touched[connected.findRoot(i)] = true;
         Set whole(set.size());
-        for (std::uint32_t i = 0; i < set.size(); ++i) whole[i] = touched[connected.rootOf(i)];
+        for (std::uint32_t i = 0; i < set.size(); ++i) whole[i] = touched[connected.findRoot(i)];
         return whole;
     }
 

@@ -197,17 +197,17 @@ private:
         SelectionStep step;
         step.test = *found;
         if (isOneOf({chain, segment, entity, residueName, atomName, element, alternate})) values(step);
-        if (isOneOf({residueNumber, model, atomNumber})) numbers(step, valueOf(*found));
+        if (isOneOf({residueNumber, model, atomNumber})) numbers(step, describeValue(*found));
         if (isOneOf({temperatureFactor, occupancy})) comparison(step);
         if (*found == sequence) pattern(step);
         if (*found == ligand && word == "mainligand") step.words.push_back(word);
         if (*found == secondary && word == "ss") folds(step);
-        if (*found == secondary && word != "ss") step.words.push_back(foldOf(word));
+        if (*found == secondary && word != "ss") step.words.push_back(parseFold(word));
         result_.steps.push_back(std::move(step));
     }
 
     /// Description of a test's value, for messages.
-    static const char* valueOf(SelectionTest test) {
+    static const char* describeValue(SelectionTest test) {
         if (test == chain) return "a chain name";
         if (test == segment) return "a segment's name";
         if (test == entity) return "an entity's identifier or name";
@@ -236,7 +236,7 @@ private:
                 begin < text_.size() && (text_[begin] == '-' || (text_[begin] >= '0' && text_[begin] <= '9'));
             if (mark == '#' || (mark == ':' && number)) {
                 step.test = mark == '#' ? model : residueNumber;
-                numbers(step, valueOf(step.test));
+                numbers(step, describeValue(step.test));
             } else {
                 step.test = mark == '/' ? chain : mark == ':' ? residueName : atomName;
                 values(step, mark == ':' ? "a residue name or number" : nullptr);
@@ -248,7 +248,7 @@ private:
     }
 
     /// The canonical name of a secondary structure; empty if invalid.
-    static std::string foldOf(const std::string& word) {
+    static std::string parseFold(const std::string& word) {
         if (word == "helix" || word == "h") return "HELIX";
         if (word == "strand" || word == "sheet" || word == "s" || word == "e") return "STRAND";
         if (word == "loop" || word == "coil" || word == "l" || word == "c" || word.empty()) return "LOOP";
@@ -267,7 +267,7 @@ private:
 
     void folds(SelectionStep& step) {
         constexpr const char* kWanted = "helix, strand or loop";
-        list(kWanted, [&] { return !step.words.emplace_back(foldOf(lowerCase(listItem(kWanted)))).empty(); });
+        list(kWanted, [&] { return !step.words.emplace_back(parseFold(lowerCase(listItem(kWanted)))).empty(); });
     }
 
     void pattern(SelectionStep& step) {
@@ -298,7 +298,7 @@ private:
     }
 
     void values(SelectionStep& step, const char* wanted = nullptr) {
-        if (!wanted) wanted = valueOf(step.test);
+        if (!wanted) wanted = describeValue(step.test);
         list(wanted, [&] {
             std::string value = listItem(wanted);
             if (step.test != chain && step.test != segment) value = upperCase(value);

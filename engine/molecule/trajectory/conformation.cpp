@@ -48,18 +48,18 @@ std::vector<std::uint32_t> counterparts(const Molecule& molecule, const Molecule
         pairs[matched.first[i]] = matched.second[i] - static_cast<std::uint32_t>(count);
     // Other atoms are paired by chain, residue number and name.
     using Key = std::tuple<std::string, std::int32_t, char, std::string, std::string>;
-    const auto keyOf = [](const Molecule& m, const Atom& atom) {
+    const auto makeKey = [](const Molecule& m, const Atom& atom) {
         const Residue& r = m.residues[atom.residue];
         return Key{m.chains[r.chain].name, r.number, r.insertionCode, std::string(r.name.view()),
                    std::string(atom.name.view())};
     };
     std::map<Key, std::uint32_t> others;
-    for (std::uint32_t i = 0; i < other.atoms.size(); ++i) others.emplace(keyOf(other, other.atoms[i]), i);
+    for (std::uint32_t i = 0; i < other.atoms.size(); ++i) others.emplace(makeKey(other, other.atoms[i]), i);
     const ResidueFacts facts(molecule);
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto found = facts.isPolymer(molecule.atoms[i].residue) || pairs[i] != kNone
                                ? others.end()
-                               : others.find(keyOf(molecule, molecule.atoms[i]));
+                               : others.find(makeKey(molecule, molecule.atoms[i]));
         if (found != others.end()) pairs[i] = found->second;
     }
     return pairs;
@@ -72,7 +72,7 @@ std::vector<std::vector<std::uint32_t>> looseGroups(const Molecule& molecule, co
         if (pairs[bond.a] == kNone && pairs[bond.b] == kNone) sets.join(bond.a, bond.b);
     std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
     for (std::uint32_t i = 0; i < pairs.size(); ++i)
-        if (pairs[i] == kNone) groups[sets.rootOf(i)].push_back(i);
+        if (pairs[i] == kNone) groups[sets.findRoot(i)].push_back(i);
     std::vector<std::vector<std::uint32_t>> all;
     for (auto& [root, group] : groups) all.push_back(std::move(group));
     return all;
@@ -99,7 +99,7 @@ void carry(const Molecule& molecule, const std::vector<std::uint32_t>& group, st
 
 }  // namespace
 
-Conformation conformationOf(const Molecule& molecule, const Molecule& other, const std::string& name) {
+Conformation fitConformation(const Molecule& molecule, const Molecule& other, const std::string& name) {
     const std::vector<std::uint32_t> pairs = counterparts(molecule, other);
     std::vector<glm::dvec3> fixed, moving;
     std::vector<std::uint32_t> matched;

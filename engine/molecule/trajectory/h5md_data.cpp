@@ -83,7 +83,7 @@ herr_t nameFirst(hid_t, const char* name, const H5L_info_t*, void* first) {
 template <typename Allocate>
 bool readRow(const Hdf5Handle& set, std::size_t frame, std::size_t count, bool framed, hid_t type,
              const Allocate& allocate) {
-    const Hdf5Sizes size = H5mdData::sizesOf(set);
+    const Hdf5Sizes size = H5mdData::readSizes(set);
     hsize_t each = 1, start[3] = {}, block[3] = {1, 1, 1};
     if (size.size() > 3 || (framed && (size.empty() || frame >= size[0]))) return false;
     for (std::size_t i = 0; i < size.size(); ++i) {
@@ -266,17 +266,17 @@ H5mdData H5mdData::ofBytes(std::string_view bytes) {
 }
 
 bool H5mdData::read(std::size_t frame, TrajectoryFrame& result) const {
-    const std::vector<double> values = rowOf(positions_, frame, atoms() * 3, true);
+    const std::vector<double> values = readNumbers(positions_, frame, atoms() * 3, true);
     if (values.empty()) return false;
     for (std::size_t i = 0; i < values.size(); ++i)
         result.positions[i / 3][static_cast<int>(i % 3)] = static_cast<float>(values[i] * scale_);
-    if (const std::vector<double> time = rowOf(times_, frame, 1, true); !time.empty()) result.time = time[0];
-    const bool framed = sizesOf(edges_).size() > 1;
-    if (const std::vector<double> e = rowOf(edges_, frame, 3, framed); !e.empty()) {
-        const std::vector<double> a = rowOf(angles_, frame, 3, true);
+    if (const std::vector<double> time = readNumbers(times_, frame, 1, true); !time.empty()) result.time = time[0];
+    const bool framed = readSizes(edges_).size() > 1;
+    if (const std::vector<double> e = readNumbers(edges_, frame, 3, framed); !e.empty()) {
+        const std::vector<double> a = readNumbers(angles_, frame, 3, true);
         const glm::dvec3 angles = a.empty() ? glm::dvec3(90) : glm::dvec3(a[0], a[1], a[2]);
-        result.box = boxOf(glm::dvec3(e[0], e[1], e[2]) * (angles_.valid() ? scale_ : edgeScale_), angles);
-    } else if (const std::vector<double> m = rowOf(edges_, frame, 9, sizesOf(edges_).size() > 2); !m.empty()) {
+        result.box = makeBox(glm::dvec3(e[0], e[1], e[2]) * (angles_.valid() ? scale_ : edgeScale_), angles);
+    } else if (const std::vector<double> m = readNumbers(edges_, frame, 9, readSizes(edges_).size() > 2); !m.empty()) {
         PeriodicBox box;
         for (std::size_t i = 0; i < 9; ++i) box[i / 3][static_cast<int>(i % 3)] = static_cast<float>(m[i] * edgeScale_);
         result.box = box;
@@ -300,7 +300,7 @@ Hdf5Handle H5mdData::element(const std::string& path) const {
     return varying.valid() ? std::move(varying) : dataset(path);
 }
 
-Hdf5Sizes H5mdData::sizesOf(const Hdf5Handle& set) {
+Hdf5Sizes H5mdData::readSizes(const Hdf5Handle& set) {
     const Hdf5Handle space(hdf5().H5Dget_space(set), hdf5().H5Sclose);
     const int rank = hdf5().H5Sget_simple_extent_ndims(space);
     Hdf5Sizes sizes(static_cast<std::size_t>(std::max(rank, 0)));
@@ -308,7 +308,7 @@ Hdf5Sizes H5mdData::sizesOf(const Hdf5Handle& set) {
     return sizes;
 }
 
-std::vector<double> H5mdData::rowOf(const Hdf5Handle& set, std::size_t frame, std::size_t count, bool framed) {
+std::vector<double> H5mdData::readNumbers(const Hdf5Handle& set, std::size_t frame, std::size_t count, bool framed) {
     std::vector<double> values;
     if (!set.valid()) return values;
     const Hdf5Handle type(hdf5().H5Dget_type(set), hdf5().H5Tclose);
@@ -319,18 +319,18 @@ std::vector<double> H5mdData::rowOf(const Hdf5Handle& set, std::size_t frame, st
     return read ? values : std::vector<double>();
 }
 
-std::vector<double> H5mdData::valuesOf(const Hdf5Handle& set, std::size_t frame, std::size_t count) {
-    return set.valid() ? rowOf(set, frame, count, sizesOf(set).size() > 1) : std::vector<double>();
+std::vector<double> H5mdData::readValues(const Hdf5Handle& set, std::size_t frame, std::size_t count) {
+    return set.valid() ? readNumbers(set, frame, count, readSizes(set).size() > 1) : std::vector<double>();
 }
 
-std::vector<std::string> H5mdData::textsOf(const Hdf5Handle& set, std::size_t count, std::size_t mostBytes) {
+std::vector<std::string> H5mdData::readTexts(const Hdf5Handle& set, std::size_t count, std::size_t mostBytes) {
     std::vector<std::string> texts;
     if (!set.valid()) return texts;
     const Hdf5Handle type(hdf5().H5Dget_type(set), hdf5().H5Tclose);
     if (hdf5().H5Tget_class(type) != H5T_STRING) return texts;
     const std::size_t size = hdf5().H5Tget_size(type);
     if (size == 0 || count > mostBytes / size) return texts;
-    const bool framed = sizesOf(set).size() > 1;
+    const bool framed = readSizes(set).size() > 1;
     std::string bytes;
     const auto read = [&](hid_t as, std::size_t each) {
         return readRow(set, 0, count, framed, as, [&] {
@@ -343,7 +343,7 @@ std::vector<std::string> H5mdData::textsOf(const Hdf5Handle& set, std::size_t co
     return read(references, Hdf5Heaps::kReferenceBytes) ? heapTexts(heaps_, bytes, mostBytes) : texts;
 }
 
-std::map<double, std::string> H5mdData::enumerationOf(const Hdf5Handle& set) {
+std::map<double, std::string> H5mdData::readEnumeration(const Hdf5Handle& set) {
     std::map<double, std::string> names;
     if (!set.valid()) return names;
     const Hdf5Handle type(hdf5().H5Dget_type(set), hdf5().H5Tclose);
@@ -361,7 +361,7 @@ std::map<double, std::string> H5mdData::enumerationOf(const Hdf5Handle& set) {
     return names;
 }
 
-double H5mdData::scaleOf(const Hdf5Handle& set) {
+double H5mdData::readScale(const Hdf5Handle& set) {
     const Hdf5Handle attribute(hdf5().H5Aopen(set, "unit", H5P_DEFAULT), hdf5().H5Aclose);
     if (!attribute.valid()) return 1;
     const std::vector<std::string> texts = attributeTexts(attribute, 1, heaps_);
@@ -379,16 +379,16 @@ H5mdData::H5mdData(hid_t opened, Hdf5Heaps::Read read, std::uint64_t fileBytes)
         angles_ = dataset("cell_angles");
         times_ = dataset("time");
     } else {
-        group_ = "particles/" + firstOf("particles");
+        group_ = "particles/" + readFirstName("particles");
         positions_ = dataset(group_ + "/position/value");
         if (!positions_.valid()) throw Hdf5Fault("it has no positions as H5MD or MDTraj write them");
-        scale_ = scaleOf(positions_);
+        scale_ = readScale(positions_);
         edges_ = element(group_ + "/box/edges");
-        if (edges_.valid()) edgeScale_ = scaleOf(edges_);
+        if (edges_.valid()) edgeScale_ = readScale(edges_);
         readBoundary();
         times_ = dataset(group_ + "/position/time");
     }
-    sizes_ = sizesOf(positions_);
+    sizes_ = readSizes(positions_);
     if (sizes_.size() != 3 || sizes_[2] != 3 || sizes_[0] == 0)
         throw Hdf5Fault("its positions are not (frame, atom, 3)");
     if (sizes_[1] > kMaxAtoms) throw Hdf5Fault("it has more than " + std::to_string(kMaxAtoms) + " atoms");
@@ -397,7 +397,7 @@ H5mdData::H5mdData(hid_t opened, Hdf5Heaps::Read read, std::uint64_t fileBytes)
     if (chunkBytes() > kMostOfChunk) throw Hdf5Fault("its chunks are larger than 1 GB");
 }
 
-std::string H5mdData::firstOf(const char* group) const {
+std::string H5mdData::readFirstName(const char* group) const {
     std::string first;
     const Hdf5Handle opened(hdf5().H5Gopen2(file_, group, H5P_DEFAULT), hdf5().H5Gclose);
     if (opened.valid()) hdf5().H5Literate(opened, H5_INDEX_NAME, H5_ITER_INC, nullptr, nameFirst, &first);

@@ -78,22 +78,22 @@ public:
     Hdf5Handle dataset(const std::string& path) const;
     /// An element of H5MD: constant, or with a value per frame.
     Hdf5Handle element(const std::string& path) const;
-    static Hdf5Sizes sizesOf(const Hdf5Handle& set);
+    static Hdf5Sizes readSizes(const Hdf5Handle& set);
 
     /// One row, as doubles; empty if it does not have this many numbers. Data without frames apply to all.
-    static std::vector<double> rowOf(const Hdf5Handle& set, std::size_t frame, std::size_t count, bool framed);
+    static std::vector<double> readNumbers(const Hdf5Handle& set, std::size_t frame, std::size_t count, bool framed);
     /// As above for a number per atom, per frame or constant.
-    static std::vector<double> valuesOf(const Hdf5Handle& set, std::size_t frame, std::size_t count);
+    static std::vector<double> readValues(const Hdf5Handle& set, std::size_t frame, std::size_t count);
     /// As above for texts of any string type. @param mostBytes  in memory
-    std::vector<std::string> textsOf(const Hdf5Handle& set, std::size_t count, std::size_t mostBytes);
+    std::vector<std::string> readTexts(const Hdf5Handle& set, std::size_t count, std::size_t mostBytes);
     /// Names of an enumeration's values; empty for any other type.
-    static std::map<double, std::string> enumerationOf(const Hdf5Handle& set);
+    static std::map<double, std::string> readEnumeration(const Hdf5Handle& set);
     /// Å per unit of a dataset, by its attribute "unit".
-    double scaleOf(const Hdf5Handle& set);
+    double readScale(const Hdf5Handle& set);
 
 private:
     H5mdData(hid_t opened, Hdf5Heaps::Read read, std::uint64_t fileBytes);
-    std::string firstOf(const char* group) const;
+    std::string readFirstName(const char* group) const;
     hsize_t chunkBytes() const;
     void readBoundary();
 

@@ -50,14 +50,14 @@ std::string Hdf5Heaps::text(std::string_view reference, std::size_t most) {
     const std::uint64_t length = numberIn(reference, 0, 4), heap = numberIn(reference, 4, 8),
                         number = numberIn(reference, 12, 4);
     if (length == 0 || length > most || number > UINT16_MAX || heap > fileBytes_ || base_ > fileBytes_) return {};
-    const Objects& objects = objectsOf(base_ + heap);
+    const Objects& objects = readObjects(base_ + heap);
     const auto found = objects.find(static_cast<std::uint16_t>(number));
     if (found == objects.end() || found->second.size < length) return {};
     const std::string text = read_(found->second.at, static_cast<std::size_t>(length));
     return text.substr(0, text.find('\0'));
 }
 
-const Hdf5Heaps::Objects& Hdf5Heaps::objectsOf(std::uint64_t heap) {
+const Hdf5Heaps::Objects& Hdf5Heaps::readObjects(std::uint64_t heap) {
     const auto [known, added] = known_.try_emplace(heap);
     if (added)
         visitObjects(

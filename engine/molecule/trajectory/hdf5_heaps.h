@@ -38,7 +38,7 @@ private:
         std::uint64_t at, size;
     };
     using Objects = std::map<std::uint16_t, Object>;
-    const Objects& objectsOf(std::uint64_t heap);
+    const Objects& readObjects(std::uint64_t heap);
 
     Read read_;
     std::uint64_t fileBytes_, base_;

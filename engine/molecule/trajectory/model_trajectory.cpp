@@ -94,7 +94,7 @@ std::unique_ptr<Trajectory> openModels(const std::string& path) {
     auto molecule = std::make_shared<const Molecule>(readMoleculeFile(path, options));
     const auto fail = [&](const std::string& why) { throw Error("cannot read trajectory", path, why); };
     if (molecule->lacksPositions) fail("it is a topology without positions");
-    if (modelsOf(molecule->file) == 1) return std::make_unique<ModelTrajectory>(std::move(molecule), 0);
+    if (countModels(molecule->file) == 1) return std::make_unique<ModelTrajectory>(std::move(molecule), 0);
     auto models = trajectoryOfModels(molecule, 1, true);
     if (!models) fail(molecule->othersMissing.empty() ? differenceOfModels(*molecule) : molecule->othersMissing);
     return models;

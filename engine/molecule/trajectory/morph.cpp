@@ -26,7 +26,7 @@ struct Edge {
 
 using Places = std::vector<glm::dvec3>;
 
-Places placesOf(const std::vector<glm::vec3>& positions) { return {positions.begin(), positions.end()}; }
+Places toPlaces(const std::vector<glm::vec3>& positions) { return {positions.begin(), positions.end()}; }
 
 /// Bonds, and the ends of each angle.
 std::vector<Edge> bondedEdges(const Molecule& molecule) {
@@ -48,13 +48,13 @@ std::vector<Edge> bondedEdges(const Molecule& molecule) {
 void addContacts(const std::vector<bool>& counts, const Places& from, const Places& to, std::vector<Edge>& edges) {
     constexpr std::size_t kMostInCell = 64;  // per 125 Å³, where real structures have 15; more are a crowd
     std::map<std::array<int, 3>, std::vector<std::uint32_t>> cells;
-    const auto cellOf = [](const glm::dvec3& p) {
+    const auto findCell = [](const glm::dvec3& p) {
         const glm::ivec3 cell(glm::floor(p / kContact));
         return std::array<int, 3>{cell.x, cell.y, cell.z};
     };
     for (std::uint32_t i = 0; i < from.size(); ++i) {
         if (!counts[i]) continue;
-        const std::array<int, 3> own = cellOf(from[i]);
+        const std::array<int, 3> own = findCell(from[i]);
         for (int n = 0; n < 27; ++n) {
             const auto near = cells.find({own[0] + n % 3 - 1, own[1] + n / 3 % 3 - 1, own[2] + n / 9 - 1});
             if (near == cells.end()) continue;
@@ -210,7 +210,7 @@ private:
         const double place = std::clamp(places_[frame], 0.0, static_cast<double>(keys_.size() - 1));
         const auto key = std::min(static_cast<std::size_t>(place), keys_.size() - 2);
         if (!step_ || key != stepOf_)
-            step_ = std::make_unique<Step>(counts_, bonded_, placesOf(keys_[key]), placesOf(keys_[key + 1]));
+            step_ = std::make_unique<Step>(counts_, bonded_, toPlaces(keys_[key]), toPlaces(keys_[key + 1]));
         stepOf_ = key;
         const Places placed = step_->at(place - static_cast<double>(key));
         std::ranges::copy(placed, result.positions.begin());

@@ -22,7 +22,7 @@ struct Conformation {
 /// (superposePruned()). Atoms without a counterpart move with those around them.
 /// @param name  of the other, for errors @throws Error if fewer than three atoms or less than a third have a
 /// counterpart
-Conformation conformationOf(const Molecule& molecule, const Molecule& other, const std::string& name);
+Conformation fitConformation(const Molecule& molecule, const Molecule& other, const std::string& name);
 
 /// Moves from key to key by rotating each atom's surroundings, not along straight lines: the surroundings turn by the
 /// rotation that superposes them, and the positions have differences as near as possible to the rotated ones

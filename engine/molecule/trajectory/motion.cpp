@@ -148,7 +148,7 @@ void Motion::addLaid(std::vector<glm::dvec3>& sum, const std::vector<glm::vec3>&
     for (std::size_t atom = 0; atom < sum.size(); ++atom) sum[atom] += onto(glm::dvec3(positions[atom]));
 }
 
-std::vector<glm::dvec3> Motion::fittedOf(const std::vector<glm::vec3>& positions) const {
+std::vector<glm::dvec3> Motion::selectFitted(const std::vector<glm::vec3>& positions) const {
     std::vector<glm::dvec3> points;
     points.reserve(options_.fitted.size());
     for (const std::uint32_t atom : options_.fitted) points.emplace_back(positions[atom]);
@@ -159,15 +159,15 @@ Motion::Kept Motion::lay(std::size_t frame) {
     TrajectoryFrame read = trajectory_->read(frame);
     if (options_.whole && read.box) makeWhole(read.positions, *read.box);
     if (options_.whole && !read.box && !boxless_) boxless_ = frame;
-    if (frame > 0 && !options_.fitted.empty() && first_.empty()) first_ = fittedOf(lay(0).positions);
+    if (frame > 0 && !options_.fitted.empty() && first_.empty()) first_ = selectFitted(lay(0).positions);
     // Without a box, the first frame defines no arrangement of molecules for the others.
     if (!fittedOfMolecules_.empty() && read.box && (frame == 0 || !ways_.empty()))
         gather(read.positions, *read.box, frame == 0);
     if (!torn_ && read.box && isTorn(read.positions, *read.box)) torn_ = frame;
     Kept kept{frame, std::move(read.positions), read.box, {}, read.time};
     if (options_.fitted.empty()) return kept;
-    if (frame == 0) first_ = fittedOf(kept.positions);
-    if (frame > 0) kept.onto = superpose(first_, fittedOf(kept.positions));
+    if (frame == 0) first_ = selectFitted(kept.positions);
+    if (frame > 0) kept.onto = superpose(first_, selectFitted(kept.positions));
     return kept;
 }
 

@@ -69,7 +69,7 @@ private:
     std::vector<glm::vec3> follow(const std::vector<glm::vec3>& before, const Kept& kept) const;
     void addLaid(std::vector<glm::dvec3>& sum, const std::vector<glm::vec3>& positions,
                  const Superposition& onto) const;
-    std::vector<glm::dvec3> fittedOf(const std::vector<glm::vec3>& positions) const;
+    std::vector<glm::dvec3> selectFitted(const std::vector<glm::vec3>& positions) const;
 
     std::unique_ptr<Trajectory> trajectory_;
     MotionOptions options_;

@@ -104,7 +104,7 @@ private:
         glm::dvec3 angles(v[4], v[3], v[1]);
         if (std::abs(angles.x) <= 1 && std::abs(angles.y) <= 1 && std::abs(angles.z) <= 1)
             for (int k = 0; k < 3; ++k) angles[k] = std::acos(angles[k]) * 57.29577951308232;
-        return boxOf({v[0], v[2], v[5]}, angles);
+        return makeBox({v[0], v[2], v[5]}, angles);
     }
 
     bool hasCell_ = false, hasFourth_ = false;

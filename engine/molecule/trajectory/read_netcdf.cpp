@@ -156,7 +156,7 @@ private:
         const std::size_t rank = restart_ ? 1 : 2;
         return v.recorded != restart_ && v.dimensions.size() == rank && v.dimensions.back() == 3 && isReal(v);
     }
-    glm::dvec3 threeOf(const NetcdfVariable& v, std::size_t frame) const {
+    glm::dvec3 readVector(const NetcdfVariable& v, std::size_t frame) const {
         NumberReader numbers = numbersAt(v.begin + frame * recordBytes_);
         glm::dvec3 value;
         for (int k = 0; k < 3; ++k) value[k] = numbers.next(v.type == kDouble);
@@ -165,7 +165,7 @@ private:
 
     void readWhole(std::size_t frame, TrajectoryFrame& result) override {
         if (hasTimes_) result.time = numbersAt(times_.begin + frame * recordBytes_).next(times_.type == kDouble);
-        if (hasCell_) result.box = boxOf(threeOf(lengths_, frame), threeOf(angles_, frame));
+        if (hasCell_) result.box = makeBox(readVector(lengths_, frame), readVector(angles_, frame));
         readPositions(coordinates_.begin + frame * recordBytes_, coordinates_.type == kDouble, 1, result);
     }
 

@@ -61,7 +61,7 @@ private:
 /// Wide enough for the product of three 24-bit numbers.
 __extension__ using WideNumber = unsigned __int128;
 
-unsigned widthOf(const std::array<std::uint32_t, 3>& sizes) {
+unsigned countBits(const std::array<std::uint32_t, 3>& sizes) {
     unsigned width = 0;
     for (WideNumber product = WideNumber{sizes[0]} * sizes[1] * sizes[2]; product > 0; product >>= 1) ++width;
     return width;
@@ -116,7 +116,7 @@ private:
             sizes_[k] = static_cast<std::uint32_t>(size);
             wide = wide || sizes_[k] > 0xffffff;
         }
-        width_ = wide ? 0 : widthOf(sizes_);
+        width_ = wide ? 0 : countBits(sizes_);
         return true;
     }
 

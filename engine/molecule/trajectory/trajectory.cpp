@@ -67,7 +67,7 @@ using Opener = std::unique_ptr<Trajectory> (*)(OwnedFile);
 using FileStart = std::array<std::byte, 8>;
 
 /// The reader of a format that contains only positions; null for other formats.
-Opener openerOf(const FileStart& start) {
+Opener findOpener(const FileStart& start) {
     const auto big = numberAt<std::uint32_t>(start.data(), kBigEndianSwapped);
     constexpr std::uint32_t kXtc = 1995, kLargeXtc = 2023, kTrr = 1993, kDcdHeader = 84;
     if (big == kXtc || big == kLargeXtc) return openXtc;
@@ -90,7 +90,7 @@ std::unique_ptr<Trajectory> openTrajectory(const std::string& path) {
     FileStart start{};
     if (file->size() < start.size()) file->fail(file->size() ? "it is not a trajectory" : "it is empty");
     file->read(0, start);
-    const Opener open = openerOf(start);
+    const Opener open = findOpener(start);
     return open ? open(std::move(file)) : openModels(path);
 }
 
@@ -98,7 +98,7 @@ std::unique_ptr<Trajectory> openTrajectory(const std::string& name, const std::s
     FileStart start{};
     if (bytes.size() < start.size()) return nullptr;
     std::memcpy(start.data(), bytes.data(), start.size());
-    const Opener open = openerOf(start);
+    const Opener open = findOpener(start);
     if (!open || open == openH5md) return nullptr;
     const std::shared_ptr<ByteFile> file = ByteFile::temporary();
     if (!file || !file->append(bytes.data(), bytes.size()))
@@ -110,11 +110,11 @@ bool isTrajectoryFile(const std::string& path) {
     FileStart start{};
     std::ifstream file(path, std::ios::binary);
     if (!file.read(reinterpret_cast<char*>(start.data()), start.size())) return false;
-    const Opener open = openerOf(start);
+    const Opener open = findOpener(start);
     return open && open != openH5md;
 }
 
-std::optional<PeriodicBox> boxOf(const glm::dvec3& lengths, const glm::dvec3& angles) {
+std::optional<PeriodicBox> makeBox(const glm::dvec3& lengths, const glm::dvec3& angles) {
     const auto cosine = [](double degrees) { return std::cos(degrees * std::numbers::pi / 180); };
     const double alpha = cosine(angles.x), beta = cosine(angles.y), gamma = cosine(angles.z);
     const double sine = std::sqrt(1 - gamma * gamma);

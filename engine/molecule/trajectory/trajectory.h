@@ -64,6 +64,6 @@ std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> m
 std::string differenceOfModels(const Molecule& molecule);
 
 /// Box vectors from lengths (Å) and angles (degrees) between b and c, a and c, a and b; none if the volume is zero.
-std::optional<PeriodicBox> boxOf(const glm::dvec3& lengths, const glm::dvec3& angles);
+std::optional<PeriodicBox> makeBox(const glm::dvec3& lengths, const glm::dvec3& angles);
 
 }  // namespace nacre

@@ -101,8 +101,8 @@ bool namesConformers(const Selection& selection) {
 }
 
 /// The atoms that a colour table matches; empty for other colourings. Warns about rows that match none.
-std::optional<TableMatch> matchOf(const ResidueFacts& facts, const Coloring& coloring,
-                                  std::vector<std::string>& warnings) {
+std::optional<TableMatch> findMatch(const ResidueFacts& facts, const Coloring& coloring,
+                                    std::vector<std::string>& warnings) {
     if (coloring.scheme != ColorScheme::table || !coloring.table) return std::nullopt;
     TableMatch match = matchTable(facts, *coloring.table);
     constexpr std::size_t kLongestSource = 80;  // a source may be the table itself
@@ -115,7 +115,7 @@ std::optional<TableMatch> matchOf(const ResidueFacts& facts, const Coloring& col
 }
 
 /// The colouring of an AtomLook::color: for all, of a rule, or of a table (numbered after the rules).
-const Coloring& coloringOf(const RepresentationOptions& options, std::size_t number) {
+const Coloring& findColoring(const RepresentationOptions& options, std::size_t number) {
     if (number == kBase) return options.color;
     return number <= options.rules.size() ? options.rules[number - 1].coloring
                                           : options.colorFrom[number - 1 - options.rules.size()];
@@ -130,7 +130,7 @@ std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uin
         for (std::size_t i = 0; i < drawn.size(); ++i)
             if (!inPolymer(drawn[i])) looks[i].leaveOut();
     for (std::size_t t = 0; t < options.colorFrom.size(); ++t) {
-        const std::optional<TableMatch> match = matchOf(facts, options.colorFrom[t], warnings);
+        const std::optional<TableMatch> match = findMatch(facts, options.colorFrom[t], warnings);
         for (std::size_t i = 0; match && i < drawn.size(); ++i)
             if (match->rows[drawn[i]] != TableMatch::kNone)
                 looks[i].color = static_cast<std::uint32_t>(options.rules.size() + 1 + t);
@@ -140,7 +140,7 @@ std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uin
         if (!rule.on) continue;
         const std::vector<bool> selected = selectAtoms(facts, rule.selection);
         const auto number = static_cast<std::uint32_t>(r + 1);
-        const std::optional<TableMatch> match = matchOf(facts, rule.coloring, warnings);
+        const std::optional<TableMatch> match = findMatch(facts, rule.coloring, warnings);
         bool any = false;
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             if (!selected[drawn[i]]) continue;
@@ -163,12 +163,12 @@ std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uin
 /// For some atoms, ascending, whether each is bonded to another of them.
 std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     std::vector<bool> bonded(atoms.size());
-    const auto slotOf = [&](std::uint32_t atom) {
+    const auto findSlot = [&](std::uint32_t atom) {
         const auto found = std::lower_bound(atoms.begin(), atoms.end(), atom);
         return found != atoms.end() && *found == atom ? static_cast<std::size_t>(found - atoms.begin()) : atoms.size();
     };
     for (const Bond& bond : molecule.bonds) {
-        const std::size_t a = slotOf(bond.a), b = slotOf(bond.b);
+        const std::size_t a = findSlot(bond.a), b = findSlot(bond.b);
         if (a < atoms.size() && b < atoms.size()) bonded[a] = bonded[b] = true;
     }
     return bonded;
@@ -183,21 +183,21 @@ std::vector<bool> guideAtoms(const ResidueFacts& facts) {
 }
 
 /// If one colouring by chain colours a surface and the cartoon in it, gives each residue of the surface the colour of
-/// the atom that its cartoon shows. @param looks, inCartoon  of the seen atoms @param schemeOf  of a rule
-template <typename SchemeOf>
+/// the atom that its cartoon shows. @param looks, inCartoon  of the seen atoms @param findScheme  of a rule
+template <typename FindScheme>
 void colorAsCartoon(const Molecule& molecule, const std::vector<AtomLook>& looks, const std::vector<bool>& inCartoon,
-                    const SchemeOf& schemeOf, Appearance& appearance) {
+                    const FindScheme& findScheme, Appearance& appearance) {
     constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> shows(molecule.residues.size(), kNone);
-    const auto atomOf = [&](std::size_t i) -> const Atom& { return molecule.atoms[appearance.atoms[i]]; };
+    const auto getAtom = [&](std::size_t i) -> const Atom& { return molecule.atoms[appearance.atoms[i]]; };
     for (std::size_t i = 0; i < looks.size(); ++i) {
-        const std::string_view name = atomOf(i).name.view();
-        if (inCartoon[i] && (name == "CA" || name == "C4'" || name == "C4*")) shows[atomOf(i).residue] = i;
+        const std::string_view name = getAtom(i).name.view();
+        if (inCartoon[i] && (name == "CA" || name == "C4'" || name == "C4*")) shows[getAtom(i).residue] = i;
     }
     for (std::size_t i = 0; i < looks.size(); ++i) {
-        const std::size_t from = shows[atomOf(i).residue];
+        const std::size_t from = shows[getAtom(i).residue];
         if (!inCartoon[i] || !looks[i].surface || from == kNone || looks[i].color != looks[from].color) continue;
-        if (schemeOf(looks[i].color) == ColorScheme::chainCarbons) appearance.colors[i] = appearance.colors[from];
+        if (findScheme(looks[i].color) == ColorScheme::chainCarbons) appearance.colors[i] = appearance.colors[from];
     }
 }
 
@@ -222,7 +222,7 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
             besideCartoon[i] = looks[i].cartoon && (!inCartoon[i] || has(found.beside, i));
         }
     }
-    const auto styleOf = [&](std::size_t i) {
+    const auto findStyle = [&](std::size_t i) {
         return looks[i].style == kBase ? appearance.style : rules[looks[i].style - 1].style;
     };
     const bool anyBackbone =
@@ -243,7 +243,7 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
     std::vector<bool> inLines(count), inSugars(count);
     Appearance atoms;
     for (std::size_t i = 0; i < count; ++i) {
-        Style style = styleOf(i);
+        Style style = findStyle(i);
         const bool left = looks[i].bare && (looks[i].beside || besideCartoon[i]);
         if (!left && (looks[i].bare || (looks[i].covered && style == Style::spacefill))) continue;
         const std::uint32_t atom = appearance.atoms[i], residue = facts.molecule().atoms[atom].residue;
@@ -263,7 +263,7 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
     if (!wanted.empty())
         colorAsCartoon(
             facts.molecule(), looks, inCartoon,
-            [&](std::uint32_t number) { return coloringOf(options, number).scheme; }, appearance);
+            [&](std::uint32_t number) { return findColoring(options, number).scheme; }, appearance);
     const auto mesh = [&](const std::vector<bool>& chosen, std::uint32_t AtomLook::*rule, double ofAll) {
         MeshAtoms drawn;
         for (std::size_t i = 0; i < count; ++i) {
@@ -311,7 +311,7 @@ void color(const ResidueFacts& facts, const Coloring& coloring, const std::strin
         appearance.tints[slots[i]] = colored.tints.empty() ? 0 : colored.tints[i];
     }
     for (const std::uint32_t atom : atoms)
-        appearance.legendOf[atom] = static_cast<std::uint16_t>(appearance.legends.size());
+        appearance.legendIndex[atom] = static_cast<std::uint16_t>(appearance.legends.size());
     const std::string scheme = coloringText(coloring);
     if (!colored.warning.empty()) appearance.warnings.push_back("colour by " + scheme + ": " + colored.warning);
     appearance.legends.push_back({selection, scheme, std::move(colored.legend), colored.ramp, colored.stops});
@@ -319,8 +319,8 @@ void color(const ResidueFacts& facts, const Coloring& coloring, const std::strin
 
 }  // namespace
 
-Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
-                        const RepresentationOptions& options) {
+Appearance makeAppearance(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                          const RepresentationOptions& options) {
     const std::vector<Rule>& rules = options.rules;
     Appearance appearance;
     std::vector<AtomLook> looks = settle(facts, drawn, options, appearance.warnings);
@@ -335,12 +335,12 @@ Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t
     std::erase_if(looks, [](const AtomLook& look) { return look.hidden; });
     appearance.colors.resize(appearance.atoms.size());
     appearance.tints.resize(appearance.atoms.size());
-    appearance.legendOf.assign(facts.molecule().atoms.size(), Appearance::kNoLegend);
+    appearance.legendIndex.assign(facts.molecule().atoms.size(), Appearance::kNoLegend);
     for (std::size_t i = 0; i < slotsOfColoring.size(); ++i) {
         if (slotsOfColoring[i].empty()) continue;
         const bool ofRule = i != kBase && i <= rules.size();
-        color(facts, withPalette(coloringOf(options, i), options.palette), ofRule ? rules[i - 1].selection.text : "all",
-              slotsOfColoring[i], appearance);
+        color(facts, withPalette(findColoring(options, i), options.palette),
+              ofRule ? rules[i - 1].selection.text : "all", slotsOfColoring[i], appearance);
     }
     partByStyle(facts, looks, options, appearance);
     std::vector<std::uint32_t> ellipsoids;

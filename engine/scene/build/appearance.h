@@ -130,16 +130,16 @@ struct Appearance {
     MeshAtoms cartoon, surface, lines, sugars;  ///< lines and sugars have no opacity
     static constexpr std::uint16_t kNoLegend = 0xffff;
     bool anyByCopy() const;
-    std::size_t seen = 0;                 ///< atoms drawn in any style
-    std::vector<Legend> legends;          ///< of every scheme that is visible somewhere
-    std::vector<std::uint16_t> legendOf;  ///< of each atom of the molecule: index into legends
-    std::vector<std::string> warnings;    ///< rules that match nothing, schemes without data in the file
+    std::size_t seen = 0;                    ///< atoms drawn in any style
+    std::vector<Legend> legends;             ///< of every scheme that is visible somewhere
+    std::vector<std::uint16_t> legendIndex;  ///< of each atom of the molecule: index into legends
+    std::vector<std::string> warnings;       ///< rules that match nothing, schemes without data in the file
 };
 
 /// Rules select among the drawn atoms only: hidden waters and other conformers stay hidden.
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending
-Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
-                        const RepresentationOptions& options);
+Appearance makeAppearance(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                          const RepresentationOptions& options);
 
 /// Everything drawn, as spheres: atoms with their style's radius, then atoms of meshes with an approximate radius.
 struct SeenBalls {

@@ -52,7 +52,7 @@ struct Surroundings {
     }
 };
 
-glm::dvec3 middleOf(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+glm::dvec3 findMiddle(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
     glm::dvec3 sum(0);
     for (const std::uint32_t atom : atoms) sum += glm::dvec3(molecule.atoms[atom].position);
     return sum / static_cast<double>(atoms.size());
@@ -64,7 +64,7 @@ Style stouter(Style a, Style b) {
     return a;
 }
 
-BondStrands strandsOf(std::uint8_t order, bool inRing, Style style, const Sizes& sizes) {
+BondStrands makeStrands(std::uint8_t order, bool inRing, Style style, const Sizes& sizes) {
     constexpr Sizes kUsual;
     constexpr double kThin = 0.4;  // relative to bonds in ball-and-stick
     if (style == Style::ellipsoids) return scaled(bondStrands(1, false), kThin * sizes.bond / kUsual.bond);
@@ -113,8 +113,8 @@ public:
         const glm::dvec3 way = between(molecule_, bond.a, bond.b);
         const double length = glm::length(way);
         const glm::dvec3 axis = way / length, start = at(bond.a);
-        const bool inRing = !orders_.ringOf(bond.a, bond.b).empty();
-        const BondStrands strands = strandsOf(bond.order, inRing, style, sizes_);
+        const bool inRing = !orders_.findRing(bond.a, bond.b).empty();
+        const BondStrands strands = makeStrands(bond.order, inRing, style, sizes_);
         const bool sideless = strands.count == 1 && strands.inner.radius <= 0;
         const glm::dvec3 side = sideless ? glm::dvec3(0) : strandSide(bond, axis);
         const SphereLook &lookA = look(bond.a), &lookB = look(bond.b);
@@ -140,7 +140,7 @@ public:
     void addCircle(std::span<const std::uint32_t> ring, float radius) {
         constexpr int kPieces = 24;
         constexpr double kShare = 0.57;  // of the ring's own radius
-        const glm::dvec3 middle = middleOf(molecule_, ring);
+        const glm::dvec3 middle = findMiddle(molecule_, ring);
         glm::dvec3 normal(0);
         double reach = 0;
         for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -178,8 +178,8 @@ private:
     /// flat atom cancel in a sum.
     glm::dvec3 strandSide(const Bond& bond, const glm::dvec3& axis) const {
         const auto across = [&](const glm::dvec3& way) { return way - axis * glm::dot(axis, way); };
-        if (const auto ring = orders_.ringOf(bond.a, bond.b); !ring.empty()) {
-            const glm::dvec3 inside = across(middleOf(molecule_, ring) - result_.center - at(bond.a));
+        if (const auto ring = orders_.findRing(bond.a, bond.b); !ring.empty()) {
+            const glm::dvec3 inside = across(findMiddle(molecule_, ring) - result_.center - at(bond.a));
             if (glm::length(inside) > 1e-2) return bondSide(axis, inside);
         }
         glm::dvec3 sum(0), best(0);
@@ -203,8 +203,8 @@ private:
         const double length = glm::distance(a, b);
         constexpr double kFlatAngle = 0.577;  // tan 30°: overlap of two lines at 120°
         double trim = kFlatAngle * offset;
-        if (const auto ring = orders_.ringOf(bond.a, bond.b); !ring.empty()) {
-            const double inside = glm::dot(middleOf(molecule_, ring) - result_.center - a, side);
+        if (const auto ring = orders_.findRing(bond.a, bond.b); !ring.empty()) {
+            const double inside = glm::dot(findMiddle(molecule_, ring) - result_.center - a, side);
             if (inside > offset) trim = length / 2 * offset / inside;
         }
         const auto covered = [&](std::uint32_t atom) {
@@ -250,7 +250,7 @@ std::vector<Bond> drawnBonds(const Molecule& molecule, const Appearance& appeara
         if (slots[bond.a] == kNotDrawn || slots[bond.b] == kNotDrawn || metals.contains({bond.a, bond.b})) continue;
         if (!(glm::length(between(molecule, bond.a, bond.b)) > kShortestBond)) continue;
         const Style style = stouter(appearance.styles[slots[bond.a]], appearance.styles[slots[bond.b]]);
-        bond.order = orders.orderOf(i, style);
+        bond.order = orders.drawnOrder(i, style);
         bonds.push_back(bond);
     }
     return bonds;
@@ -277,10 +277,12 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
     const auto has = [&](Style style) { return std::find(styles.begin(), styles.end(), style) != styles.end(); };
     if (std::ranges::none_of(styles, hasSticks) && !has(Style::backbone)) return;
     const std::vector<std::uint32_t> slots = drawnSlots(molecule, appearance.atoms);
-    const auto styleOf = [&](std::uint32_t a, std::uint32_t b) { return stouter(styles[slots[a]], styles[slots[b]]); };
+    const auto chooseStyle = [&](std::uint32_t a, std::uint32_t b) {
+        return stouter(styles[slots[a]], styles[slots[b]]);
+    };
     std::vector<Bond> bonds = drawnBonds(molecule, appearance, orders, contacts, slots);
     BondDrawing drawing(molecule, orders, bonds, slots, orders.form(), appearance.sizes, result);
-    std::erase_if(bonds, [&](const Bond& bond) { return !hasSticks(styleOf(bond.a, bond.b)); });
+    std::erase_if(bonds, [&](const Bond& bond) { return !hasSticks(chooseStyle(bond.a, bond.b)); });
     if (has(Style::backbone)) addTraces(facts, appearance, slots, bonds);
     if (assembly) assembly->sortByCopies(bonds);
     for (const Bond& bond : bonds) {
@@ -291,7 +293,7 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
             appendCoordination(result.spheres[slots[bond.a]], result.spheres[slots[bond.b]],
                                result.sphereLooks[slots[bond.a]], result.sphereLooks[slots[bond.b]], result);
         else
-            drawing.add(bond, styleOf(bond.a, bond.b));
+            drawing.add(bond, chooseStyle(bond.a, bond.b));
     }
     if (orders.form() != AromaticForm::ring) return;
     for (const DrawnOrders::DrawnRing& ring : orders.rings()) {
@@ -300,8 +302,8 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
                    styles[slots[atom]] != Style::ellipsoids;
         };
         if (!ring.aromatic || !std::all_of(ring.atoms.begin(), ring.atoms.end(), seen)) continue;
-        const Style style = styleOf(ring.atoms[0], ring.atoms[1]);
-        const BondStrands strands = strandsOf(4, true, style, appearance.sizes);
+        const Style style = chooseStyle(ring.atoms[0], ring.atoms[1]);
+        const BondStrands strands = makeStrands(4, true, style, appearance.sizes);
         drawing.addCircle(ring.atoms, strands.inner.radius);
     }
 }

@@ -75,11 +75,11 @@ void DrawnOrders::take(const Molecule& molecule, const Chemistry& chemistry, con
     }
 }
 
-std::uint8_t DrawnOrders::orderOf(std::size_t bond, Style style) const {
+std::uint8_t DrawnOrders::drawnOrder(std::size_t bond, Style style) const {
     return style == Style::ballAndStick || perceived_[bond] ? orders_[bond] : 1;
 }
 
-std::span<const std::uint32_t> DrawnOrders::ringOf(std::uint32_t a, std::uint32_t b) const {
+std::span<const std::uint32_t> DrawnOrders::findRing(std::uint32_t a, std::uint32_t b) const {
     const auto found = ringOfBond_.find(std::pair(std::min(a, b), std::max(a, b)));
     return found == ringOfBond_.end() ? std::span<const std::uint32_t>() : rings_[found->second].atoms;
 }

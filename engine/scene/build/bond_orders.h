@@ -24,11 +24,11 @@ public:
     DrawnOrders(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options);
 
     /// @param bond   index into Molecule::bonds @param style  of its sticks
-    std::uint8_t orderOf(std::size_t bond, Style style) const;
+    std::uint8_t drawnOrder(std::size_t bond, Style style) const;
 
     /// Atoms of the ring with a bond's inner line: the smallest aromatic one, else the smallest. Empty outside rings.
     /// @param a, b  the bond's atoms
-    std::span<const std::uint32_t> ringOf(std::uint32_t a, std::uint32_t b) const;
+    std::span<const std::uint32_t> findRing(std::uint32_t a, std::uint32_t b) const;
     struct DrawnRing {
         std::vector<std::uint32_t> atoms;  ///< in ring order
         bool aromatic = false;             ///< Ring::drawnAromatic

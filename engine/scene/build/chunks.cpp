@@ -14,8 +14,8 @@ namespace {
 constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
 /// A ball about a primitive.
-Chunk ballOf(const Sphere& s) { return {s.center, s.radius}; }
-Chunk ballOf(const Cylinder& c) {
+Chunk boundingBall(const Sphere& s) { return {s.center, s.radius}; }
+Chunk boundingBall(const Cylinder& c) {
     const glm::vec3 half = (c.b - c.a) * 0.5f;
     return {c.a + half, std::sqrt(glm::dot(half, half) + c.radius * c.radius)};
 }
@@ -25,8 +25,8 @@ class BallOfTriangle {
 public:
     explicit BallOfTriangle(const Representation& r) : vertices_(r.meshVertices) {}
     Chunk operator()(const Triangle& t) const {
-        const glm::vec3 a = positionOf(vertices_[t.a], t.step()), b = positionOf(vertices_[t.b], t.step()),
-                        c = positionOf(vertices_[t.c], t.step());
+        const glm::vec3 a = decodePosition(vertices_[t.a], t.step()), b = decodePosition(vertices_[t.b], t.step()),
+                        c = decodePosition(vertices_[t.c], t.step());
         const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
         return {(low + high) * 0.5f, glm::length(high - low) * 0.5f};
     }
@@ -35,22 +35,22 @@ private:
     const std::vector<MeshVertex>& vertices_;
 };
 
-/// @param ballOf  returns the ball of a primitive by index
-template <typename BallOf>
-std::vector<Chunk> chunksOfStream(std::size_t count, const BallOf& ballOf) {
+/// @param boundingBall  returns the ball of a primitive by index
+template <typename BoundingBall>
+std::vector<Chunk> chunksOfStream(std::size_t count, const BoundingBall& boundingBall) {
     std::vector<Chunk> chunks;
     chunks.reserve(count / Chunk::kPrimitives + 1);
     for (std::size_t first = 0; first < count; first += Chunk::kPrimitives) {
         const std::size_t end = std::min<std::size_t>(first + Chunk::kPrimitives, count);
         glm::vec3 low(kLargestFloat), high(-kLargestFloat);
         for (std::size_t i = first; i < end; ++i) {
-            const glm::vec3 center = ballOf(i).center;
+            const glm::vec3 center = boundingBall(i).center;
             low = glm::min(low, center);
             high = glm::max(high, center);
         }
         Chunk chunk{low * 0.5f + high * 0.5f, 0};
         for (std::size_t i = first; i < end; ++i) {
-            const Chunk ball = ballOf(i);
+            const Chunk ball = boundingBall(i);
             const float reach = glm::length(ball.center - chunk.center) + ball.radius;
             chunk.radius = std::isfinite(reach) ? std::max(chunk.radius, reach * 1.00001f) : kLargestFloat;
         }
@@ -74,16 +74,16 @@ std::vector<std::uint32_t> mortonOrder(const std::vector<Primitive>& stream, con
                                        const std::vector<std::uint32_t>& starts) {
     glm::vec3 low(kLargestFloat), high(-kLargestFloat);
     for (const Primitive& p : stream) {
-        const glm::vec3 center = ballOf(p).center;
+        const glm::vec3 center = boundingBall(p).center;
         low = glm::min(low, center);
         high = glm::max(high, center);
     }
     const float side = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-3f});
     std::vector<std::uint64_t> keys(stream.size());  // code, number
     for (std::uint32_t i = 0; i < stream.size(); ++i) {
-        const glm::vec3 at = (ballOf(stream[i]).center - low) / side * 1023.0f;
+        const glm::vec3 at = (boundingBall(stream[i]).center - low) / side * 1023.0f;
         // Translucent ones last, so that each class is one run.
-        std::uint32_t code = static_cast<std::uint32_t>(translucencyOf(looks[i])) << 30;
+        std::uint32_t code = static_cast<std::uint32_t>(classifyTranslucency(looks[i])) << 30;
         for (int axis = 0; axis < 3; ++axis)
             code |= spread(at[axis] > 0 ? static_cast<std::uint32_t>(std::min(at[axis], 1023.0f)) : 0) << axis;
         keys[i] = std::uint64_t{code} << 32 | i;
@@ -109,13 +109,14 @@ bool Chunks::finiteSpheres() const {
     return std::ranges::all_of(spheres, [](const Chunk& c) { return c.radius < kLargestFloat; });
 }
 
-Chunks chunksOf(const Representation& r) {
+Chunks makeChunks(const Representation& r) {
     const BallOfTriangle ballOfTriangle(r);
     return {
-        chunksOfStream(r.spheres.size(), [&](std::size_t i) { return ballOf(r.spheres[i]); }),
+        chunksOfStream(r.spheres.size(), [&](std::size_t i) { return boundingBall(r.spheres[i]); }),
         chunksOfStream(r.cylinders.size() + r.wires.size(),
                        [&](std::size_t i) {
-                           return ballOf(i < r.cylinders.size() ? r.cylinders[i] : r.wires[i - r.cylinders.size()]);
+                           return boundingBall(i < r.cylinders.size() ? r.cylinders[i]
+                                                                      : r.wires[i - r.cylinders.size()]);
                        }),
         chunksOfStream(r.triangles.size() + r.coarseTriangles.size(),
                        [&](std::size_t i) { return ballOfTriangle(drawnTriangle(r, i)); }),

@@ -23,7 +23,7 @@ struct Chunks {
     bool finiteSpheres() const;
 };
 
-Chunks chunksOf(const Representation& representation);
+Chunks makeChunks(const Representation& representation);
 
 /// Indices at which runs of copies or models begin in a stream, and the end of the last.
 std::vector<std::uint32_t> runStarts(const std::vector<PrimitiveRun>& copies, const std::vector<ModelRun>& models,

@@ -32,7 +32,7 @@ std::vector<bool> matched(const ResidueFacts& facts, const Selection& selection)
     return atoms;
 }
 
-InteractionQuery queryOf(const ResidueFacts& facts, const ContactOptions& options) {
+InteractionQuery makeQuery(const ResidueFacts& facts, const ContactOptions& options) {
     InteractionQuery query{matched(facts, *options.of), {}, options.kinds};
     if (options.with) query.b = matched(facts, *options.with);
     return query;
@@ -51,8 +51,8 @@ std::vector<bool> seenAtoms(const Molecule& molecule, const Appearance& appearan
     return seen;
 }
 
-std::vector<PlacedContact> seenOf(const Molecule& molecule, const Appearance& appearance,
-                                  std::vector<Interaction> found) {
+std::vector<PlacedContact> selectSeen(const Molecule& molecule, const Appearance& appearance,
+                                      std::vector<Interaction> found) {
     std::vector<PlacedContact> kept;
     if (found.empty()) return kept;
     const std::vector<bool> seen = seenAtoms(molecule, appearance);
@@ -62,7 +62,7 @@ std::vector<PlacedContact> seenOf(const Molecule& molecule, const Appearance& ap
     return kept;
 }
 
-std::uint32_t colorOf(InteractionKind kind, const ContactOptions& options) {
+std::uint32_t contactColor(InteractionKind kind, const ContactOptions& options) {
     const std::uint32_t own = options.colors[static_cast<std::size_t>(kind)];
     return own != 0 ? own : contactLook(kind).color;
 }
@@ -77,9 +77,9 @@ public:
         image_ = contact.image ? &*contact.image : nullptr;
         const ContactLook& look = contactLook(interaction.kind);
         const auto number = static_cast<std::uint32_t>(scene_.firstContact + scene_.contacts.size());
-        line_ = {{}, {}, radius_, look.pattern, {colorOf(interaction.kind, options_), number}};
-        End a = endOf(interaction.a, interaction.b.place), b = endOf(interaction.b, a.at + scene_.center);
-        if (interaction.kind == InteractionKind::saltBridge) a = endOf(interaction.a, b.at + scene_.center);
+        line_ = {{}, {}, radius_, look.pattern, {contactColor(interaction.kind, options_), number}};
+        End a = makeEnd(interaction.a, interaction.b.place), b = makeEnd(interaction.b, a.at + scene_.center);
+        if (interaction.kind == InteractionKind::saltBridge) a = makeEnd(interaction.a, b.at + scene_.center);
         glm::dvec3 middle = (a.at + b.at) / 2.0;
         if (interaction.waters.empty()) {
             draw(a, b);
@@ -100,13 +100,13 @@ private:
     };
 
     /// Position in the file's frame.
-    glm::dvec3 placeOf(std::uint32_t atom, bool image) const {
+    glm::dvec3 atomPosition(std::uint32_t atom, bool image) const {
         const glm::dvec3 place(molecule_.atoms[atom].position);
         return image && image_ ? *image_ * glm::dvec4(place, 1) : place;
     }
-    glm::dvec3 at(std::uint32_t atom, bool image) const { return placeOf(atom, image) - scene_.center; }
+    glm::dvec3 at(std::uint32_t atom, bool image) const { return atomPosition(atom, image) - scene_.center; }
     /// Radius of an atom's ball; 0 if it has none.
-    double ballOf(std::uint32_t atom) {
+    double atomBallRadius(std::uint32_t atom) {
         const auto found = std::lower_bound(slots().begin(), slots().end(), std::pair(atom, 0u));
         if (found == slots().end() || found->first != atom) return 0;
         return static_cast<double>(scene_.spheres[found->second].radius);
@@ -125,7 +125,7 @@ private:
         scene_.sphereLooks.push_back({line_.look.color, line_.look.id});
     }
 
-    End endOf(const InteractionEnd& end, const glm::dvec3& other) {
+    End makeEnd(const InteractionEnd& end, const glm::dvec3& other) {
         if (end.ring) {
             const glm::dvec3 centre = glm::dvec3(end.place) - scene_.center;
             mark(centre);
@@ -133,13 +133,13 @@ private:
         }
         std::uint32_t atom = end.atoms.front();
         if (const std::uint32_t last = end.atoms.back(); end.atoms.size() == 2 && isHydrogen(last)) {
-            if (ballOf(last) > 0) atom = last;
+            if (atomBallRadius(last) > 0) atom = last;
         } else {
-            const auto away = [&](std::uint32_t i) { return glm::distance(placeOf(i, end.image), other); };
+            const auto away = [&](std::uint32_t i) { return glm::distance(atomPosition(i, end.image), other); };
             for (const std::uint32_t i : end.atoms)
                 if (isPolar(i) > isPolar(atom) || (isPolar(i) == isPolar(atom) && away(i) < away(atom))) atom = i;
         }
-        return {at(atom, end.image), ballOf(atom)};
+        return {at(atom, end.image), atomBallRadius(atom)};
     }
     bool isHydrogen(std::uint32_t atom) const { return nacre::isHydrogen(molecule_.atoms[atom].element); }
     /// Whether an atom of a charged group carries charge: its carbon does not.
@@ -150,7 +150,7 @@ private:
 
     /// A bridging water is drawn even if water is hidden: as its oxygen's ball.
     End waterEnd(std::uint32_t water, bool image) {
-        const double radius = ballOf(water);
+        const double radius = atomBallRadius(water);
         if (radius > 0) return {at(water, image), radius};
         const Atom& oxygen = molecule_.atoms[water];
         const float ball = drawnRadius(oxygen, Style::ballAndStick, appearance_.sizes);
@@ -180,13 +180,13 @@ private:
     std::set<std::uint32_t> drawnWaters_;
 };
 
-Legend legendOf(const std::vector<DrawnContact>& contacts, const ContactOptions& options) {
+Legend makeLegend(const std::vector<DrawnContact>& contacts, const ContactOptions& options) {
     Legend legend{"all", std::string(kContactScheme), {}};
     for (std::size_t kind = 0; kind < kInteractionKinds; ++kind)
         if (std::any_of(contacts.begin(), contacts.end(), [&](const DrawnContact& contact) {
                 return contact.interaction.kind == static_cast<InteractionKind>(kind);
             }))
-            legend.entries.push_back({kLooks[kind].label, colorOf(static_cast<InteractionKind>(kind), options)});
+            legend.entries.push_back({kLooks[kind].label, contactColor(static_cast<InteractionKind>(kind), options)});
     return legend;
 }
 
@@ -195,15 +195,15 @@ Legend legendOf(const std::vector<DrawnContact>& contacts, const ContactOptions&
 const ContactLook& contactLook(InteractionKind kind) { return kLooks[static_cast<std::size_t>(kind)]; }
 
 ContactFinder::ContactFinder(const ResidueFacts& facts, const ContactOptions& options)
-    : finder_(facts.molecule(), options.rules), query_(queryOf(facts, options)) {}
+    : finder_(facts.molecule(), options.rules), query_(makeQuery(facts, options)) {}
 
 std::vector<PlacedContact> ContactFinder::find(const Molecule& molecule, const Appearance& appearance) const {
-    return seenOf(molecule, appearance, finder_.find(molecule, query_));
+    return selectSeen(molecule, appearance, finder_.find(molecule, query_));
 }
 
 std::vector<PlacedContact> ContactFinder::findBetween(const Molecule& molecule, const Appearance& appearance,
                                                       const glm::dmat4x3& image) const {
-    std::vector<PlacedContact> found = seenOf(molecule, appearance, finder_.findBetween(molecule, image, query_));
+    std::vector<PlacedContact> found = selectSeen(molecule, appearance, finder_.findBetween(molecule, image, query_));
     for (PlacedContact& contact : found) contact.image = image;
     return found;
 }
@@ -221,7 +221,7 @@ void addContacts(const Molecule& molecule, const Appearance& appearance, std::ve
     if (lines.buried() > 0)
         scene.warnings.push_back(std::to_string(lines.buried()) + " of " + std::to_string(scene.contacts.size()) +
                                  " interactions lie within the balls of their atoms (thinner styles show them)");
-    scene.legends.push_back(legendOf(scene.contacts, options));
+    scene.legends.push_back(makeLegend(scene.contacts, options));
 }
 
 void fillUp(Representation& scene, std::size_t& spheres, std::size_t& cylinders) {

@@ -55,16 +55,16 @@ void addGaps(const ResidueFacts& facts, const Appearance& appearance, Representa
     const Molecule& molecule = facts.molecule();
     const RibbonColors colors(appearance);
     const std::vector<GuideTrace> traces = guideTraces(facts);
-    const auto residueOf = [&](std::uint32_t atom) { return molecule.atoms[atom].residue; };
+    const auto findResidue = [&](std::uint32_t atom) { return molecule.atoms[atom].residue; };
     const auto at = [&](std::uint32_t atom) { return glm::dvec3(molecule.atoms[atom].position) - scene.center; };
     for (std::size_t i = 1; i < traces.size(); ++i) {
         const std::uint32_t last = traces[i - 1].atoms.back(), next = traces[i].atoms.front();
         const std::uint32_t *color = colors.of(last), *colorAfter = colors.of(next);
-        if (!color || !colorAfter || facts.kinds()[residueOf(last)] != facts.kinds()[residueOf(next)]) continue;
+        if (!color || !colorAfter || facts.kinds()[findResidue(last)] != facts.kinds()[findResidue(next)]) continue;
         DashedLine line;
         line.a = at(colors.inCartoon(last) ? traces[i - 1].end : last);
         line.b = at(next);
-        const Residue &before = molecule.residues[residueOf(last)], &after = molecule.residues[residueOf(next)];
+        const Residue &before = molecule.residues[findResidue(last)], &after = molecule.residues[findResidue(next)];
         if (!goesOn(before, after, glm::distance(line.a, line.b))) continue;
         line.radius = 0.15;
         line.pattern = {{0.6, 0.6, 0, 0}};

@@ -50,15 +50,15 @@ private:
 
     /// @param from  of atom a @param to  of atom b
     void add(std::uint32_t a, const glm::dvec3& from, std::uint32_t b, const glm::dvec3& to) {
-        if (!assembly_) return put(from, to, a, b, colorOf(a, 0), colorOf(b, 0));
+        if (!assembly_) return put(from, to, a, b, lineColor(a, 0), lineColor(b, 0));
         assembly_->eachCopy(a, b, result_.center, [&](const glm::dmat4x3& transform, std::uint32_t copy) {
-            put(transform * glm::dvec4(from, 1.0), transform * glm::dvec4(to, 1.0), a, b, colorOf(a, copy),
-                colorOf(b, copy));
+            put(transform * glm::dvec4(from, 1.0), transform * glm::dvec4(to, 1.0), a, b, lineColor(a, copy),
+                lineColor(b, copy));
         });
     }
-    std::uint32_t colorOf(std::uint32_t atom, std::uint32_t copy) const {
+    std::uint32_t lineColor(std::uint32_t atom, std::uint32_t copy) const {
         const std::uint32_t slot = slots_[atom], tint = lines_.tints[slot];
-        return assembly_ && tint != 0 ? assembly_->colorOf(tint, copy) : lines_.colors[slot];
+        return assembly_ && tint != 0 ? assembly_->tintColor(tint, copy) : lines_.colors[slot];
     }
     void put(const glm::dvec3& from, const glm::dvec3& to, std::uint32_t a, std::uint32_t b, std::uint32_t colorA,
              std::uint32_t colorB) {

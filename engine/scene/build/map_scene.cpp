@@ -31,9 +31,9 @@ struct VertexColors {
         for (const glm::vec3& p : positions)
             values.push_back(valueAt(*contour.values->map, glm::dvec3(p) + scene.center));
         const ValueColors of(*contour.values, values, Palette::viridis);
-        for (const double value : values) steps.push_back(of.stepOf(value));
+        for (const double value : values) steps.push_back(of.toStep(value));
         for (std::uint32_t step = 0; step <= ValueColors::kSteps; ++step)
-            colors.push_back(of.colorOf(step, contour.color));
+            colors.push_back(of.stepColor(step, contour.color));
         scene.legends.push_back(of.legend(contour.values->name));
         scene.blendsColors = true;
     }
@@ -213,10 +213,10 @@ void addSlice(const MapRegion& region, const MapSlice& slice, const ValueColorin
             add(at, at + row + 1, at + row);
         }
     if (mesh.triangles.empty()) return;
-    for (const double value : found) mesh.atoms.push_back(of.stepOf(value));
+    for (const double value : found) mesh.atoms.push_back(of.toStep(value));
     mesh.normals.assign(mesh.positions.size(), normal);
     std::vector<std::uint32_t> colors;
-    for (std::uint32_t step = 0; step <= ValueColors::kSteps; ++step) colors.push_back(of.colorOf(step, 0xff000000u));
+    for (std::uint32_t step = 0; step <= ValueColors::kSteps; ++step) colors.push_back(of.stepColor(step, 0xff000000u));
     addColored(mesh, colors, slice.opacity, scene);
     scene.blendsColors = true;
     scene.legends.push_back(of.legend(values.name));

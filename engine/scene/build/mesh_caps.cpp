@@ -57,9 +57,9 @@ private:
         std::uint32_t look;
     };
 
-    Corner cornerOf(std::uint32_t vertex, float step) const {
+    Corner makeCorner(std::uint32_t vertex, float step) const {
         const MeshVertex& v = r_.meshVertices[vertex];
-        glm::dvec3 place = toView_ * glm::dvec4(positionOf(v, step), 1.0);
+        glm::dvec3 place = toView_ * glm::dvec4(decodePosition(v, step), 1.0);
         place.z -= height_;
         return {place, std::uint64_t{v.xz} << 32 | v.yz, v.look};
     }
@@ -70,7 +70,8 @@ private:
         return glm::dvec2(first.place) + glm::dvec2(second.place - first.place) * share;
     }
     void cut(const Triangle& t, bool mirrored) {
-        const std::array<Corner, 3> corners{cornerOf(t.a, t.step()), cornerOf(t.b, t.step()), cornerOf(t.c, t.step())};
+        const std::array<Corner, 3> corners{makeCorner(t.a, t.step()), makeCorner(t.b, t.step()),
+                                            makeCorner(t.c, t.step())};
         std::array<bool, 3> before{};
         for (std::size_t i = 0; i < 3; ++i) before[i] = corners[i].place.z > 0;
         if (before[0] == before[1] && before[1] == before[2]) return;
@@ -93,7 +94,7 @@ private:
 class Owners {
 public:
     void add(const glm::dvec2& at, double height, double radius, const SphereLook& look) {
-        cells_[keyOf(cellOf(at))].push_back({at, height, radius, look});
+        cells_[makeKey(findCell(at))].push_back({at, height, radius, look});
     }
     struct Owned {
         SphereLook look;
@@ -101,12 +102,12 @@ public:
     };
     /// @param otherwise  the look where no atom is near
     Owned at(const glm::dvec2& point, const SphereLook& otherwise) const {
-        const glm::ivec2 middle = cellOf(point);
+        const glm::ivec2 middle = findCell(point);
         double least = std::numeric_limits<double>::infinity(), next = least;
         const SphereLook* found = &otherwise;
         for (int x = middle.x - 1; x <= middle.x + 1; ++x)
             for (int y = middle.y - 1; y <= middle.y + 1; ++y) {
-                const auto cell = cells_.find(keyOf({x, y}));
+                const auto cell = cells_.find(makeKey({x, y}));
                 if (cell == cells_.end()) continue;
                 for (const Owner& owner : cell->second) {
                     const glm::dvec2 way = owner.at - point;
@@ -129,8 +130,8 @@ private:
         double height, radius;
         SphereLook look;
     };
-    static glm::ivec2 cellOf(const glm::dvec2& at) { return glm::floor(at / kNearAtoms); }
-    static std::uint64_t keyOf(const glm::ivec2& cell) {
+    static glm::ivec2 findCell(const glm::dvec2& at) { return glm::floor(at / kNearAtoms); }
+    static std::uint64_t makeKey(const glm::ivec2& cell) {
         return std::uint64_t{static_cast<std::uint32_t>(cell.x)} << 32 | static_cast<std::uint32_t>(cell.y);
     }
     std::unordered_map<std::uint64_t, std::vector<Owner>> cells_;
@@ -151,9 +152,9 @@ public:
         columns_ = static_cast<int>(extent.x / side_) + 1;
         const int rows = static_cast<int>(extent.y / side_) + 1;
         std::vector<std::vector<const Segment*>> passing(static_cast<std::size_t>(rows));
-        const auto rowOf = [&](double y) { return std::clamp(static_cast<int>((y - low_.y) / side_), 0, rows - 1); };
+        const auto findRow = [&](double y) { return std::clamp(static_cast<int>((y - low_.y) / side_), 0, rows - 1); };
         for (const Segment& s : segments)
-            for (int row = rowOf(std::min(s.from.y, s.to.y)); row <= rowOf(std::max(s.from.y, s.to.y)); ++row)
+            for (int row = findRow(std::min(s.from.y, s.to.y)); row <= findRow(std::max(s.from.y, s.to.y)); ++row)
                 passing[static_cast<std::size_t>(row)].push_back(&s);
         for (int row = 0; row < rows; ++row) fillRow(row, passing[static_cast<std::size_t>(row)]);
     }
@@ -175,7 +176,7 @@ private:
             const double lowest = std::min(s->from.y, s->to.y), highest = std::max(s->from.y, s->to.y);
             const double a = highest > lowest ? s->xAt(std::max(low, lowest)) : s->from.x,
                          b = highest > lowest ? s->xAt(std::min(high, highest)) : s->to.x;
-            for (int column = columnOf(std::min(a, b)); column <= columnOf(std::max(a, b)); ++column)
+            for (int column = findColumn(std::min(a, b)); column <= findColumn(std::max(a, b)); ++column)
                 crossed[static_cast<std::size_t>(column)] = true;
             if (s->spans(middle)) borders.emplace_back(s->xAt(middle), s->winding());
         }
@@ -240,7 +241,7 @@ private:
     void add(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
         corners.insert(corners.end(), {{a, {-lap_, -lap_}}, {b, {lap_, -lap_}}, {c, {lap_, lap_}}, {d, {-lap_, lap_}}});
     }
-    int columnOf(double x) const { return std::clamp(static_cast<int>((x - low_.x) / side_), 0, columns_ - 1); }
+    int findColumn(double x) const { return std::clamp(static_cast<int>((x - low_.x) / side_), 0, columns_ - 1); }
 
     double lap_, side_ = kCellSide;
     glm::dvec2 low_{std::numeric_limits<double>::infinity()};
@@ -305,7 +306,7 @@ bool meetsPlane(const Representation& scene, const MeshRun& mesh, const glm::dma
     double low = std::numeric_limits<double>::infinity(), high = -low;
     const float step = scene.triangles[mesh.first].step();
     for (std::uint32_t v = mesh.firstVertex; v < mesh.endVertex; ++v) {
-        const double z = glm::dot(axis, place * glm::dvec4(positionOf(scene.meshVertices[v], step), 1.0));
+        const double z = glm::dot(axis, place * glm::dvec4(decodePosition(scene.meshVertices[v], step), 1.0));
         low = std::min(low, z);
         high = std::max(high, z);
     }

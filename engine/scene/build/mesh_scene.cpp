@@ -45,7 +45,7 @@ SphereLook sugarLook(const Molecule& molecule, const MeshLooks& looks, bool ownC
     const std::uint32_t index = atom & ~kWhiteHalf;
     const SugarSymbol* symbol = sugarSymbol(molecule.residues[molecule.atoms[index].residue].name);
     if (atom == index && !ownColors) return looks(index);
-    return {withSurfaceOf(atom == index ? symbol->color : packedColor(0xffffff), looks(index).color), index + 1};
+    return {withSurfaceFrom(atom == index ? symbol->color : packedColor(0xffffff), looks(index).color), index + 1};
 }
 
 /// Whether an edge lies in a plane of the grid, like a contour's lines; other edges cross cells.
@@ -113,20 +113,20 @@ MeshAtoms ellipsoidAtoms(const Appearance& appearance, const AtomEllipsoids& ell
 }  // namespace
 
 void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
-               const std::function<std::uint32_t(std::uint32_t)>& groupOf, Representation& representation) {
+               const std::function<std::uint32_t(std::uint32_t)>& findGroup, Representation& representation) {
     const Molecule& molecule = facts.molecule();
     struct Group {
         std::vector<std::uint32_t> cartoon, surface, sugars;
         std::vector<Ellipsoid> ellipsoids;
     };
     std::map<std::uint32_t, Group> groups;
-    for (const std::uint32_t atom : appearance.cartoon.atoms) groups[groupOf(atom)].cartoon.push_back(atom);
-    for (const std::uint32_t atom : appearance.surface.atoms) groups[groupOf(atom)].surface.push_back(atom);
-    for (const std::uint32_t atom : appearance.sugars.atoms) groups[groupOf(atom)].sugars.push_back(atom);
+    for (const std::uint32_t atom : appearance.cartoon.atoms) groups[findGroup(atom)].cartoon.push_back(atom);
+    for (const std::uint32_t atom : appearance.surface.atoms) groups[findGroup(atom)].surface.push_back(atom);
+    for (const std::uint32_t atom : appearance.sugars.atoms) groups[findGroup(atom)].sugars.push_back(atom);
     const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability);
     const MeshAtoms asEllipsoids = ellipsoidAtoms(appearance, ellipsoids);
     for (const std::uint32_t atom : asEllipsoids.atoms)
-        groups[groupOf(atom)].ellipsoids.push_back(
+        groups[findGroup(atom)].ellipsoids.push_back(
             {glm::dvec3(molecule.atoms[atom].position), *ellipsoids.axes(atom), atom});
     const MeshLooks ofEllipsoids(molecule, asEllipsoids);
     const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface),
@@ -170,7 +170,8 @@ double meshReach(const Representation& representation) {
     double farthest = 0;
     for (const Triangle& t : representation.triangles)
         for (const std::uint32_t v : {t.a, t.b, t.c})
-            farthest = std::max<double>(farthest, glm::length(positionOf(representation.meshVertices[v], t.step())));
+            farthest =
+                std::max<double>(farthest, glm::length(decodePosition(representation.meshVertices[v], t.step())));
     return farthest;
 }
 

@@ -86,7 +86,7 @@ class EdgeSum {
 public:
     explicit EdgeSum(const Representation& r) : vertices_(r.meshVertices) {}
     void add(const Triangle& t) {
-        const std::uint64_t a = numberOf(t.a), b = numberOf(t.b), c = numberOf(t.c);
+        const std::uint64_t a = hashVertex(t.a), b = hashVertex(t.b), c = hashVertex(t.c);
         add(a, b);
         add(b, c);
         add(c, a);
@@ -98,7 +98,7 @@ private:
         x = (x ^ x >> 32) * 0x9e3779b97f4a7c15u;
         return x ^ x >> 29;
     }
-    std::uint64_t numberOf(std::uint32_t v) const {
+    std::uint64_t hashVertex(std::uint32_t v) const {
         return mixed(std::uint64_t{vertices_[v].xz} << 32 | vertices_[v].yz);
     }
     void add(std::uint64_t from, std::uint64_t to) { sum_ += mixed(from + 3 * to) - mixed(to + 3 * from); }
@@ -127,7 +127,7 @@ bool isSolid(const Representation& r) {
            std::none_of(r.copies.transforms.begin(), r.copies.transforms.end(), mirrors);
 }
 
-glm::vec3 normalOf(const MeshVertex& v) {
+glm::vec3 decodeNormal(const MeshVertex& v) {
     const glm::vec2 p = glm::vec2(v.normal & 0xffffu, v.normal >> 16) * (2.0f / kNormalSteps) - 1.0f;
     glm::vec3 n(p, 1.0f - std::abs(p.x) - std::abs(p.y));
     if (n.z < 0) {
@@ -137,7 +137,7 @@ glm::vec3 normalOf(const MeshVertex& v) {
     return glm::normalize(n);
 }
 
-void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<SphereLook(std::uint32_t)>& lookOf,
+void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<SphereLook(std::uint32_t)>& readLook,
                 Representation& r) {
     checkMesh(mesh);
     double reach = 0;
@@ -163,18 +163,19 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
         }
         v.normal = packNormal(mesh.normals[i]);
         const auto [look, added] = looks.emplace(mesh.atoms[i], static_cast<std::uint32_t>(r.meshLooks.size()));
-        if (added) r.meshLooks.push_back(lookOf(mesh.atoms[i]));
+        if (added) r.meshLooks.push_back(readLook(mesh.atoms[i]));
         v.look = look->second;
         r.meshVertices.push_back(v);
     }
     const float widest = mesh.margins.empty() ? 0 : *std::max_element(mesh.margins.begin(), mesh.margins.end());
-    const auto lackOf = [&](std::uint32_t i) -> Triangle::Weights {
+    const auto computeLack = [&](std::uint32_t i) -> Triangle::Weights {
         if (!(widest > 0)) return 0;
         const float lack = (1 - mesh.margins[i] / widest) * (Triangle::kWeightMask + 1);
         return static_cast<Triangle::Weights>(std::clamp(std::lround(lack), 0L, long{Triangle::kWeightMask}));
     };
-    const auto weightsOf = [&](const glm::uvec3& t) {
-        return lackOf(t.x) | lackOf(t.y) << Triangle::kWeightBits | lackOf(t.z) << 2 * Triangle::kWeightBits;
+    const auto packWeights = [&](const glm::uvec3& t) {
+        return computeLack(t.x) | computeLack(t.y) << Triangle::kWeightBits |
+               computeLack(t.z) << 2 * Triangle::kWeightBits;
     };
     const auto samePlace = [&](std::uint32_t i, std::uint32_t k) {
         const MeshVertex &a = r.meshVertices[base + order.places[i]], &b = r.meshVertices[base + order.places[k]];
@@ -187,8 +188,8 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
         for (const glm::uvec3& t : triangles)
             if (isFinite(t.x) && isFinite(t.y) && isFinite(t.z) && !samePlace(t.x, t.y) && !samePlace(t.y, t.z) &&
                 !samePlace(t.z, t.x))
-                stream.push_back(
-                    {base + order.places[t.x], base + order.places[t.y], base + order.places[t.z], step, weightsOf(t)});
+                stream.push_back({base + order.places[t.x], base + order.places[t.y], base + order.places[t.z], step,
+                                  packWeights(t)});
         orderByTranslucency(r, stream.begin() + static_cast<std::ptrdiff_t>(first), stream.end());
         return static_cast<std::uint32_t>(first);
     };

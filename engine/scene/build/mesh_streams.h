@@ -78,21 +78,21 @@ constexpr std::uint32_t kPositionBits = 21, kPositionMask = (1u << kPositionBits
 constexpr std::uint32_t kMiddlePosition = 1u << (kPositionBits - 1);  ///< of the range of a coordinate
 
 /// Position of a vertex, as shaders compute it. Å
-inline glm::vec3 positionOf(const MeshVertex& v, float step) {
+inline glm::vec3 decodePosition(const MeshVertex& v, float step) {
     const std::uint32_t z = v.xz >> kPositionBits | v.yz >> kPositionBits << 11;
     const auto coordinate = [&](std::uint32_t bits) {
         return (static_cast<float>(static_cast<std::int32_t>(bits)) - static_cast<float>(kMiddlePosition)) * step;
     };
     return {coordinate(v.xz & kPositionMask), coordinate(v.yz & kPositionMask), coordinate(z)};
 }
-glm::vec3 normalOf(const MeshVertex& vertex);
+glm::vec3 decodeNormal(const MeshVertex& vertex);
 
 /// Adds a mesh to the streams. Skips triangles that are not finite or have no area; the others stay connected. Opaque
 /// triangles come first (translucency.h), in each level.
 /// @param shift   Å, added to every position: from the mesh's origin to that of the representation
-/// @param lookOf  colour and number of an atom, called once per atom of the mesh
+/// @param readLook  colour and number of an atom, called once per atom of the mesh
 /// @throws Error if the mesh's lists do not fit each other
-void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<SphereLook(std::uint32_t)>& lookOf,
+void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<SphereLook(std::uint32_t)>& readLook,
                 Representation& representation);
 
 }  // namespace nacre

@@ -85,7 +85,7 @@ int detailFor(std::size_t count) {
     return detail;
 }
 
-std::size_t ellipsoidsOf(const Primitives& all) {
+std::size_t countEllipsoids(const Primitives& all) {
     return all.ellipsoids.size() +
            static_cast<std::size_t>(std::count_if(all.balls.begin(), all.balls.end(),
                                                   [](const Primitives::Ball& ball) { return ball.look.opacity < 1; }));
@@ -98,11 +98,11 @@ double ellipsoidError(std::size_t count) {
 }
 
 PrimitiveMeshes::PrimitiveMeshes(Representation& scene, const Primitives& all)
-    : scene_(scene), detail_(detailFor(ellipsoidsOf(all))) {
+    : scene_(scene), detail_(detailFor(countEllipsoids(all))) {
     solids_.coarser = cartoonLevels();
 }
 
-std::uint32_t PrimitiveMeshes::numberOf(const PrimitiveLook& look) {
+std::uint32_t PrimitiveMeshes::numberLook(const PrimitiveLook& look) {
     const auto same = [&](const PrimitiveLook& other) {
         return other.color == look.color && other.opacity == look.opacity && other.note == look.note;
     };
@@ -126,14 +126,14 @@ void PrimitiveMeshes::cylinder(const glm::dvec3& a, const glm::dvec3& b, double 
 
 void PrimitiveMeshes::cylinder(const glm::dvec3& a, const glm::dvec3& b, double radius, const PrimitiveLook& lookA,
                                const PrimitiveLook& lookB) {
-    const std::uint32_t ofA = numberOf(lookA), ofB = numberOf(lookB);
+    const std::uint32_t ofA = numberLook(lookA), ofB = numberLook(lookB);
     addCylinder(solids_, a - scene_.center, b - scene_.center, radius, ofA, ofB, kRoundSides);
 }
 
 void PrimitiveMeshes::cone(const glm::dvec3& base, const glm::dvec3& tip, double radius, const PrimitiveLook& look) {
     const double height = glm::distance(base, tip);
     if (!(height > 1e-9) || !std::isfinite(height)) return;
-    const std::uint32_t number = numberOf(look);
+    const std::uint32_t number = numberLook(look);
     const glm::dvec3 at = base - scene_.center, top = tip - scene_.center, axis = (tip - base) / height;
     const glm::dvec3 x = anyAcross(axis), y = glm::cross(axis, x);
     const double slant = std::hypot(height, radius);
@@ -161,7 +161,7 @@ void PrimitiveMeshes::ellipsoid(const glm::dvec3& center, const std::array<glm::
     double longest = 0;
     for (const glm::dvec3& axis : axes) longest = std::max(longest, glm::length(axis));
     if (!(longest > 0) || !std::isfinite(longest + center.x + center.y + center.z)) return;
-    const std::uint32_t number = numberOf(look), base = static_cast<std::uint32_t>(solids_.positions.size());
+    const std::uint32_t number = numberLook(look), base = static_cast<std::uint32_t>(solids_.positions.size());
     const UnitSphere& sphere = unitSphere();
     const auto finest = static_cast<std::size_t>(detail_);
     // Normals use the inverse transpose: the cofactors, up to a factor.
@@ -194,7 +194,7 @@ void PrimitiveMeshes::sector(const Primitives::Ellipse& e) {
     const double full = std::clamp(turn, -2 * std::numbers::pi, 2 * std::numbers::pi);
     const int sides =
         std::max(1, static_cast<int>(std::ceil(2 * kRoundSides * std::abs(full) / (2 * std::numbers::pi))));
-    const std::uint32_t number = numberOf(e.look);
+    const std::uint32_t number = numberLook(e.look);
     const std::size_t first = solids_.triangles.size();
     const glm::dvec3 center = e.center - scene_.center;
     const std::uint32_t middle = addVertex(solids_, center, normal, number);
@@ -208,7 +208,7 @@ void PrimitiveMeshes::sector(const Primitives::Ellipse& e) {
 }
 
 void PrimitiveMeshes::boxFaces(const std::function<glm::dvec3(unsigned)>& corner, const PrimitiveLook& look) {
-    const std::uint32_t number = numberOf(look);
+    const std::uint32_t number = numberLook(look);
     const std::size_t first = solids_.triangles.size();
     const glm::dvec3 middle = (corner(0) + corner(7)) / 2.0;
     for (unsigned axis = 0; axis < 3; ++axis)
@@ -236,11 +236,11 @@ void PrimitiveMeshes::mesh(const Primitives::Mesh& given) {
                     "it has " + std::to_string(given.looks.size()) + " colours for " + std::to_string(triangles) +
                         " triangles and " + std::to_string(points) + " vertices");
     Mesh mesh;
-    const auto lookOf = [&](std::size_t triangle, std::uint32_t vertex) {
-        return numberOf(given.looks[one ? 0 : perTriangle ? triangle : vertex]);
+    const auto findLook = [&](std::size_t triangle, std::uint32_t vertex) {
+        return numberLook(given.looks[one ? 0 : perTriangle ? triangle : vertex]);
     };
     std::vector<glm::dvec3> means(given.smooth ? points : 0);
-    const auto normalOf = [&](const std::array<std::uint32_t, 3>& t) {
+    const auto faceNormal = [&](const std::array<std::uint32_t, 3>& t) {
         const glm::dvec3& a = given.positions[t[0]];
         return glm::cross(given.positions[t[1]] - a, given.positions[t[2]] - a);  // weighted by area
     };
@@ -252,14 +252,14 @@ void PrimitiveMeshes::mesh(const Primitives::Mesh& given) {
                     "a triangle names vertex " + std::to_string(v) + ", but there are " + std::to_string(points));
     if (given.smooth)
         for (const auto& t : given.triangles)
-            for (const std::uint32_t v : t) means[v] += normalOf(t);
+            for (const std::uint32_t v : t) means[v] += faceNormal(t);
     for (std::size_t i = 0; i < triangles; ++i) {
         const auto& t = given.triangles[i];
-        const glm::dvec3 flat = unitOr(normalOf(t), {0, 0, 1});
+        const glm::dvec3 flat = unitOr(faceNormal(t), {0, 0, 1});
         const auto first = static_cast<std::uint32_t>(mesh.positions.size());
         for (const std::uint32_t v : t)
             addVertex(mesh, given.positions[v] - scene_.center, given.smooth ? unitOr(means[v], flat) : flat,
-                      lookOf(i, v));
+                      findLook(i, v));
         mesh.triangles.emplace_back(first, first + 1, first + 2);
     }
     append(mesh);

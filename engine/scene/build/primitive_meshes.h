@@ -33,7 +33,7 @@ public:
     void finish();
 
 private:
-    std::uint32_t numberOf(const PrimitiveLook& look);
+    std::uint32_t numberLook(const PrimitiveLook& look);
     void toAllLevels(std::size_t first);
     void append(const Mesh& mesh);
 

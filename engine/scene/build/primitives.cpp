@@ -244,7 +244,7 @@ void Primitives::append(Primitives others) {
     moveBehind(notes, others.notes);
 }
 
-std::optional<Bounds> boundsOf(const Primitives& primitives) {
+std::optional<Bounds> computeBounds(const Primitives& primitives) {
     const Bounds bounds = boundsOfEach([&](const auto& visit) {
         eachBall(primitives, [&](const glm::dvec3& p, double radius) {
             if (isFinite(p) && std::isfinite(radius)) visit(p, radius);
@@ -253,7 +253,7 @@ std::optional<Bounds> boundsOf(const Primitives& primitives) {
     return std::isnan(bounds.center.x) ? std::nullopt : std::optional(bounds);
 }
 
-std::vector<glm::dvec4> outlineOf(const Primitives& primitives) {
+std::vector<glm::dvec4> outlinePoints(const Primitives& primitives) {
     std::vector<glm::dvec4> points;
     const auto add = [&](const glm::dvec3& p) {
         if (isFinite(p)) points.emplace_back(p, 0.0);

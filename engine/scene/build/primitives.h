@@ -115,10 +115,10 @@ constexpr double kFarthestPrimitive = 1e6;  ///< Å along each axis
 double ellipsoidError(std::size_t count);
 
 /// Bounding sphere; empty if nothing is drawn. Labels count as points.
-std::optional<Bounds> boundsOf(const Primitives& primitives);
+std::optional<Bounds> computeBounds(const Primitives& primitives);
 
 /// Points on the outlines of primitives, without labels: corners, and points on round shapes.
-std::vector<glm::dvec4> outlineOf(const Primitives& primitives);
+std::vector<glm::dvec4> outlinePoints(const Primitives& primitives);
 
 /// Adds primitives to a scene, about its centre; increases its radius. Their numbers are those of their notes.
 /// @throws Error if there are too many, they are too far away, or cover each other too often

@@ -41,13 +41,13 @@ void appendAtoms(const Molecule& molecule, const Appearance& appearance, Represe
     }
 }
 
-/// The runs of primitives of one model. @param modelOf  by primitive
-template <typename ModelOf>
+/// The runs of primitives of one model. @param findModel  by primitive
+template <typename FindModel>
 std::vector<ModelRun> modelRuns(std::size_t count, const std::map<int, std::uint32_t>& numbers,
-                                const ModelOf& modelOf) {
+                                const FindModel& findModel) {
     std::vector<ModelRun> runs;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const std::uint32_t model = numbers.at(modelOf(i));
+        const std::uint32_t model = numbers.at(findModel(i));
         if (runs.empty() || runs.back().model != model) runs.push_back({i, 0, model});
         ++runs.back().count;
     }
@@ -56,22 +56,22 @@ std::vector<ModelRun> modelRuns(std::size_t count, const std::map<int, std::uint
 
 /// Records the model of each primitive, if there are several.
 void separateModels(const Molecule& molecule, Representation& result) {
-    const auto modelOf = [&](std::uint32_t number) {
-        const Atom& atom = molecule.atoms[result.atomOf(number) - 1];
+    const auto findModel = [&](std::uint32_t number) {
+        const Atom& atom = molecule.atoms[result.findAtom(number) - 1];
         return molecule.chains[molecule.residues[atom.residue].chain].model;
     };
     std::map<int, std::uint32_t> numbers;
-    for (const SphereLook& look : result.sphereLooks) numbers.emplace(modelOf(look.atom), 0);
-    for (const SphereLook& look : result.meshLooks) numbers.emplace(modelOf(look.atom), 0);
+    for (const SphereLook& look : result.sphereLooks) numbers.emplace(findModel(look.atom), 0);
+    for (const SphereLook& look : result.meshLooks) numbers.emplace(findModel(look.atom), 0);
     if (numbers.size() < 2) return;
     std::uint32_t next = 0;
     for (auto& [model, number] : numbers) number = next++;
     result.sphereModels =
-        modelRuns(result.spheres.size(), numbers, [&](std::size_t i) { return modelOf(result.sphereLooks[i].atom); });
+        modelRuns(result.spheres.size(), numbers, [&](std::size_t i) { return findModel(result.sphereLooks[i].atom); });
     result.cylinderModels = modelRuns(result.cylinders.size(), numbers,
-                                      [&](std::size_t i) { return modelOf(result.cylinderLooks[i].atomA); });
+                                      [&](std::size_t i) { return findModel(result.cylinderLooks[i].atomA); });
     result.triangleModels = modelRuns(result.triangles.size(), numbers, [&](std::size_t i) {
-        return modelOf(result.meshLooks[result.meshVertices[result.triangles[i].a].look].atom);
+        return findModel(result.meshLooks[result.meshVertices[result.triangles[i].a].look].atom);
     });
 }
 
@@ -86,12 +86,12 @@ double spheresReach(const Representation& r) {
 }
 
 /// Removes legends of undrawn atoms, and entries whose colour is not drawn: a cartoon shows few of its atoms' colours.
-/// @param legendOf  as in Appearance
-void dropUndrawn(const Representation& r, const std::vector<std::uint16_t>& legendOf, std::vector<Legend>& legends) {
+/// @param legendIndex  as in Appearance
+void dropUndrawn(const Representation& r, const std::vector<std::uint16_t>& legendIndex, std::vector<Legend>& legends) {
     std::vector<std::unordered_set<std::uint32_t>> drawn(legends.size());
     const auto note = [&](std::uint32_t color, std::uint32_t number) {
         const std::uint16_t legend =
-            number > 0 && number <= legendOf.size() ? legendOf[number - 1] : Appearance::kNoLegend;
+            number > 0 && number <= legendIndex.size() ? legendIndex[number - 1] : Appearance::kNoLegend;
         if (legend < drawn.size()) drawn[legend].insert(color & 0xffffffu);
     };
     for (const SphereLook& look : r.sphereLooks) note(look.color, look.atom);
@@ -151,7 +151,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
         assembly.emplace(molecule, options.assembly);
         drawn = assembly->place(drawn);
     }
-    Appearance appearance = appearanceOf(facts, drawn, options);
+    Appearance appearance = makeAppearance(facts, drawn, options);
     if (appearance.seen == 0) throw Error("cannot draw molecule", "", "no atom is left to draw");
     if (assembly) {
         assembly->colorByCopy(appearance);
@@ -164,7 +164,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     Representation result;
     const Bounds bounds = frame      ? movedTo(options.center, *frame)
                           : assembly ? assembly->bounds(seen, options.center)
-                                     : boundsOf(seen.balls, options.center);
+                                     : computeBounds(seen.balls, options.center);
     result.center = bounds.center;
     result.radius = bounds.radius;
     result.style = appearance.style;
@@ -186,11 +186,11 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
         result.warnings.push_back("an assembly's surfaces are solid");
     if (options.contacts.of) addContacts(molecule, appearance, std::move(contacts), options.contacts, result);
     addLines(molecule, appearance, options.lineWidth, assembly ? &*assembly : nullptr, result);
-    const auto groupOf = [&](std::uint32_t atom) {
-        if (assembly) return assembly->listOf(atom);
+    const auto findGroup = [&](std::uint32_t atom) {
+        if (assembly) return assembly->copyList(atom);
         return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
     };
-    addMeshes(facts, appearance, options, groupOf, result);
+    addMeshes(facts, appearance, options, findGroup, result);
     // The actual reach of meshes, which is usually below the bound.
     if (!result.triangles.empty() && !assembly) {
         const double own = frame ? bounds.radius : spheresReach(result);
@@ -201,7 +201,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     refuseCrowd(result);
     result.atomGroups = atomGroups(facts);
     addContactGroups(result);
-    if (!byCopy) dropUndrawn(result, appearance.legendOf, result.legends);
+    if (!byCopy) dropUndrawn(result, appearance.legendIndex, result.legends);
     std::erase_if(result.legends, [](const Legend& legend) { return legend.entries.empty(); });
     return result;
 }
@@ -212,7 +212,7 @@ MovingScene::MovingScene(const ResidueFacts& facts, std::span<const std::uint32_
     if (!options.assembly.empty()) throw Error("cannot move molecule", "", "the copies of an assembly stand still");
     scene_ = represent(facts, drawn, options, frame);
     if (options.contacts.of) fillUp(scene_, mostSpheres_, mostCylinders_);
-    appearance_ = appearanceOf(facts, drawn, options);
+    appearance_ = makeAppearance(facts, drawn, options);
     orders_.emplace(facts, appearance_, options);
     options_ = options;
 }

@@ -95,17 +95,17 @@ struct Representation {
     std::uint32_t firstContact = 0;  ///< number of the first contact in looks; above every atom's
 
     /// The contact with a look's number; null if the number is an atom's.
-    const DrawnContact* contactOf(std::uint32_t number) const {
+    const DrawnContact* findContact(std::uint32_t number) const {
         const bool any = !contacts.empty() && number >= firstContact && number - firstContact < contacts.size();
         return any ? &contacts[number - firstContact] : nullptr;
     }
     /// The 1-based note of a primitive that was joined to this (joinScenes()), by its number; 0 if it is not a note.
-    std::uint32_t noteOf(std::uint32_t number) const {
+    std::uint32_t noteNumber(std::uint32_t number) const {
         return number > atomGroups.size() ? number - static_cast<std::uint32_t>(atomGroups.size()) : 0;
     }
     /// The 1-based atom with a look's number; for a contact its first atom.
-    std::uint32_t atomOf(std::uint32_t number) const {
-        const DrawnContact* contact = contactOf(number);
+    std::uint32_t findAtom(std::uint32_t number) const {
+        const DrawnContact* contact = findContact(number);
         return contact ? contact->interaction.a.atoms.front() + 1 : number;
     }
 };

@@ -51,7 +51,7 @@ SceneLayer newLayer(const ResidueFacts& facts, std::span<const std::uint32_t> dr
     return layer;
 }
 
-double opacityOf(Style style, const RepresentationOptions& options) {
+double styleOpacity(Style style, const RepresentationOptions& options) {
     return style == Style::surface   ? options.surfaceOpacity
            : style == Style::cartoon ? options.cartoonOpacity
                                      : options.atomOpacity;
@@ -93,7 +93,7 @@ void applyRule(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, 
         return;
     }
     SceneLayer layer = newLayer(facts, drawn, &chosen, rule.style, options.color, options,
-                                rule.opacity.value_or(opacityOf(rule.style, options)));
+                                rule.opacity.value_or(styleOpacity(rule.style, options)));
     if (rule.material)
         for (std::uint32_t& color : layer.colors) color = withMaterial(color, *rule.material);
     if (layer.atoms.empty()) result.warnings.push_back("'" + rule.selection.text + "' matches no atoms to show");
@@ -178,19 +178,20 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
     own.surface = layer.surface;
     own.sugarScale = static_cast<double>(layer.atomScale);
     own.sugarColors = !layer.ownColors;
-    const auto groupOf = [&](std::uint32_t atom) {
+    const auto findGroup = [&](std::uint32_t atom) {
         return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
     };
-    addMeshes(facts, appearance, own, groupOf, part);
+    addMeshes(facts, appearance, own, findGroup, part);
     if (options.gaps) addGaps(facts, appearance, part);
     return part;
 }
 
 /// Appends a part to a whole, as its own run of copies.
 void placePart(const Representation& part, std::uint32_t list, Representation& whole) {
-    const auto run = [&](std::vector<PrimitiveRun>& runs, std::size_t first, std::size_t count, const auto& ballsOf) {
+    const auto run = [&](std::vector<PrimitiveRun>& runs, std::size_t first, std::size_t count,
+                         const auto& visitBalls) {
         if (count == 0) return;
-        const Bounds bounds = boundsOfEach(ballsOf);
+        const Bounds bounds = boundsOfEach(visitBalls);
         runs.push_back(
             {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, bounds.center, bounds.radius});
     };
@@ -202,7 +203,7 @@ void placePart(const Representation& part, std::uint32_t list, Representation& w
     });
     run(whole.copies.triangles, whole.triangles.size(), part.triangles.size(), [&](const auto& add) {
         for (const Triangle& t : part.triangles)
-            for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(part.meshVertices[v], t.step()), 0.0f);
+            for (const std::uint32_t v : {t.a, t.b, t.c}) add(decodePosition(part.meshVertices[v], t.step()), 0.0f);
     });
     const std::size_t wires = whole.wires.size();
     appendPart(whole, part);
@@ -223,12 +224,12 @@ void placePart(const Representation& part, std::uint32_t list, Representation& w
     }
 }
 
-std::uint32_t listOf(const Molecule& molecule, const SceneGuide& guide, std::uint32_t atom) {
+std::uint32_t copyList(const Molecule& molecule, const SceneGuide& guide, std::uint32_t atom) {
     return guide.listOfResidue[molecule.atoms[atom].residue];
 }
 
 /// Largest distance of any surface from the centre, Å, in all copies.
-double reachOf(const Representation& r) {
+double measureReach(const Representation& r) {
     double reach = meshReach(r);
     for (const Sphere& sphere : r.spheres)
         reach = std::max(reach, static_cast<double>(glm::length(sphere.center) + sphere.radius));
@@ -253,7 +254,7 @@ std::vector<SceneLayer> coarseInCopies(const Molecule& molecule, std::vector<Sce
         std::size_t residues = 0, atoms = 0;
         std::uint32_t last = UINT32_MAX;
         for (const std::uint32_t atom : layer.atoms) {
-            const std::size_t copies = guide.lists[listOf(molecule, guide, atom)].size();
+            const std::size_t copies = guide.lists[copyList(molecule, guide, atom)].size();
             atoms += copies;
             if (molecule.atoms[atom].residue != last) residues += copies;
             last = molecule.atoms[atom].residue;
@@ -272,7 +273,7 @@ std::size_t atomsIn(const Molecule& molecule, std::span<const SceneLayer> layers
     const SceneGuide& guide = *molecule.guide;
     if (guide.transforms.empty()) return atoms.size();
     std::size_t count = 0;
-    for (const std::uint32_t atom : atoms) count += guide.lists[listOf(molecule, guide, atom)].size();
+    for (const std::uint32_t atom : atoms) count += guide.lists[copyList(molecule, guide, atom)].size();
     return count;
 }
 
@@ -284,7 +285,7 @@ GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32
     result.layers = facts.molecule().guide->layers;
     if (options.style) {
         result.layers = {newLayer(facts, drawn, nullptr, *options.style, options.color, options,
-                                  opacityOf(*options.style, options))};
+                                  styleOpacity(*options.style, options))};
     }
     if (options.color != Coloring(ColorScheme::element)) recolorLayers(facts, nullptr, options.color, "all", result);
     for (const Rule& rule : options.rules)
@@ -292,9 +293,9 @@ GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32
     return result;
 }
 
-std::vector<SceneLayer> layersOf(const Appearance& appearance, const RepresentationOptions& options) {
+std::vector<SceneLayer> splitLayers(const Appearance& appearance, const RepresentationOptions& options) {
     std::vector<SceneLayer> layers;
-    const auto layerOf = [&](Style style) -> SceneLayer& {
+    const auto findLayer = [&](Style style) -> SceneLayer& {
         const auto found =
             std::find_if(layers.begin(), layers.end(), [&](const SceneLayer& layer) { return layer.style == style; });
         if (found != layers.end()) return *found;
@@ -306,7 +307,7 @@ std::vector<SceneLayer> layersOf(const Appearance& appearance, const Representat
     };
     const auto addMesh = [&](Style style, const MeshAtoms& mesh) {
         if (mesh.atoms.empty()) return;
-        SceneLayer& layer = layerOf(style);
+        SceneLayer& layer = findLayer(style);
         layer.atoms = mesh.atoms;
         layer.colors = mesh.colors;
         if (std::any_of(mesh.opacity.begin(), mesh.opacity.end(), [](double opacity) { return opacity < 1; }))
@@ -317,14 +318,14 @@ std::vector<SceneLayer> layersOf(const Appearance& appearance, const Representat
     addMesh(Style::line, appearance.lines);
     addMesh(Style::carbohydrate, appearance.sugars);
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
-        SceneLayer& layer = layerOf(appearance.styles[i]);
+        SceneLayer& layer = findLayer(appearance.styles[i]);
         layer.atoms.push_back(appearance.atoms[i]);
         layer.colors.push_back(appearance.colors[i]);
     }
     return layers;
 }
 
-std::string tooltipOf(const SceneGuide& guide, std::uint32_t atom) {
+std::string joinTooltips(const SceneGuide& guide, std::uint32_t atom) {
     std::string text;
     for (const SceneNote& note : guide.tooltips)
         if (std::binary_search(note.atoms.begin(), note.atoms.end(), atom))
@@ -347,14 +348,14 @@ void eachLayerBall(const Molecule& molecule, std::span<const SceneLayer> layers,
                 visit(center, radius);
                 continue;
             }
-            for (const std::uint32_t copy : guide.lists[listOf(molecule, guide, index)])
+            for (const std::uint32_t copy : guide.lists[copyList(molecule, guide, index)])
                 visit(guide.transforms[copy] * glm::dvec4(center, 1.0), radius);
         }
 }
 
 }  // namespace
 
-Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers) {
+Bounds computeBounds(const Molecule& molecule, std::span<const SceneLayer> layers) {
     const Bounds bounds = boundsOfEach([&](const auto& visit) { eachLayerBall(molecule, layers, visit); });
     return std::isnan(bounds.center.x) ? Bounds{{}, 1} : bounds;
 }
@@ -378,14 +379,14 @@ Representation representLayers(const ResidueFacts& facts, const GuidedLayers& gu
     for (const SceneLayer& layer : coarseInCopies(molecule, guided.layers))
         for (std::uint32_t list = 0; list < lists; ++list) {
             const SceneLayer own = lists == 1 ? layer : filtered(layer, [&](std::size_t i) {
-                return listOf(molecule, guide, layer.atoms[i]) == list;
+                return copyList(molecule, guide, layer.atoms[i]) == list;
             });
             if (own.atoms.empty()) continue;
             const Representation part = layerPart(facts, own, options, result.center);
             guide.transforms.empty() ? appendPart(result, part) : placePart(part, list, result);
             if (guide.transforms.empty()) result.drawnBonds += part.drawnBonds;
         }
-    result.radius = std::max(reachOf(result), 1.0);
+    result.radius = std::max(measureReach(result), 1.0);
     result.drawnAtoms = atomsIn(molecule, guided.layers);
     result.atomGroups = atomGroups(facts);
     refuseCrowd(result);

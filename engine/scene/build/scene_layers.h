@@ -18,13 +18,13 @@ GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32
                           const RepresentationOptions& options);
 
 /// Splits an appearance into layers: one per style, with its colours.
-std::vector<SceneLayer> layersOf(const Appearance& appearance, const RepresentationOptions& options);
+std::vector<SceneLayer> splitLayers(const Appearance& appearance, const RepresentationOptions& options);
 
 /// The tooltips of a scene for an atom, in the order of its nodes; empty if there are none.
-std::string tooltipOf(const SceneGuide& guide, std::uint32_t atom);
+std::string joinTooltips(const SceneGuide& guide, std::uint32_t atom);
 
 /// The bounding sphere of all that layers show, in all copies; of 1 Å at the origin if they show nothing.
-Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers);
+Bounds computeBounds(const Molecule& molecule, std::span<const SceneLayer> layers);
 
 /// Builds the layers of a molecule that has a guide. @param frame  centre and radius, as in represent()
 /// @throws Error as represent() does

@@ -14,9 +14,9 @@ enum class Translucency : std::uint8_t {
     dense,   ///< above one half: picking hits it
     faint,   ///< picking and layers ignore it
 };
-Translucency translucencyOf(const SphereLook& look);
-Translucency translucencyOf(const CylinderLook& look);
-Translucency translucencyOf(const Representation& representation, const Triangle& triangle);
+Translucency classifyTranslucency(const SphereLook& look);
+Translucency classifyTranslucency(const CylinderLook& look);
+Translucency classifyTranslucency(const Representation& representation, const Triangle& triangle);
 
 /// Consecutive translucent primitives of a stream.
 struct TranslucentRun {

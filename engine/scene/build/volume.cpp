@@ -57,7 +57,7 @@ public:
 
         const glm::dmat3 toNodes = glm::inverse(map.step);
         const glm::dvec3 shift = toNodes * (center - map.origin) - glm::dvec3(region_.first());
-        volume->nodeOf = glm::dmat4x3(toNodes[0], toNodes[1], toNodes[2], shift);
+        volume->toNode = glm::dmat4x3(toNodes[0], toNodes[1], toNodes[2], shift);
         volume->step = 0.5 * std::min({glm::length(map.step[0]), glm::length(map.step[1]), glm::length(map.step[2])});
         for (const VolumeBrick& brick : volume->bricks)
             for (int corner = 0; corner < 8; ++corner) {
@@ -102,7 +102,7 @@ private:
         for (glm::ivec3 at = from; at.z < to.z; ++at.z)
             for (at.y = from.y; at.y < to.y; ++at.y)
                 for (at.x = from.x; at.x < to.x; ++at.x) {
-                    if (!shows(region_.rangeOf(at))) continue;
+                    if (!shows(region_.blockRange(at))) continue;
                     box.first = glm::min(box.first, at * kBlock);
                     box.last = glm::max(box.last, glm::min((at + 1) * kBlock, region_.size() - 1));
                 }

@@ -36,7 +36,7 @@ struct VolumeBrick {
 struct Volume {
     std::vector<VolumeBrick> bricks;  ///< visible ones, cropped to their visible part
     std::vector<VolumeLevel> levels;  ///< ascending, in the unit of the texels
-    glm::dmat4x3 nodeOf{};            ///< position about the scene's centre, Å -> node of the region
+    glm::dmat4x3 toNode{};            ///< position about the scene's centre, Å -> node of the region
     double step = 0;                  ///< half a voxel, Å
     int brickCells = 0;               ///< along an edge of the lattice
     double radius = 0;                ///< of the visible part, about the scene's centre, Å

@@ -24,10 +24,10 @@ struct Classes {
     std::string warning;
 };
 
-template <typename ClassOf>
-void sortAtoms(Classes& classes, std::span<const std::uint32_t> atoms, const ClassOf& classOf) {
+template <typename Classify>
+void sortAtoms(Classes& classes, std::span<const std::uint32_t> atoms, const Classify& classify) {
     classes.ofAtom.reserve(atoms.size());
-    for (const std::uint32_t atom : atoms) classes.ofAtom.push_back(static_cast<std::uint32_t>(classOf(atom)));
+    for (const std::uint32_t atom : atoms) classes.ofAtom.push_back(static_cast<std::uint32_t>(classify(atom)));
 }
 
 /// @param carbon  colour of carbons; 0 for their usual one
@@ -112,9 +112,9 @@ struct RankedEntry {
     double rank = 0;
 };
 
-/// One class per residue name; `entryOf` gives its look.
-template <typename EntryOf>
-Classes byResidueName(const Molecule& molecule, std::span<const std::uint32_t> atoms, const EntryOf& entryOf) {
+/// One class per residue name; `findEntry` gives its look.
+template <typename FindEntry>
+Classes byResidueName(const Molecule& molecule, std::span<const std::uint32_t> atoms, const FindEntry& findEntry) {
     std::map<std::array<char, 8>, std::uint32_t> known;
     std::vector<RankedEntry> kinds;
     std::vector<std::uint32_t> ofResidue;
@@ -122,7 +122,7 @@ Classes byResidueName(const Molecule& molecule, std::span<const std::uint32_t> a
     for (const Residue& residue : molecule.residues) {
         const auto next = static_cast<std::uint32_t>(kinds.size());
         const auto [found, added] = known.emplace(residue.name.bytes, next);
-        if (added) kinds.push_back(entryOf(residue.name));
+        if (added) kinds.push_back(findEntry(residue.name));
         ofResidue.push_back(found->second);
     }
     std::vector<std::uint32_t> order(kinds.size()), places(kinds.size());
@@ -171,7 +171,7 @@ Classes byHydrophobicity(const Molecule& molecule, std::span<const std::uint32_t
 enum Charge { kNegative, kNeutral, kPositive };
 
 /// @param kind  of the atom's residue
-Charge chargeOf(const Atom& atom, const Residue& residue, ResidueKind kind) {
+Charge classifyCharge(const Atom& atom, const Residue& residue, ResidueKind kind) {
     if (kind == ResidueKind::nucleic) return kNegative;  // for its phosphate
     if (kind == ResidueKind::protein) {
         const std::string_view name = residue.name.view();
@@ -197,7 +197,7 @@ Classes byCharge(const ResidueFacts& facts, std::span<const std::uint32_t> atoms
         {"negative", packedColor(0xdd5548)}, {"neutral", packedColor(0xe9e6df)}, {"positive", packedColor(0x5279c7)}};
     sortAtoms(classes, atoms, [&](std::uint32_t i) {
         const std::uint32_t residue = molecule.atoms[i].residue;
-        return chargeOf(molecule.atoms[i], molecule.residues[residue], kinds[residue]);
+        return classifyCharge(molecule.atoms[i], molecule.residues[residue], kinds[residue]);
     });
     return classes;
 }
@@ -251,17 +251,17 @@ Classes byConfidence(const Molecule& molecule, std::span<const std::uint32_t> at
 /// Entities of several compartments ("root.membrane.spike") get shades of their compartments' colours.
 void shadeByCompartment(std::vector<LegendEntry>& entities, const AnyPalette& palette) {
     std::map<std::string_view, std::size_t> compartments;
-    std::vector<std::size_t> compartmentOf, members;
+    std::vector<std::size_t> compartmentIndex, members;
     for (const LegendEntry& entity : entities) {
         const std::string_view label = entity.label, compartment = label.substr(0, label.find_last_of('.') + 1);
-        compartmentOf.push_back(compartments.emplace(compartment, compartments.size()).first->second);
+        compartmentIndex.push_back(compartments.emplace(compartment, compartments.size()).first->second);
         members.resize(compartments.size());
-        ++members[compartmentOf.back()];
+        ++members[compartmentIndex.back()];
     }
     if (compartments.size() < 2) return;
     std::vector<std::size_t> next(members.size());
     for (std::size_t i = 0; i < entities.size(); ++i) {
-        const std::size_t compartment = compartmentOf[i];
+        const std::size_t compartment = compartmentIndex[i];
         entities[i].color =
             tintedColor(kindColor(compartment, palette), copyTint(next[compartment]++, members[compartment]));
     }
@@ -278,7 +278,7 @@ Classes byEntity(const ResidueFacts& facts, std::span<const std::uint32_t> atoms
     return classes;
 }
 
-Classes classesOf(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
+Classes classifyAtoms(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
     const Molecule& molecule = facts.molecule();
     const auto palette = [&](Palette own) {
         return coloring.palette == Palette::automatic ? AnyPalette(own) : coloring.palette;
@@ -341,7 +341,7 @@ std::vector<std::string> chainLabels(const ResidueFacts& facts, const std::strin
 }
 
 ColoredAtoms colorByClass(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
-    const Classes classes = classesOf(facts, atoms, coloring);
+    const Classes classes = classifyAtoms(facts, atoms, coloring);
     ColoredAtoms result;
     result.warning = classes.warning;
     result.colors.reserve(atoms.size());

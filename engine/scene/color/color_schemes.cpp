@@ -64,7 +64,7 @@ std::string shortNumber(double value) {
     return text;
 }
 
-std::size_t decimalsOf(const std::string& number) {
+std::size_t countDecimals(const std::string& number) {
     const std::size_t point = number.find('.');
     return point == std::string::npos ? 0 : number.size() - point - 1;
 }
@@ -72,9 +72,9 @@ std::size_t decimalsOf(const std::string& number) {
 /// Equal numbers of decimals: the largest needed.
 void alignDecimals(std::vector<LegendEntry>& numbers) {
     std::size_t most = 0;
-    for (const LegendEntry& entry : numbers) most = std::max(most, decimalsOf(entry.label));
+    for (const LegendEntry& entry : numbers) most = std::max(most, countDecimals(entry.label));
     for (LegendEntry& entry : numbers) {
-        const std::size_t missing = most - decimalsOf(entry.label);
+        const std::size_t missing = most - countDecimals(entry.label);
         if (missing == most && most > 0) entry.label += '.';
         entry.label.append(missing, '0');
     }
@@ -87,13 +87,13 @@ std::string exactNumber(double value) {
 }
 
 /// The palette of a colouring, else the scheme's own.
-AnyPalette rampOf(const Coloring& coloring, Palette own) {
+AnyPalette chooseRamp(const Coloring& coloring, Palette own) {
     return coloring.palette == Palette::automatic ? own : coloring.palette;
 }
 
 /// Colours by a number per atom, with the ramp spread over the range.
 template <typename Value>
-ColoredAtoms byNumber(Atoms atoms, const AnyPalette& ramp, const ColorRange& range, const Value& valueOf) {
+ColoredAtoms byNumber(Atoms atoms, const AnyPalette& ramp, const ColorRange& range, const Value& getValue) {
     ColoredAtoms result;
     result.ramp = ramp;
     result.colors.reserve(atoms.size());
@@ -101,7 +101,7 @@ ColoredAtoms byNumber(Atoms atoms, const AnyPalette& ramp, const ColorRange& ran
     const auto place = [&](double value) { return span != 0 ? (value - range.first) / span : 0.5; };
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     for (const std::uint32_t atom : atoms) {
-        const double value = valueOf(atom);
+        const double value = getValue(atom);
         lowest = std::min(lowest, value);
         highest = std::max(highest, value);
         result.colors.push_back(paletteColor(ramp, place(value)));
@@ -133,14 +133,14 @@ ColorRange usualRange(std::vector<double> values) {
 }
 
 ColoredAtoms byBFactor(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
-    const auto valueOf = [&](std::uint32_t atom) {
+    const auto getValue = [&](std::uint32_t atom) {
         return static_cast<double>(molecule.atoms[atom].temperatureFactor);
     };
     std::vector<double> values;
     values.reserve(atoms.size());
-    for (const std::uint32_t atom : atoms) values.push_back(valueOf(atom));
+    for (const std::uint32_t atom : atoms) values.push_back(getValue(atom));
     const ColorRange range = coloring.range ? *coloring.range : usualRange(std::move(values));
-    ColoredAtoms result = byNumber(atoms, rampOf(coloring, Palette::sunset), range, valueOf);
+    ColoredAtoms result = byNumber(atoms, chooseRamp(coloring, Palette::sunset), range, getValue);
     if (range.first == range.last) result.warning = "nearly all B factors are " + shortNumber(range.first);
     return result;
 }
@@ -149,13 +149,13 @@ ColoredAtoms byBFactor(const Molecule& molecule, Atoms atoms, const Coloring& co
 ColoredAtoms byFitDistance(const ResidueFacts& facts, Atoms atoms, const Coloring& coloring) {
     const Molecule& molecule = facts.molecule();
     const std::vector<double> distances = residueDistances(facts);
-    const auto valueOf = [&](std::uint32_t atom) { return distances[molecule.atoms[atom].residue]; };
+    const auto getValue = [&](std::uint32_t atom) { return distances[molecule.atoms[atom].residue]; };
     std::vector<std::uint32_t> paired;
     std::vector<double> values;
     for (const std::uint32_t atom : atoms)
-        if (!std::isnan(valueOf(atom))) {
+        if (!std::isnan(getValue(atom))) {
             paired.push_back(atom);
-            values.push_back(valueOf(atom));
+            values.push_back(getValue(atom));
         }
     ColoredAtoms result;
     if (paired.empty()) {
@@ -165,19 +165,19 @@ ColoredAtoms byFitDistance(const ResidueFacts& facts, Atoms atoms, const Colorin
         return result;
     }
     const ColorRange range = coloring.range.value_or(ColorRange{0, usualRange(std::move(values)).last});
-    result = byNumber(paired, rampOf(coloring, Palette::sunset), range, valueOf);
+    result = byNumber(paired, chooseRamp(coloring, Palette::sunset), range, getValue);
     if (paired.size() == atoms.size()) return result;
     std::vector<std::uint32_t> colors;
     std::size_t next = 0;
     for (const std::uint32_t atom : atoms)
-        colors.push_back(std::isnan(valueOf(atom)) ? kOutside : result.colors[next++]);
+        colors.push_back(std::isnan(getValue(atom)) ? kOutside : result.colors[next++]);
     result.colors = std::move(colors);
     result.legend.push_back({"without a counterpart", kOutside});
     return result;
 }
 
 /// The centre of an assembly of many copies, such as a capsid's shell; otherwise of the atoms.
-glm::dvec3 centerOf(const Molecule& molecule, Atoms atoms) {
+glm::dvec3 findCenter(const Molecule& molecule, Atoms atoms) {
     constexpr std::size_t kShell = 12;  // copies
     glm::dvec3 middle(0);
     for (const std::uint32_t atom : atoms)
@@ -197,28 +197,28 @@ glm::dvec3 centerOf(const Molecule& molecule, Atoms atoms) {
 
 /// By the file's partial charges, over a range centred on 0.
 ColoredAtoms byPartialCharge(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
-    const auto valueOf = [&](std::uint32_t atom) { return static_cast<double>(molecule.partialCharges[atom]); };
+    const auto getValue = [&](std::uint32_t atom) { return static_cast<double>(molecule.partialCharges[atom]); };
     std::vector<double> sizes;
     sizes.reserve(atoms.size());
-    for (const std::uint32_t atom : atoms) sizes.push_back(std::abs(valueOf(atom)));
+    for (const std::uint32_t atom : atoms) sizes.push_back(std::abs(getValue(atom)));
     // The 98th percentile, or the largest of few: ions would make all other colours pale.
     const auto at = sizes.begin() + static_cast<std::ptrdiff_t>((sizes.size() * 98 + 99) / 100 - 1);
     std::nth_element(sizes.begin(), at, sizes.end());
     const double most = *at;
-    return byNumber(atoms, rampOf(coloring, Palette::redWhiteBlue), coloring.range.value_or(ColorRange{-most, most}),
-                    valueOf);
+    return byNumber(atoms, chooseRamp(coloring, Palette::redWhiteBlue),
+                    coloring.range.value_or(ColorRange{-most, most}), getValue);
 }
 
 ColoredAtoms byDistance(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
-    const glm::dvec3 center = centerOf(molecule, atoms);
-    const auto valueOf = [&](std::uint32_t atom) {
+    const glm::dvec3 center = findCenter(molecule, atoms);
+    const auto getValue = [&](std::uint32_t atom) {
         return glm::distance(glm::dvec3(molecule.atoms[atom].position), center);
     };
     std::vector<double> values;
     values.reserve(atoms.size());
-    for (const std::uint32_t atom : atoms) values.push_back(valueOf(atom));
+    for (const std::uint32_t atom : atoms) values.push_back(getValue(atom));
     const ColorRange range = coloring.range ? *coloring.range : usualRange(std::move(values));
-    return byNumber(atoms, rampOf(coloring, Palette::viridis), range, valueOf);
+    return byNumber(atoms, chooseRamp(coloring, Palette::viridis), range, getValue);
 }
 
 /// Colours of a table, or values along a ramp. Atoms that the table does not match are grey.
@@ -226,28 +226,28 @@ ColoredAtoms byTable(const ResidueFacts& facts, Atoms atoms, const Coloring& col
     static const ColorTable kEmpty;
     const ColorTable& table = coloring.table ? *coloring.table : kEmpty;
     const TableMatch match = matchTable(facts, table);
-    const auto rowOf = [&](std::uint32_t atom) {
+    const auto findRow = [&](std::uint32_t atom) {
         const std::uint32_t row = match.rows[atom];
         return row == TableMatch::kNone ? nullptr : &table.rows[row];
     };
     std::vector<std::uint32_t> valued;
     std::vector<double> values;
     for (const std::uint32_t atom : atoms)
-        if (const ColorTable::Row* row = rowOf(atom); row && row->color == 0) {
+        if (const ColorTable::Row* row = findRow(atom); row && row->color == 0) {
             valued.push_back(atom);
             values.push_back(row->value);
         }
     ColoredAtoms result;
     if (!valued.empty()) {
         const ColorRange range = coloring.range ? *coloring.range : usualRange(std::move(values));
-        result = byNumber(valued, rampOf(coloring, Palette::sunset), range,
-                          [&](std::uint32_t atom) { return rowOf(atom)->value; });
+        result = byNumber(valued, chooseRamp(coloring, Palette::sunset), range,
+                          [&](std::uint32_t atom) { return findRow(atom)->value; });
         if (range.first == range.last) result.warning = "nearly all values are " + shortNumber(range.first);
     }
     std::vector<std::uint32_t> colors;
     std::size_t next = 0;
     for (const std::uint32_t atom : atoms) {
-        const ColorTable::Row* row = rowOf(atom);
+        const ColorTable::Row* row = findRow(atom);
         colors.push_back(!row ? kOutside : row->color ? row->color : result.colors[next++]);
         if (!row || row->label.empty()) continue;
         const bool known = std::any_of(result.legend.begin(), result.legend.end(), [&](const LegendEntry& entry) {
@@ -298,7 +298,7 @@ ColoredAtoms byHydropathy(const ResidueFacts& facts, Atoms atoms, const Coloring
     ColoredAtoms result = colorByClass(facts, atoms, coloring);
     if (!result.warning.empty()) return result;
     std::vector<LegendEntry> legend;
-    result.ramp = rampOf(coloring, Palette::lipophilicity);
+    result.ramp = chooseRamp(coloring, Palette::lipophilicity);
     for (int i = 0; i < kStops; ++i) {
         const double share = i / (kStops - 1.0);
         legend.push_back({shortNumber(kMost * (2 * share - 1)), paletteColor(result.ramp, share)});
@@ -336,7 +336,7 @@ TintKinds tintKinds(const ResidueFacts& facts, Atoms atoms, ColorScheme scheme) 
 
 /// One copy has one colour; assembly_scene.cpp handles the copies of an assembly.
 ColoredAtoms byCopy(const ResidueFacts& facts, Atoms atoms, const Coloring& coloring) {
-    const std::uint32_t first = kindColor(0, rampOf(coloring, kChainPalette));
+    const std::uint32_t first = kindColor(0, chooseRamp(coloring, kChainPalette));
     const TintKinds kinds = tintKinds(facts, atoms, coloring.scheme);
     ColoredAtoms result;
     for (const std::uint32_t kind : kinds.ofAtom) {
@@ -410,7 +410,7 @@ ColoredAtoms colorAtoms(const ResidueFacts& facts, Atoms atoms, const Coloring& 
         case ColorScheme::bFactor:
             return byBFactor(molecule, atoms, coloring);
         case ColorScheme::occupancy:
-            return byNumber(atoms, rampOf(coloring, Palette::viridis), coloring.range.value_or(ColorRange{0, 1}),
+            return byNumber(atoms, chooseRamp(coloring, Palette::viridis), coloring.range.value_or(ColorRange{0, 1}),
                             [&](std::uint32_t atom) { return static_cast<double>(molecule.atoms[atom].occupancy); });
         case ColorScheme::rmsd:
             return byFitDistance(facts, atoms, coloring);
@@ -421,7 +421,7 @@ ColoredAtoms colorAtoms(const ResidueFacts& facts, Atoms atoms, const Coloring& 
                 return byPartialCharge(molecule, atoms, coloring);
             return colorByClass(facts, atoms, coloring);
         case ColorScheme::rainbow:
-            return byRainbow(facts, atoms, rampOf(coloring, Palette::rainbow));
+            return byRainbow(facts, atoms, chooseRamp(coloring, Palette::rainbow));
         case ColorScheme::copy:
         case ColorScheme::copyChain:
         case ColorScheme::copyEntity:

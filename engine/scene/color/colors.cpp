@@ -92,19 +92,20 @@ std::uint32_t tintedColor(std::uint32_t color, std::uint32_t tint) {
 }
 
 std::uint32_t meanColor(std::span<const std::uint32_t> colors, std::span<const float> shares) {
-    const auto meanOf = [&](const auto& valueOf) {
+    const auto computeMean = [&](const auto& getValue) {
         double sum = 0, all = 0;
         for (std::size_t i = 0; i < colors.size(); ++i) {
             const auto share = static_cast<double>(shares[i]);
-            sum += share * valueOf(colors[i]);
+            sum += share * getValue(colors[i]);
             all += share;
         }
         return sum / all;
     };
     std::uint32_t mean = 0xff000000u;
     for (const int shift : {0, 8, 16})
-        mean |= codedByte(meanOf([&](std::uint32_t color) { return linearByte(color >> shift); })) << shift;
-    return withOpacity(mean, meanOf([](std::uint32_t color) { return opacitySteps(color) / double{kOpacitySteps}; }));
+        mean |= codedByte(computeMean([&](std::uint32_t color) { return linearByte(color >> shift); })) << shift;
+    return withOpacity(mean,
+                       computeMean([](std::uint32_t color) { return opacitySteps(color) / double{kOpacitySteps}; }));
 }
 
 }  // namespace nacre

@@ -39,7 +39,7 @@ constexpr std::uint32_t withMaterial(std::uint32_t color, Material material) {
     return (color & ~kSurfaceBits) | static_cast<std::uint32_t>(material) << 25;
 }
 /// A colour with the opacity or material of `other`.
-constexpr std::uint32_t withSurfaceOf(std::uint32_t color, std::uint32_t other) {
+constexpr std::uint32_t withSurfaceFrom(std::uint32_t color, std::uint32_t other) {
     return (color & ~kSurfaceBits) | (other & kSurfaceBits);
 }
 constexpr bool isOpaque(std::uint32_t color) { return opacitySteps(color) == kOpacitySteps; }

@@ -55,7 +55,7 @@ constexpr PaletteEntry kPalettes[] = {
     {Palette::grays, "grays", kGrays},
 };
 
-std::span<const std::uint32_t> colorsOf(const AnyPalette& palette) {
+std::span<const std::uint32_t> paletteColors(const AnyPalette& palette) {
     if (!palette.own.empty()) return palette.own;
     return kPalettes[static_cast<std::size_t>(palette.named) - 1].colors;
 }
@@ -100,7 +100,7 @@ std::span<const Palette> allPalettes() {
 }
 
 std::uint32_t paletteColor(const AnyPalette& ramp, double at) {
-    const std::span<const std::uint32_t> stops = colorsOf(ramp);
+    const std::span<const std::uint32_t> stops = paletteColors(ramp);
     const double place = (at > 0 ? std::min(at, 1.0) : 0.0) * static_cast<double>(stops.size() - 1);
     const auto left = std::min(static_cast<std::size_t>(place), stops.size() - 2);
     const double share = place - static_cast<double>(left);
@@ -112,10 +112,10 @@ std::uint32_t paletteColor(const AnyPalette& ramp, double at) {
     return packedColor(rgb);
 }
 
-std::size_t kindCount(const AnyPalette& kinds) { return colorsOf(kinds).size(); }
+std::size_t kindCount(const AnyPalette& kinds) { return paletteColors(kinds).size(); }
 
 std::uint32_t kindColor(std::size_t kind, const AnyPalette& kinds) {
-    const std::span<const std::uint32_t> colors = colorsOf(kinds);
+    const std::span<const std::uint32_t> colors = paletteColors(kinds);
     const std::uint32_t color = packedColor(colors[kind % colors.size()]);
     return kind / colors.size() % 2 == 1 ? darkerColor(color) : color;
 }

@@ -31,7 +31,7 @@ ColorRange usualRange(std::vector<double> values, bool signs) {
     return range;
 }
 
-std::string numberOf(double value) {
+std::string formatNumber(double value) {
     std::array<char, 32> digits{};
     return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.3g", value))};
 }
@@ -47,7 +47,7 @@ ValueColors::ValueColors(const ValueColoring& coloring, std::span<const double> 
         palette_ = signs && range_.first * range_.last < 0 ? AnyPalette(Palette::redWhiteBlue) : ramp;
 }
 
-std::uint32_t ValueColors::stepOf(double value) const {
+std::uint32_t ValueColors::toStep(double value) const {
     if (std::isnan(value)) return kSteps;
     const double at = (value - range_.first) / (range_.last - range_.first);
     return static_cast<std::uint32_t>(std::lround(std::clamp(at, 0.0, 1.0) * (kSteps - 1)));
@@ -61,7 +61,7 @@ std::uint32_t ValueColors::colorAt(double share) const {
     return color;
 }
 
-std::uint32_t ValueColors::colorOf(std::uint32_t step, std::uint32_t otherwise) const {
+std::uint32_t ValueColors::stepColor(std::uint32_t step, std::uint32_t otherwise) const {
     return step >= kSteps ? otherwise : colorAt(step / (kSteps - 1.0));
 }
 
@@ -69,7 +69,7 @@ Legend ValueColors::legend(const std::string& name) const {
     Legend legend{"all", name, {}, palette_, kLegendStops};
     for (int i = 0; i < kLegendStops; ++i) {
         const double share = i / (kLegendStops - 1.0);
-        legend.entries.push_back({numberOf(range_.first + (range_.last - range_.first) * share), colorAt(share)});
+        legend.entries.push_back({formatNumber(range_.first + (range_.last - range_.first) * share), colorAt(share)});
     }
     return legend;
 }
@@ -83,7 +83,8 @@ std::optional<ColorRange> colorSurfaces(const ValueColoring& coloring, Represent
         for (std::uint32_t v = run.firstVertex; v < run.endVertex; ++v) {
             vertices.push_back(v);
             const MeshVertex& vertex = scene.meshVertices[v];
-            const glm::dvec3 at = glm::dvec3(positionOf(vertex, step)) + coloring.offset * glm::dvec3(normalOf(vertex));
+            const glm::dvec3 at =
+                glm::dvec3(decodePosition(vertex, step)) + coloring.offset * glm::dvec3(decodeNormal(vertex));
             values.push_back(valueAt(*coloring.map, at + scene.center));
         }
     }
@@ -93,14 +94,14 @@ std::optional<ColorRange> colorSurfaces(const ValueColoring& coloring, Represent
     std::unordered_map<std::uint64_t, std::uint32_t> looks;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         MeshVertex& vertex = scene.meshVertices[vertices[i]];
-        const std::uint32_t step = colors.stepOf(values[i]);
+        const std::uint32_t step = colors.toStep(values[i]);
         if (step == ValueColors::kSteps) continue;
         const SphereLook before = scene.meshLooks[vertex.look];
         const auto [look, added] =
             looks.emplace(std::uint64_t{vertex.look} << 32 | step, static_cast<std::uint32_t>(scene.meshLooks.size()));
         if (added)
             scene.meshLooks.push_back(
-                {(colors.colorOf(step, 0) & ~kOpacity) | (before.color & kOpacity) | 1u << 24, before.atom});
+                {(colors.stepColor(step, 0) & ~kOpacity) | (before.color & kOpacity) | 1u << 24, before.atom});
         vertex.look = look->second;
     }
     scene.blendsColors = true;

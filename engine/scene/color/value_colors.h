@@ -35,9 +35,9 @@ public:
     ValueColors(const ValueColoring& coloring, std::span<const double> values, const AnyPalette& ramp,
                 bool signs = true);
 
-    std::uint32_t stepOf(double value) const;
+    std::uint32_t toStep(double value) const;
     /// @param otherwise  the colour where there is no value
-    std::uint32_t colorOf(std::uint32_t step, std::uint32_t otherwise) const;
+    std::uint32_t stepColor(std::uint32_t step, std::uint32_t otherwise) const;
     const ColorRange& range() const { return range_; }
     const AnyPalette& palette() const { return palette_; }
     Legend legend(const std::string& name) const;

@@ -10,22 +10,22 @@ namespace nacre {
 namespace {
 
 /// Calls visit(list, first, count) for runs of equal lists.
-template <typename ListOf, typename Visit>
-void eachRun(std::size_t size, const ListOf& listOf, const Visit& visit) {
+template <typename FindList, typename Visit>
+void eachRun(std::size_t size, const FindList& findList, const Visit& visit) {
     for (std::size_t first = 0; first < size;) {
-        const std::uint32_t list = listOf(first);
+        const std::uint32_t list = findList(first);
         std::size_t end = first + 1;
-        while (end < size && listOf(end) == list) ++end;
+        while (end < size && findList(end) == list) ++end;
         visit(list, first, end - first);
         first = end;
     }
 }
 
-/// Primitives with the same copies. `ballsOf(i, add)` calls add(centre, radius).
-template <typename BallsOf>
-PrimitiveRun runOf(std::uint32_t list, std::size_t first, std::size_t count, const BallsOf& ballsOf) {
+/// Primitives with the same copies. `visitBalls(i, add)` calls add(centre, radius).
+template <typename VisitBalls>
+PrimitiveRun makeRun(std::uint32_t list, std::size_t first, std::size_t count, const VisitBalls& visitBalls) {
     const Bounds bounds = boundsOfEach([&](const auto& add) {
-        for (std::size_t i = first; i < first + count; ++i) ballsOf(i, add);
+        for (std::size_t i = first; i < first + count; ++i) visitBalls(i, add);
     });
     return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, bounds.center, bounds.radius};
 }
@@ -39,17 +39,17 @@ std::vector<T> inOrder(const std::vector<T>& values, const std::vector<std::uint
 }
 
 /// A stable sort by list.
-template <typename ListOf>
-std::vector<std::uint32_t> orderBy(std::size_t size, const ListOf& listOf) {
+template <typename FindList>
+std::vector<std::uint32_t> orderBy(std::size_t size, const FindList& findList) {
     std::vector<std::uint32_t> order(size);
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return listOf(a) < listOf(b); });
+                     [&](std::uint32_t a, std::uint32_t b) { return findList(a) < findList(b); });
     return order;
 }
 
 /// The palette of "copy" or "copy-chain:muted".
-Palette paletteOf(std::string_view scheme) {
+Palette parsePalette(std::string_view scheme) {
     const std::size_t colon = scheme.find(':');
     const auto named = colon == std::string_view::npos ? std::nullopt : paletteFromName(scheme.substr(colon + 1));
     return named.value_or(kChainPalette);
@@ -67,12 +67,12 @@ glm::dmat4x3 about(const glm::dmat4x3& transform, const glm::dvec3& center) {
 AssemblyScene::AssemblyScene(const Molecule& molecule, const std::string& id)
     : molecule_(molecule), id_(id), placement_(placeAssembly(molecule, id)), lists_(placement_.lists) {}
 
-std::uint32_t AssemblyScene::listOf(std::uint32_t atom) const {
+std::uint32_t AssemblyScene::copyList(std::uint32_t atom) const {
     return placement_.listOfSubchain[molecule_.residues[molecule_.atoms[atom].residue].subchain];
 }
 
-std::uint32_t AssemblyScene::commonListOf(std::uint32_t atomA, std::uint32_t atomB) {
-    const std::uint32_t a = listOf(atomA), b = listOf(atomB);
+std::uint32_t AssemblyScene::findCommonList(std::uint32_t atomA, std::uint32_t atomB) {
+    const std::uint32_t a = copyList(atomA), b = copyList(atomB);
     if (a == b) return a;
     const auto [known, added] = common_.emplace(std::minmax(a, b), 0);
     if (added) known->second = lists_.common(a, b);
@@ -82,7 +82,7 @@ std::uint32_t AssemblyScene::commonListOf(std::uint32_t atomA, std::uint32_t ato
 std::span<const std::uint32_t> AssemblyScene::place(std::span<const std::uint32_t> atoms) {
     atoms_.clear();
     for (const std::uint32_t atom : atoms)
-        if (listOf(atom) != Placement::kNowhere) atoms_.push_back(atom);
+        if (copyList(atom) != Placement::kNowhere) atoms_.push_back(atom);
     if (atoms_.empty()) throw Error("cannot draw assembly", id_, "none of its atoms is drawn");
     return atoms_;
 }
@@ -110,14 +110,14 @@ void AssemblyScene::colorByCopy(Appearance& appearance) {
     const std::size_t count = placement_.transforms.size();
     const auto tint = [](const std::vector<std::uint32_t>& tints, std::vector<std::uint32_t>& colors) {
         for (std::size_t i = 0; i < colors.size(); ++i)
-            if (tints[i]) colors[i] = withSurfaceOf(tints[i], colors[i]);
+            if (tints[i]) colors[i] = withSurfaceFrom(tints[i], colors[i]);
     };
     tint(appearance.tints, appearance.colors);
     for (MeshAtoms* mesh : {&appearance.cartoon, &appearance.surface}) tint(mesh->tints, mesh->colors);
     for (Legend& legend : appearance.legends) {
         if (!legend.scheme.starts_with(colorSchemeName(ColorScheme::copy))) continue;
         if (copyColors_.empty()) {
-            const Palette palette = paletteOf(legend.scheme);
+            const Palette palette = parsePalette(legend.scheme);
             // The palette's darker tones would look like tints.
             const std::size_t tones = legend.entries.size() > 1 ? 1 : 2;
             for (std::size_t i = 0; i < std::min({count, tones * kindCount(palette), kMostCopyColors}); ++i)
@@ -137,7 +137,7 @@ void AssemblyScene::colorByCopy(Appearance& appearance) {
 }
 
 void AssemblyScene::sortByCopies(Appearance& appearance) const {
-    const auto order = orderBy(appearance.atoms.size(), [&](std::size_t i) { return listOf(appearance.atoms[i]); });
+    const auto order = orderBy(appearance.atoms.size(), [&](std::size_t i) { return copyList(appearance.atoms[i]); });
     appearance.atoms = inOrder(appearance.atoms, order);
     appearance.styles = inOrder(appearance.styles, order);
     appearance.colors = inOrder(appearance.colors, order);
@@ -149,12 +149,12 @@ void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {
     std::vector<std::uint32_t> lists;
     std::size_t kept = 0;
     for (const Bond& bond : bonds) {
-        std::uint32_t list = commonListOf(bond.a, bond.b);
+        std::uint32_t list = findCommonList(bond.a, bond.b);
         if (list == Placement::kNowhere) continue;
         // An atom on a special position of a crystal occurs in fewer copies than its bonds.
         if (molecule_.file.format == "cif-core")
             for (const std::uint32_t atom : {bond.a, bond.b})
-                if (placement_.lists[listOf(atom)].size() > placement_.lists[list].size()) list = listOf(atom);
+                if (placement_.lists[copyList(atom)].size() > placement_.lists[list].size()) list = copyList(atom);
         lists.push_back(list);
         bondsOfCopies_ += placement_.lists[list].size();
         bonds[kept++] = bond;
@@ -168,7 +168,7 @@ void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {
 void AssemblyScene::placeContacts(const ContactFinder& finder, const Appearance& appearance,
                                   std::vector<PlacedContact>& contacts, std::vector<std::string>& warnings) {
     for (PlacedContact& contact : contacts) {
-        contact.list = commonListOf(contact.interaction.a.atoms.front(), contact.interaction.b.atoms.front());
+        contact.list = findCommonList(contact.interaction.a.atoms.front(), contact.interaction.b.atoms.front());
         if (contact.list != Placement::kNowhere) contact.copy = placement_.lists[contact.list].front();
     }
     std::erase_if(contacts, [](const PlacedContact& contact) { return contact.list == Placement::kNowhere; });
@@ -184,7 +184,7 @@ void AssemblyScene::addBetweenCopies(const ContactFinder& finder, const Appearan
     constexpr double kReach = 8.2;  // Å, of a water bridge
     std::vector<glm::dvec4> points;
     for (const std::uint32_t atom : atoms_) points.emplace_back(molecule_.atoms[atom].position, 0.0f);
-    const auto relations = copyRelations(placement_.transforms, boundsOf(points), kReach);
+    const auto relations = copyRelations(placement_.transforms, computeBounds(points), kReach);
     if (!relations) {
         warnings.push_back("interactions between copies are left out: more than " + std::to_string(kMostRelatedCopies) +
                            " copies, or more than " + std::to_string(kMostRelations) +
@@ -192,8 +192,8 @@ void AssemblyScene::addBetweenCopies(const ContactFinder& finder, const Appearan
         return;
     }
     const auto stands = [&](std::uint32_t atom, std::uint32_t copy) {
-        if (listOf(atom) == Placement::kNowhere) return false;
-        const std::vector<std::uint32_t>& list = placement_.lists[listOf(atom)];
+        if (copyList(atom) == Placement::kNowhere) return false;
+        const std::vector<std::uint32_t>& list = placement_.lists[copyList(atom)];
         return std::binary_search(list.begin(), list.end(), copy);
     };
     for (const CopyRelation& relation : *relations)
@@ -213,24 +213,24 @@ void AssemblyScene::addBetweenCopies(const ContactFinder& finder, const Appearan
 
 void AssemblyScene::eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm::dvec3& center,
                              const std::function<void(const glm::dmat4x3&, std::uint32_t)>& visit) {
-    const std::uint32_t list = commonListOf(atomA, atomB);
+    const std::uint32_t list = findCommonList(atomA, atomB);
     if (list == Placement::kNowhere) return;
     for (const std::uint32_t copy : placement_.lists[list]) visit(about(placement_.transforms[copy], center), copy);
 }
 
-std::uint32_t AssemblyScene::colorOf(std::uint32_t tint, std::uint32_t copy) const {
+std::uint32_t AssemblyScene::tintColor(std::uint32_t tint, std::uint32_t copy) const {
     return copyColors_.empty() ? tint : tintedColor(copyColors_[copy % copyColors_.size()], tint);
 }
 
 std::size_t AssemblyScene::countCopies(std::span<const std::uint32_t> atoms) const {
     std::size_t count = 0;
-    for (const std::uint32_t atom : atoms) count += placement_.lists[listOf(atom)].size();
+    for (const std::uint32_t atom : atoms) count += placement_.lists[copyList(atom)].size();
     return count;
 }
 
 void AssemblyScene::eachBall(const SeenBalls& seen, const std::function<void(const glm::dvec3&, double)>& visit) const {
     eachRun(
-        seen.balls.size(), [&](std::size_t i) { return listOf(seen.atoms[i]); },
+        seen.balls.size(), [&](std::size_t i) { return copyList(seen.atoms[i]); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
             for (const std::uint32_t copy : placement_.lists[list]) {
                 const glm::dmat4x3& transform = placement_.transforms[copy];
@@ -251,9 +251,9 @@ Bounds AssemblyScene::bounds(const SeenBalls& seen, const std::optional<glm::dve
 Bounds AssemblyScene::roughBounds(const SeenBalls& seen) const {
     std::vector<std::pair<Bounds, std::uint32_t>> parts;
     eachRun(
-        seen.balls.size(), [&](std::size_t i) { return listOf(seen.atoms[i]); },
+        seen.balls.size(), [&](std::size_t i) { return copyList(seen.atoms[i]); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
-            parts.emplace_back(boundsOf(std::span(seen.balls).subspan(first, count)), list);
+            parts.emplace_back(computeBounds(std::span(seen.balls).subspan(first, count)), list);
         });
     return boundsOfEach([&](const auto& visit) {
         for (const auto& [ball, list] : parts)
@@ -289,12 +289,12 @@ void AssemblyScene::finish(Representation& r) {
     if (others > 0) checkNumber(r.spheres.size() + others);  // spheres alone are drawn by levels (sphere_levels.h)
     Copies& copies = r.copies;
     const auto listOfLook = [&](std::uint32_t a, std::uint32_t b) {
-        return r.contactOf(a) ? listOfContact_[a - r.firstContact] : commonListOf(a - 1, b - 1);
+        return r.findContact(a) ? listOfContact_[a - r.firstContact] : findCommonList(a - 1, b - 1);
     };
     eachRun(
         r.spheres.size(), [&](std::size_t i) { return listOfLook(r.sphereLooks[i].atom, r.sphereLooks[i].atom); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
-            copies.spheres.push_back(runOf(list, first, count, [&](std::size_t i, const auto& add) {
+            copies.spheres.push_back(makeRun(list, first, count, [&](std::size_t i, const auto& add) {
                 add(r.spheres[i].center, r.spheres[i].radius);
             }));
         });
@@ -302,18 +302,18 @@ void AssemblyScene::finish(Representation& r) {
         r.cylinders.size(),
         [&](std::size_t i) { return listOfLook(r.cylinderLooks[i].atomA, r.cylinderLooks[i].atomB); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
-            copies.cylinders.push_back(runOf(list, first, count, [&](std::size_t i, const auto& add) {
+            copies.cylinders.push_back(makeRun(list, first, count, [&](std::size_t i, const auto& add) {
                 add(r.cylinders[i].a, r.cylinders[i].radius);
                 add(r.cylinders[i].b, r.cylinders[i].radius);
             }));
         });
     eachRun(
         r.triangles.size(),
-        [&](std::size_t i) { return listOf(r.meshLooks[r.meshVertices[r.triangles[i].a].look].atom - 1); },
+        [&](std::size_t i) { return copyList(r.meshLooks[r.meshVertices[r.triangles[i].a].look].atom - 1); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
-            copies.triangles.push_back(runOf(list, first, count, [&](std::size_t i, const auto& add) {
+            copies.triangles.push_back(makeRun(list, first, count, [&](std::size_t i, const auto& add) {
                 const Triangle& t = r.triangles[i];
-                for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(r.meshVertices[v], t.step()), 0.0f);
+                for (const std::uint32_t v : {t.a, t.b, t.c}) add(decodePosition(r.meshVertices[v], t.step()), 0.0f);
             }));
         });
     keepWholeMeshes(r);

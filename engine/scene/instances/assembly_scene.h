@@ -38,12 +38,12 @@ public:
     /// Bounds of the balls in all copies.
     Bounds bounds(const SeenBalls& seen, const std::optional<glm::dvec3>& about = {}) const;
     /// Index of an atom's list of copies; atoms with the same copies share a list.
-    std::uint32_t listOf(std::uint32_t atom) const;
+    std::uint32_t copyList(std::uint32_t atom) const;
     /// Visits the copies that contain two atoms: their transforms about a centre, and their indices.
     void eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm::dvec3& center,
                   const std::function<void(const glm::dmat4x3&, std::uint32_t)>& visit);
     /// The colour of a tint (copyTint()) in a copy.
-    std::uint32_t colorOf(std::uint32_t tint, std::uint32_t copy) const;
+    std::uint32_t tintColor(std::uint32_t tint, std::uint32_t copy) const;
     /// Number of atoms in all their copies.
     std::size_t countCopies(std::span<const std::uint32_t> atoms) const;
     /// Sets the copies of a representation that has its primitives but no copies yet. @throws Error if there are too
@@ -51,7 +51,7 @@ public:
     void finish(Representation& representation);
 
 private:
-    std::uint32_t commonListOf(std::uint32_t atomA, std::uint32_t atomB);
+    std::uint32_t findCommonList(std::uint32_t atomA, std::uint32_t atomB);
     void addBetweenCopies(const ContactFinder& finder, const Appearance& appearance,
                           std::vector<PlacedContact>& contacts, std::vector<std::string>& warnings);
     Bounds roughBounds(const SeenBalls& seen) const;

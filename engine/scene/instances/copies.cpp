@@ -23,10 +23,10 @@ constexpr std::size_t kMostNamed = 20;  // in a message
 // Bounds the sum over all lists of copies: with a list per chain, each may be as long as all transforms.
 constexpr std::size_t kMostListedCopies = std::size_t{1} << 23;
 
-const Assembly& assemblyOf(const Molecule& molecule, const std::string& id) {
+const Assembly& findAssembly(const Molecule& molecule, const std::string& id) {
     for (const Assembly& assembly : molecule.assemblies)
         if (assembly.id == id) return assembly;
-    if (const std::string why = leftOutWarningOf(molecule, id); !why.empty())
+    if (const std::string why = findLeftOutWarning(molecule, id); !why.empty())
         throw Error("cannot draw assembly", id, why);
     if (molecule.assemblies.empty()) throw Error("cannot draw assembly", id, "the file states no assemblies");
     std::string names;
@@ -115,18 +115,18 @@ std::uint32_t CopyLists::common(std::uint32_t a, std::uint32_t b) {
 }
 
 Placement placeAssembly(const Molecule& molecule, const std::string& id) {
-    const Assembly& assembly = assemblyOf(molecule, id);
+    const Assembly& assembly = findAssembly(molecule, id);
     checkRigid(assembly);
     Placement placement;
     const std::vector<std::vector<std::uint32_t>> copiesOfPart = numberTransforms(assembly, placement.transforms);
     // Subchains that occur in the same parts have the same copies.
-    std::vector<std::vector<std::uint32_t>> partsOf(molecule.subchains.size());
+    std::vector<std::vector<std::uint32_t>> subchainParts(molecule.subchains.size());
     for (std::uint32_t part = 0; part < assembly.parts.size(); ++part)
-        for (const std::uint32_t subchain : assembly.parts[part].subchains) partsOf[subchain].push_back(part);
+        for (const std::uint32_t subchain : assembly.parts[part].subchains) subchainParts[subchain].push_back(part);
     std::size_t listed = 0;
     std::map<std::vector<std::uint32_t>, std::uint32_t> listOfParts{{{}, Placement::kNowhere}};
     CopyLists lists(placement.lists);
-    for (const std::vector<std::uint32_t>& parts : partsOf) {
+    for (const std::vector<std::uint32_t>& parts : subchainParts) {
         const auto [known, added] = listOfParts.emplace(parts, 0);
         if (added) {
             const std::size_t before = listed;

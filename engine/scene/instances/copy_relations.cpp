@@ -26,7 +26,7 @@ glm::dmat4x3 after(const glm::dmat4x3& second, const glm::dmat4x3& first) {
 
 /// Relations that are equal up to rounding have the same key, except on the border of two keys, where they are searched
 /// twice. Files state five to ten digits.
-std::array<long long, 12> keyOf(const glm::dmat4x3& image, const glm::dvec3& centre) {
+std::array<long long, 12> makeKey(const glm::dmat4x3& image, const glm::dvec3& centre) {
     std::array<long long, 12> key{};
     const glm::dvec3 moved = image * glm::dvec4(centre, 1.0);
     for (int i = 0; i < 9; ++i) key[static_cast<std::size_t>(i)] = std::llround(image[i / 3][i % 3] * 2000);
@@ -49,13 +49,13 @@ std::optional<std::vector<CopyRelation>> copyRelations(const std::vector<glm::dm
             if (glm::distance(centers[a], centers[b]) > 2 * sphere.radius + reach) continue;
             if (++pairs > kMostPairs) return std::nullopt;
             const glm::dmat4x3 forth = after(inverse(transforms[a]), transforms[b]);
-            if (const auto found = known.find(keyOf(forth, sphere.center)); found != known.end()) {
+            if (const auto found = known.find(makeKey(forth, sphere.center)); found != known.end()) {
                 relations[found->second].pairs.emplace_back(a, b);
-            } else if (const auto back = known.find(keyOf(inverse(forth), sphere.center)); back != known.end()) {
+            } else if (const auto back = known.find(makeKey(inverse(forth), sphere.center)); back != known.end()) {
                 relations[back->second].pairs.emplace_back(b, a);
             } else {
                 if (relations.size() == kMostRelations) return std::nullopt;
-                known.emplace(keyOf(forth, sphere.center), relations.size());
+                known.emplace(makeKey(forth, sphere.center), relations.size());
                 relations.push_back({forth, {{a, b}}});
             }
         }

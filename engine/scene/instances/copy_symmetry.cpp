@@ -34,12 +34,12 @@ struct Motion {
 class MotionTable {
 public:
     MotionTable(const std::vector<Motion>& motions, double reach) : motions_(motions), reach_(reach) {
-        for (std::uint32_t i = 0; i < motions.size(); ++i) sorted_.push_back({markOf(motions[i]), i});
+        for (std::uint32_t i = 0; i < motions.size(); ++i) sorted_.push_back({computeMark(motions[i]), i});
         std::sort(sorted_.begin(), sorted_.end());
     }
     /// Index of a motion that agrees with `wanted` within the tolerance everywhere within reach; or -1.
     std::int64_t find(const Motion& wanted) const {
-        const double mark = markOf(wanted);
+        const double mark = computeMark(wanted);
         const std::pair<double, std::uint32_t> from{mark - kTolerance, 0};
         for (auto it = std::lower_bound(sorted_.begin(), sorted_.end(), from);
              it != sorted_.end() && it->first <= mark + kTolerance; ++it)
@@ -49,7 +49,7 @@ public:
 
 private:
     /// Coordinate of the moved generic point, which is within reach and on no symmetry axis.
-    double markOf(const Motion& m) const {
+    double computeMark(const Motion& m) const {
         return (m.turn * (glm::dvec3(0.4273, -0.6131, 0.5417) * reach_) + m.shift).x;
     }
     bool same(const Motion& a, const Motion& b) const {

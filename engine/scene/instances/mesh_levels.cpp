@@ -12,7 +12,7 @@ namespace {
 struct Drawn {
     std::uint32_t first = 0, count = 0;
 };
-Drawn drawnOf(const Representation& r, const MeshRun& mesh, double error) {
+Drawn pickLevel(const Representation& r, const MeshRun& mesh, double error) {
     Drawn drawn{mesh.first, mesh.count};
     for (const MeshRun::Level& level : mesh.levels)
         if (static_cast<double>(level.error) <= error)
@@ -98,15 +98,15 @@ void dropFinestMeshes(Representation& r) {
         mesh.first = first;
     }
     moved.emplace_back(static_cast<std::uint32_t>(r.triangles.size()), static_cast<std::uint32_t>(kept.size()));
-    const auto placeOf = [&](std::uint32_t number) {
+    const auto newNumber = [&](std::uint32_t number) {
         const auto after = std::upper_bound(moved.begin(), moved.end(), std::pair{number, ~0u});
         const auto& [was, is] = *(after - 1);
         return is + number - was;
     };
     const auto move = [&](auto& runs) {
         for (auto& run : runs) {
-            const std::uint32_t end = placeOf(run.first + run.count);
-            run.first = placeOf(run.first);
+            const std::uint32_t end = newNumber(run.first + run.count);
+            run.first = newNumber(run.first);
             run.count = end - run.first;
         }
     };
@@ -139,7 +139,7 @@ std::vector<PrimitiveRun> drawnRuns(const Representation& r, double error) {
                                 end = std::min(run.first + run.count, mesh.first + mesh.count);
             if (first >= end) continue;
             // A mesh that is drawn in parts has no levels.
-            addDrawn(run, mesh.levels.empty() ? Drawn{first, end - first} : drawnOf(r, mesh, error), runs);
+            addDrawn(run, mesh.levels.empty() ? Drawn{first, end - first} : pickLevel(r, mesh, error), runs);
         }
     return runs;
 }
@@ -155,7 +155,7 @@ void fitBuffer(Representation& r, std::uint64_t bytes) {
     while (shapeBytes(r) > bytes && !r.coarseTriangles.empty()) dropFinestLevel(r);
 }
 
-std::vector<MeshLevelCount> levelsOf(const Representation& r, std::span<const TriangleCall> calls) {
+std::vector<MeshLevelCount> countLevels(const Representation& r, std::span<const TriangleCall> calls) {
     struct Part {
         std::uint32_t first, count;
         float error;

@@ -31,6 +31,6 @@ struct TriangleCall {
 };
 
 /// For each level of any mesh, finest first.
-std::vector<MeshLevelCount> levelsOf(const Representation& representation, std::span<const TriangleCall> calls);
+std::vector<MeshLevelCount> countLevels(const Representation& representation, std::span<const TriangleCall> calls);
 
 }  // namespace nacre

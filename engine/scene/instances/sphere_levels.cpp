@@ -178,8 +178,8 @@ private:
 };
 
 /// The atoms' mean colour, weighted by visible area, and the number of the most visible one.
-SphereLook lookOf(std::span<const SphereLook> looks, std::span<const float> areas,
-                  std::span<const std::uint32_t> atoms) {
+SphereLook averageLook(std::span<const SphereLook> looks, std::span<const float> areas,
+                       std::span<const std::uint32_t> atoms) {
     const std::uint32_t most =
         *std::max_element(atoms.begin(), atoms.end(), [&](auto a, auto b) { return areas[a] < areas[b]; });
     SphereLook look = looks[most];
@@ -206,7 +206,7 @@ SphereLevels levelsOfPart(const Representation& r, const PrimitiveRun& run) {
     LeveledPart part;
     part.list = run.list;
     for (std::uint32_t step = 0; part.levels.empty() || part.levels.back().count > 1; ++step) {
-        const std::vector<const Tree::Node*> nodes = tree.within(SphereLevels::errorOf(step));
+        const std::vector<const Tree::Node*> nodes = tree.within(SphereLevels::levelError(step));
         if (!part.levels.empty() && nodes.size() > 1 &&
             static_cast<float>(nodes.size()) > kFewer * static_cast<float>(part.levels.back().count))
             continue;
@@ -214,7 +214,7 @@ SphereLevels levelsOfPart(const Representation& r, const PrimitiveRun& run) {
             {static_cast<std::uint32_t>(made.spheres.size()), static_cast<std::uint32_t>(nodes.size()), step});
         for (const Tree::Node* node : nodes) {
             made.spheres.push_back(node->sphere);
-            made.looks.push_back(lookOf(looks, areas, tree.atoms(*node)));
+            made.looks.push_back(averageLook(looks, areas, tree.atoms(*node)));
         }
         const std::size_t padded = (made.spheres.size() + kSpheres - 1) / kSpheres * kSpheres;
         made.spheres.resize(padded);
@@ -224,7 +224,7 @@ SphereLevels levelsOfPart(const Representation& r, const PrimitiveRun& run) {
     return made;
 }
 
-SphereLevels::Ball ballOf(std::span<const Sphere> spheres) {
+SphereLevels::Ball boundingBall(std::span<const Sphere> spheres) {
     glm::vec3 low(kFarOff), high(-kFarOff);
     for (const Sphere& s : spheres) {
         low = glm::min(low, s.center - s.radius);
@@ -244,11 +244,11 @@ void addBalls(SphereLevels& all) {
         for (const SphereLevel& level : part.levels)
             for (std::uint32_t first = 0; first < level.count; first += kSpheres) {
                 const std::uint32_t count = std::min(kSpheres, level.count - first);
-                const auto ball = ballOf(std::span(all.spheres).subspan(level.first + first, count));
+                const auto ball = boundingBall(std::span(all.spheres).subspan(level.first + first, count));
                 all.balls[(level.first + first) / kSpheres] = ball;
                 bounds.push_back({ball.center, ball.radius});
             }
-        const SphereLevels::Ball whole = ballOf(bounds);
+        const SphereLevels::Ball whole = boundingBall(bounds);
         part.center = whole.center;
         part.radius = whole.radius;
     }
@@ -275,7 +275,7 @@ bool canHaveLevels(const Representation& r) {
            });
 }
 
-SphereLevels sphereLevelsOf(const Representation& r) {
+SphereLevels makeSphereLevels(const Representation& r) {
     std::vector<SphereLevels> ofRuns(r.copies.spheres.size());
     inParallel(ofRuns.size(), [&](std::size_t i) { ofRuns[i] = levelsOfPart(r, r.copies.spheres[i]); });
     SphereLevels all;

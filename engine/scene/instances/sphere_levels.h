@@ -13,7 +13,7 @@ namespace nacre {
 /// One level: each sphere represents an atom, or as many neighbours as the error allows.
 struct SphereLevel {
     std::uint32_t first = 0, count = 0;  ///< of SphereLevels::spheres; `first` is a multiple of kSpheres
-    std::uint32_t step = 0;              ///< of SphereLevels::errorOf()
+    std::uint32_t step = 0;              ///< of SphereLevels::levelError()
 };
 
 /// Spheres with the same copies.
@@ -34,7 +34,7 @@ struct SphereLevels {
     };
 
     /// Largest difference between the outlines of a level and of the atoms, Å; grows by half with every step.
-    static float errorOf(std::uint32_t step) {
+    static float levelError(std::uint32_t step) {
         return step == 0 ? 0 : 0.35f * std::exp2(0.5f * static_cast<float>(step - 1));
     }
 
@@ -55,6 +55,6 @@ bool hasNumbers(const Representation& representation);
 bool canHaveLevels(const Representation& representation);
 
 /// Builds levels once per part, not per copy.
-SphereLevels sphereLevelsOf(const Representation& representation);
+SphereLevels makeSphereLevels(const Representation& representation);
 
 }  // namespace nacre

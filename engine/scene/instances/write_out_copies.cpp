@@ -29,8 +29,8 @@ Mesh meshOfRun(const Representation& r, const PrimitiveRun& run) {
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
             if (places[v] == UINT32_MAX) {
                 places[v] = static_cast<std::uint32_t>(mesh.positions.size());
-                mesh.positions.push_back(positionOf(r.meshVertices[v], t.step()));
-                mesh.normals.push_back(normalOf(r.meshVertices[v]));
+                mesh.positions.push_back(decodePosition(r.meshVertices[v], t.step()));
+                mesh.normals.push_back(decodeNormal(r.meshVertices[v]));
                 mesh.atoms.push_back(r.meshVertices[v].look);
                 mesh.margins.push_back(t.weight(corner));
             }

@@ -41,7 +41,7 @@ Bounds boundsOfEach(const EachBall& eachBall, const std::optional<glm::dvec3>& a
 }
 
 /// @param balls  centre and radius of each, Å; at least one
-inline Bounds boundsOf(std::span<const glm::dvec4> balls, const std::optional<glm::dvec3>& about = {}) {
+inline Bounds computeBounds(std::span<const glm::dvec4> balls, const std::optional<glm::dvec3>& about = {}) {
     const auto each = [&](const auto& visit) {
         for (const glm::dvec4& ball : balls) visit(ball, ball.w);
     };

@@ -29,7 +29,7 @@ struct Turn {
 };
 
 /// Distance at which the bounding sphere fills the picture.
-double eyeDistanceOf(const Camera& camera, double radius) {
+double computeEyeDistance(const Camera& camera, double radius) {
     return radius / (kFill * std::sin(radians(camera.fovDegrees) / 2.0));
 }
 
@@ -44,7 +44,7 @@ glm::dmat3 rotationMatrix(const glm::dvec3& degrees) {
     return rz * ry * rx;
 }
 
-View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint32_t height) {
+View makeView(const Camera& camera, double radius, std::uint32_t width, std::uint32_t height) {
     View view;
     view.width = width;
     view.height = height;
@@ -58,7 +58,7 @@ View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint3
     } else {
         constexpr double kNearest = 1.02;  // minimum distance of the eye, relative to the radius
         const double half = radians(camera.fovDegrees) / 2.0;
-        view.eyeDistance = eyeDistanceOf(camera, radius);
+        view.eyeDistance = computeEyeDistance(camera, radius);
         if (camera.eyeDistance) view.eyeDistance = std::max(*camera.eyeDistance, radius * kNearest);
         view.pixelsPerAngstrom = shorter / (2.0 * view.eyeDistance * std::tan(half));
     }
@@ -84,12 +84,12 @@ Camera absoluteCamera(const View& view, double fovDegrees, const glm::dvec3& cen
 
 Camera relativeCamera(Camera camera, double& radius) {
     constexpr std::uint32_t kAnySize = 1000;
-    const View wanted = viewOf(camera, radius, kAnySize, kAnySize);
-    if (camera.eyeDistance) radius *= wanted.eyeDistance / eyeDistanceOf(camera, radius);
+    const View wanted = makeView(camera, radius, kAnySize, kAnySize);
+    if (camera.eyeDistance) radius *= wanted.eyeDistance / computeEyeDistance(camera, radius);
     camera.scale.reset();
     camera.eyeDistance.reset();
     camera.zoom = 1;
-    camera.zoom = wanted.pixelsPerAngstrom / viewOf(camera, radius, kAnySize, kAnySize).pixelsPerAngstrom;
+    camera.zoom = wanted.pixelsPerAngstrom / makeView(camera, radius, kAnySize, kAnySize).pixelsPerAngstrom;
     return camera;
 }
 
@@ -121,7 +121,7 @@ View scaled(View view, double factor) {
     return view;
 }
 
-View partOf(View view, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height) {
+View cropView(View view, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height) {
     const glm::dvec2 middle(x + width / 2.0, y + height / 2.0);
     const glm::dvec2 away = middle - glm::dvec2(view.width, view.height) / 2.0;
     view.pan += glm::dvec2(-away.x, away.y) / view.pixelsPerAngstrom;

@@ -67,14 +67,14 @@ glm::dmat3 rotationMatrix(const glm::dvec3& degrees);
 /// Orthographic: the sphere (C, R) fills 95 % of the shorter side at zoom 1. Perspective: the eye is at R / (0.95
 /// sin(fov / 2)) and zoom scales the image plane. A scale or eye distance of the camera replaces these; the eye stays
 /// outside the sphere.
-View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint32_t height);
+View makeView(const Camera& camera, double radius, std::uint32_t width, std::uint32_t height);
 
-/// The camera of a view, independent of the drawn scene: viewOf() returns the same view for any radius.
+/// The camera of a view, independent of the drawn scene: makeView() returns the same view for any radius.
 /// @param center  of the view's scene, Å in the file's frame
 Camera absoluteCamera(const View& view, double fovDegrees, const glm::dvec3& center);
 
 /// The same camera, with zoom and radius instead of scale and eye distance. @param radius  of the scene, Å; becomes the
-/// one from which viewOf() computes the eye
+/// one from which makeView() computes the eye
 Camera relativeCamera(Camera camera, double& radius);
 
 /// The view of an eye beside the axis of a perspective view: parallel to it, with a shifted frustum.
@@ -90,7 +90,7 @@ View otherView(View view);
 View scaled(View view, double factor);
 
 /// The view of a rectangle of the picture. @param x, y  its top left corner, pixels
-View partOf(View view, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height);
+View cropView(View view, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height);
 
 /// The point on the image plane (Å, before pan) at a point of the picture. @param x, y pixels from the top left
 glm::dvec2 planePointAt(const View& view, double x, double y);

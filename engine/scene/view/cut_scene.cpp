@@ -121,7 +121,7 @@ private:
         Polygon polygon;
         bool spared = true;
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
-            polygon.push_back({positionOf(vertices[v], t.step()), normalOf(vertices[v]), vertices[v].look});
+            polygon.push_back({decodePosition(vertices[v], t.step()), decodeNormal(vertices[v]), vertices[v].look});
             spared = spared && isSpared(looks[vertices[v].look].atom);
         }
         if (!spared) {

@@ -20,13 +20,13 @@ namespace {
 
 using Balls = std::vector<glm::dvec4>;
 
-glm::dvec3 meanOf(const Balls& balls) {
+glm::dvec3 computeMean(const Balls& balls) {
     glm::dvec3 sum(0);
     for (const glm::dvec4& ball : balls) sum += glm::dvec3(ball);
     return sum / static_cast<double>(balls.size());
 }
 
-PrincipalAxes axesOf(const Balls& balls, const glm::dvec3& mean) {
+PrincipalAxes findAxes(const Balls& balls, const glm::dvec3& mean) {
     glm::dmat3 covariance(0.0);
     for (const glm::dvec4& ball : balls) {
         const glm::dvec3 p = glm::dvec3(ball) - mean;
@@ -115,7 +115,7 @@ Balls without(const Balls& all, Balls some) {
 }
 
 /// A sample of the balls, spread evenly through the list.
-Balls sampleOf(const Balls& balls, std::size_t most) {
+Balls takeSample(const Balls& balls, std::size_t most) {
     Balls some;
     const std::size_t step = (balls.size() + most - 1) / most;
     for (std::size_t i = 0; i < balls.size(); i += step) some.push_back(balls[i]);
@@ -170,7 +170,7 @@ void eachDrawnBall(const Representation& scene, const Visit& visit) {
         visit(glm::dvec4(place * glm::dvec4(s.center, 1.0), s.radius));
     };
     const auto ofVertex = [&](const MeshVertex& vertex, float step, const glm::dmat4x3& place) {
-        visit(glm::dvec4(place * glm::dvec4(positionOf(vertex, step), 1.0), 0.0));
+        visit(glm::dvec4(place * glm::dvec4(decodePosition(vertex, step), 1.0), 0.0));
     };
     forEachCopy(scene.copies, scene.copies.spheres, scene.spheres.size(), kEveryCopy, ofSphere);
     forEachVertex(scene, kEveryCopy, ofVertex);
@@ -218,7 +218,7 @@ std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vect
     };
     const auto addVertex = [&](const MeshVertex& vertex, float step, const glm::dmat4x3& place) {
         if (chosen[scene.meshLooks[vertex.look].atom - 1])
-            balls.emplace_back(place * glm::dvec4(positionOf(vertex, step), 1.0), 0.0);
+            balls.emplace_back(place * glm::dvec4(decodePosition(vertex, step), 1.0), 0.0);
     };
     forEachCopy(scene.copies, scene.copies.spheres, scene.spheres.size(), 1, addSphere);
     forEachVertex(scene, 1, addVertex);
@@ -235,8 +235,8 @@ std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vect
 glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide) {
     constexpr double kAlike = 0.01;  // of the largest variance
     if (balls.size() < 2) return {1, 0, 0, 0};
-    const glm::dvec3 mean = meanOf(balls);
-    const PrincipalAxes axes = axesOf(balls, mean);
+    const glm::dvec3 mean = computeMean(balls);
+    const PrincipalAxes axes = findAxes(balls, mean);
     const auto alike = [&](std::size_t i, std::size_t j) {
         return axes.values[i] - axes.values[j] < kAlike * axes.values[0];
     };
@@ -258,21 +258,21 @@ glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide)
 bool isSlab(const std::vector<glm::dvec4>& balls) {
     constexpr double kThin = 0.4;  // relative to the next variance: 63 % of the spread
     if (balls.size() < 3) return false;
-    const PrincipalAxes axes = axesOf(balls, meanOf(balls));
+    const PrincipalAxes axes = findAxes(balls, computeMean(balls));
     return axes.values[2] < kThin * axes.values[1];
 }
 
 glm::dquat edgeOnOrientation(const std::vector<glm::dvec4>& slab) {
-    const glm::dvec3 mean = meanOf(slab);
-    const PrincipalAxes axes = axesOf(slab, mean);
+    const glm::dvec3 mean = computeMean(slab);
+    const PrincipalAxes axes = findAxes(slab, mean);
     const glm::dvec3 up = directed(axes.ways[2], slab, mean), right = directed(axes.ways[0], slab, mean);
     return glm::normalize(glm::quat_cast(glm::transpose(glm::dmat3(right, up, glm::cross(right, up)))));
 }
 
 /// How much of the picture a target covers, seen along each direction: the area of its spread's ellipse.
-std::vector<double> breadthsOf(const Balls& target, const std::vector<glm::dvec3>& ways) {
+std::vector<double> measureBreadths(const Balls& target, const std::vector<glm::dvec3>& ways) {
     constexpr double kAtom = 1;  // Å², of a single atom
-    const glm::dvec3 middle = meanOf(target);
+    const glm::dvec3 middle = computeMean(target);
     glm::dmat3 spread(0.0);
     for (const glm::dvec4& ball : target) {
         const glm::dvec3 off = glm::dvec3(ball) - middle;
@@ -294,13 +294,13 @@ glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::v
     constexpr double kOutward = 0.15, kSharpness = 12;  // weight of the outward direction; a cone of about 20 degrees
     constexpr double kNarrow = 0.5;                     // weight of a target seen edge-on
     const glm::dvec3 viewer = glm::transpose(from) * glm::dvec3(0, 0, 1);
-    const glm::dvec3 middle = meanOf(target), out = middle - meanOf(all);
+    const glm::dvec3 middle = computeMean(target), out = middle - computeMean(all);
     const glm::dvec3 outward = glm::length(out) > 0.5 ? glm::normalize(out) : viewer;
     const std::vector<glm::dvec3> ways = directionsAround(kDirections);
-    const std::vector<double> open = openShares(sampleOf(target, kMostTargets), without(all, target), ways);
+    const std::vector<double> open = openShares(takeSample(target, kMostTargets), without(all, target), ways);
     glm::dvec3 best = viewer;
     double most = -1;
-    const std::vector<double> breadths = breadthsOf(target, ways);
+    const std::vector<double> breadths = measureBreadths(target, ways);
     const double broadest = *std::max_element(breadths.begin(), breadths.end());
     for (std::size_t w = 0; w < ways.size(); ++w) {
         const glm::dvec3& way = ways[w];
@@ -324,10 +324,10 @@ glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::v
 }
 
 Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radius, double margin, double mostZoom) {
-    const Bounds bounds = boundsOf(target);
+    const Bounds bounds = computeBounds(target);
     camera.scale.reset();
     camera.eyeDistance.reset();
-    const View view = viewOf(camera, radius, 1000, 1000);
+    const View view = makeView(camera, radius, 1000, 1000);
     const glm::dvec3 middle = view.rotation * bounds.center;
     const double magnify =
         view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - middle.z) : 1.0;
@@ -340,7 +340,7 @@ Camera fitted(Camera camera, const Representation& scene, const Representation* 
               std::uint32_t width, std::uint32_t height, double mostZoom) {
     constexpr double kFill = 0.95, kMost = 1e7;
     if (drawnBallCount(scene) > kMost || (camera.center && camera.scale)) return camera;
-    const View view = viewOf(camera, radius, width, height);
+    const View view = makeView(camera, radius, width, height);
     const bool perspective = view.projection == Projection::perspective;
     glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
     const auto hold = [&](const glm::dvec4& ball) {
@@ -366,7 +366,7 @@ double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm:
     // Å: vertices of a surface or cartoon are so dense that they leave no gaps
     constexpr double kVertexReach = 0.6;
     constexpr std::size_t kMostAsked = 1000;
-    Balls seen = sampleOf(target, kMostAsked);
+    Balls seen = takeSample(target, kMostAsked);
     const std::size_t asked = seen.size();
     if (asked == 0) return 0;
     glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
@@ -388,10 +388,10 @@ double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm:
     return static_cast<double>(asked - seen.size()) / static_cast<double>(asked);
 }
 
-glm::dmat3 principalAxesOf(std::span<const glm::dvec3> points) {
+glm::dmat3 findPrincipalAxes(std::span<const glm::dvec3> points) {
     Balls balls;
     for (const glm::dvec3& point : points) balls.emplace_back(point, 0.0);
-    const PrincipalAxes axes = axesOf(balls, meanOf(balls));
+    const PrincipalAxes axes = findAxes(balls, computeMean(balls));
     return {axes.ways[0], axes.ways[1], axes.ways[2]};
 }
 

@@ -57,6 +57,6 @@ double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm:
 
 /// Columns: unit vectors in the directions of largest, middle and least spread; their signs are arbitrary.
 /// @param points  at least one
-glm::dmat3 principalAxesOf(std::span<const glm::dvec3> points);
+glm::dmat3 findPrincipalAxes(std::span<const glm::dvec3> points);
 
 }  // namespace nacre

@@ -18,14 +18,14 @@ namespace {
 // a fraction of it, so that all of them are in front of the eye.
 constexpr double kNearestPlane = 5, kRoomShare = 0.8;
 
-glm::dvec3 unitOf(const glm::dvec3& v, const glm::dvec3& otherwise) {
+glm::dvec3 normalizedOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double length = glm::length(v);
     return length > 1e-9 && std::isfinite(length) ? v / length : otherwise;
 }
 
 /// Rows are the axes of the picture: right, up, to the viewer.
-glm::dmat3 rotationOf(const SceneCamera& camera) {
-    const glm::dvec3 back = unitOf(-camera.direction, {0, 0, 1});
+glm::dmat3 makeRotation(const SceneCamera& camera) {
+    const glm::dvec3 back = normalizedOr(-camera.direction, {0, 0, 1});
     glm::dvec3 right = glm::cross(camera.up, back);
     if (glm::length(right) < 1e-9)
         right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), back);
@@ -89,8 +89,8 @@ void keepTriangles(Representation& r, const Keep& keep) {
 
 }  // namespace
 
-SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, double reach, std::uint32_t width,
-                 std::uint32_t height) {
+SceneView makeView(const SceneCamera& camera, const Camera& hand, bool ortho, double reach, std::uint32_t width,
+                   std::uint32_t height) {
     const double half = glm::radians(camera.fovDegrees) / 2;
     const double shape = std::min(1.0, static_cast<double>(width) / height);
     const double distance = camera.distance > 0 ? camera.distance : camera.radius / shape / std::sin(half);
@@ -98,7 +98,7 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
     View& view = result.view;
     view.width = width;
     view.height = height;
-    view.rotation = rotationMatrix(hand.rotationDegrees) * rotationOf(camera);
+    view.rotation = rotationMatrix(hand.rotationDegrees) * makeRotation(camera);
     view.pixelsPerAngstrom = height / (2 * distance * std::tan(half)) * hand.zoom;
     view.pan = hand.pan;
     if (ortho) {
@@ -122,7 +122,7 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
     return result;
 }
 
-SceneCamera cameraOf(const View& view, const glm::dvec3& center, bool whole) {
+SceneCamera makeCamera(const View& view, const glm::dvec3& center, bool whole) {
     SceneCamera camera;
     const glm::dmat3 back = glm::transpose(view.rotation);
     const double half = glm::radians(camera.fovDegrees) / 2;
@@ -163,7 +163,7 @@ void dropOutside(Representation& r, const SceneView& seen) {
     keepTriangles(r, [&](const Triangle& t) {
         double low = Clip::kNone, high = -Clip::kNone;
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
-            const double at = depth(positionOf(r.meshVertices[v], t.step()));
+            const double at = depth(decodePosition(r.meshVertices[v], t.step()));
             low = std::min(low, at);
             high = std::max(high, at);
         }
@@ -190,7 +190,7 @@ std::vector<glm::dvec3> extremePoints(std::span<const glm::dvec4> balls) {
 }
 
 std::vector<glm::dvec3> movedOut(std::span<const glm::dvec3> points, const Bounds& sphere, double room) {
-    const glm::dmat3 axes = principalAxesOf(points);
+    const glm::dmat3 axes = findPrincipalAxes(points);
     std::vector<glm::dvec3> moved;
     moved.reserve(points.size());
     for (const glm::dvec3& point : points) {

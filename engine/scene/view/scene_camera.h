@@ -18,13 +18,13 @@ struct SceneView {
 /// @param hand   rotation in degrees, zoom and pan; its projection and angle are ignored
 /// @param ortho  orthographic instead of perspective, with the same scale at the target
 /// @param reach  largest distance of the scene from the target, Å
-SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, double reach, std::uint32_t width,
-                 std::uint32_t height);
+SceneView makeView(const SceneCamera& camera, const Camera& hand, bool ortho, double reach, std::uint32_t width,
+                   std::uint32_t height);
 
 /// The perspective camera with a view's picture: it has the same scale at the plane through the target.
 /// @param center  of the view's scene, in the file's frame @param whole  steps back until its planes cut away little of
 /// the view, and nothing of a scene that fills the picture
-SceneCamera cameraOf(const View& view, const glm::dvec3& center, bool whole);
+SceneCamera makeCamera(const View& view, const glm::dvec3& center, bool whole);
 
 /// Omits primitives that are entirely before or behind the planes: an eye may be among atoms. Copies that cross a plane
 /// are written out.

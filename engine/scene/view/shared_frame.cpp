@@ -25,7 +25,7 @@ void eachBall(const ResidueFacts& facts, const DrawnAtomsOptions& drawnOptions, 
         assembly.emplace(model, options.assembly);
         drawn = assembly->place(drawn);
     }
-    Appearance appearance = appearanceOf(facts, drawn, options);
+    Appearance appearance = makeAppearance(facts, drawn, options);
     if (assembly) assembly->sortByCopies(appearance);
     const SeenBalls seen = seenBalls(model, appearance);
     if (assembly) return assembly->eachBall(seen, visit);
@@ -44,7 +44,7 @@ public:
             assembly.emplace(molecule_, options.assembly);
             placed = assembly->place(placed);
         }
-        Appearance own = appearanceOf(facts, placed, options);
+        Appearance own = makeAppearance(facts, placed, options);
         options_.style = own.style;  // models also share that
         options_.color = ColorScheme::element;
         std::erase_if(options_.rules, [](const Rule& rule) { return rule.action == Rule::Action::color; });

@@ -60,7 +60,7 @@ public:
         each(scene_.copies.triangles, scene_.triangles.size(), first, [&](std::size_t i, const glm::dmat4x3& place) {
             const Triangle& t = scene_.triangles[i];
             const auto corner = [&](std::uint32_t v) {
-                return at(place, positionOf(scene_.meshVertices[v], t.step()));
+                return at(place, decodePosition(scene_.meshVertices[v], t.step()));
             };
             visit(i, std::array{corner(t.a), corner(t.b), corner(t.c)});
         });
@@ -84,23 +84,23 @@ public:
     /// A contact's dashes belong to no atom and cover nothing: they go with its atoms.
     bool isContact(std::uint32_t number) const { return number > chosen_.size(); }
     bool isPart(std::uint32_t atom) const { return !isContact(atom) && chosen_[atom - 1]; }
-    std::array<std::uint32_t, 3> atomsOf(const Triangle& t) const {
+    std::array<std::uint32_t, 3> triangleAtoms(const Triangle& t) const {
         const auto atom = [&](std::uint32_t v) { return scene_.meshLooks[scene_.meshVertices[v].look].atom; };
         return {atom(t.a), atom(t.b), atom(t.c)};
     }
     /// Sticks and triangles between the part and its neighbours neither belong to it nor cover it.
-    std::size_t chosenOf(const Triangle& t) const {
+    std::size_t countChosen(const Triangle& t) const {
         std::size_t count = 0;
-        for (const std::uint32_t atom : atomsOf(t)) count += isPart(atom);
+        for (const std::uint32_t atom : triangleAtoms(t)) count += isPart(atom);
         return count;
     }
-    std::size_t chosenOf(const CylinderLook& look) const {
+    std::size_t countChosen(const CylinderLook& look) const {
         return std::size_t{isPart(look.atomA)} + std::size_t{isPart(look.atomB)};
     }
 
     /// Whether a triangle covers the part: a translucent one does not.
     bool covers(const Triangle& t) const {
-        return chosenOf(t) == 0 && (!through_ || translucencyOf(scene_, t) == Translucency::opaque);
+        return countChosen(t) == 0 && (!through_ || classifyTranslucency(scene_, t) == Translucency::opaque);
     }
 
     void count(const Placed& placed, const PartPicture& picture, double nearest);
@@ -116,7 +116,7 @@ public:
     bool isGone(const SphereLook& look) const { return atomsGone_.contains(look.atom); }
     bool isGone(std::size_t stick) const { return sticksGone_.contains(static_cast<std::uint32_t>(stick)); }
     bool isGone(const Triangle& t) const {
-        const auto atoms = atomsOf(t);
+        const auto atoms = triangleAtoms(t);
         return std::any_of(atoms.begin(), atoms.end(), [&](std::uint32_t atom) { return atomsGone_.contains(atom); });
     }
     std::size_t covered() const { return covered_; }
@@ -142,17 +142,17 @@ void Covers::count(const Placed& placed, const PartPicture& picture, double near
     };
     placed.eachSphere(false, [&](std::size_t i, const glm::dvec3& center, double radius) {
         const std::uint32_t atom = scene_.sphereLooks[i].atom;
-        if (!isPart(atom) && !isContact(atom) && translucencyOf(scene_.sphereLooks[i]) == Translucency::opaque)
+        if (!isPart(atom) && !isContact(atom) && classifyTranslucency(scene_.sphereLooks[i]) == Translucency::opaque)
             picture.eachOfBall(center, radius, note(byAtom_, atom));
     });
     placed.eachStick(false, [&](std::size_t i, const glm::dvec3& center, double radius) {
         const CylinderLook& look = scene_.cylinderLooks[i];
-        if (chosenOf(look) == 0 && !isContact(look.atomA) && translucencyOf(look) == Translucency::opaque)
+        if (countChosen(look) == 0 && !isContact(look.atomA) && classifyTranslucency(look) == Translucency::opaque)
             picture.eachOfBall(center, radius, note(byStick_, i));
     });
     placed.eachTriangle(false, [&](std::size_t i, const std::array<glm::dvec3, 3>& corners) {
         const Triangle& t = scene_.triangles[i];
-        if (covers(t)) picture.eachOfTriangle(corners, note(byAtom_, atomsOf(t)[0]));
+        if (covers(t)) picture.eachOfTriangle(corners, note(byAtom_, triangleAtoms(t)[0]));
     });
     covered_ = static_cast<std::size_t>(std::count(covered.begin(), covered.end(), true));
 }
@@ -160,13 +160,13 @@ void Covers::count(const Placed& placed, const PartPicture& picture, double near
 void Covers::peel(const Placed& placed, double nearest) {
     placed.eachSphere(false, [&](std::size_t i, const glm::dvec3& center, double) {
         const std::uint32_t atom = scene_.sphereLooks[i].atom;
-        const bool opaque = translucencyOf(scene_.sphereLooks[i]) == Translucency::opaque;
+        const bool opaque = classifyTranslucency(scene_.sphereLooks[i]) == Translucency::opaque;
         if (center.z > nearest && !isPart(atom) && !isContact(atom) && opaque) atomsGone_.insert(atom);
     });
     placed.eachTriangle(false, [&](std::size_t i, const std::array<glm::dvec3, 3>& corners) {
         const Triangle& t = scene_.triangles[i];
         const bool before = (corners[0].z + corners[1].z + corners[2].z) / 3 > nearest;
-        if (before && covers(t)) atomsGone_.insert(atomsOf(t)[0]);
+        if (before && covers(t)) atomsGone_.insert(triangleAtoms(t)[0]);
     });
 }
 
@@ -220,7 +220,7 @@ public:
         const auto isAtom = [&](std::uint32_t number) { return number > 0 && number < sets_.count(); };
         if (isAtom(a) && isAtom(b)) sets_.join(a, b);
     }
-    std::uint32_t rootOf(std::uint32_t atom) { return sets_.rootOf(atom); }
+    std::uint32_t findRoot(std::uint32_t atom) { return sets_.findRoot(atom); }
 
 private:
     DisjointSets sets_;
@@ -242,7 +242,7 @@ void Covers::dropScraps() {
     }
     std::unordered_map<std::uint64_t, std::uint32_t> atomAt, leftAt;  // by vertex position
     for (const Triangle& t : scene_.triangles) {
-        const auto atoms = atomsOf(t);
+        const auto atoms = triangleAtoms(t);
         const bool left = !isGone(t);
         join(atoms[0], atoms[1], left);
         join(atoms[1], atoms[2], left);
@@ -258,27 +258,27 @@ void Covers::dropScraps() {
     std::unordered_set<std::uint32_t> seen, holdPart;
     const auto count = [&](std::uint32_t atom) {
         if (atom == 0 || atom > chosen_.size() || !seen.insert(atom).second) return;
-        ++sizesBefore[before.rootOf(atom)];
+        ++sizesBefore[before.findRoot(atom)];
         if (!stays(atom)) return;
-        ++sizesAfter[after.rootOf(atom)];
-        if (chosen_[atom - 1]) holdPart.insert(after.rootOf(atom));
+        ++sizesAfter[after.findRoot(atom)];
+        if (chosen_[atom - 1]) holdPart.insert(after.findRoot(atom));
     };
     for (const SphereLook& look : scene_.sphereLooks) count(look.atom);
     for (const SphereLook& look : scene_.meshLooks) count(look.atom);
     std::unordered_map<std::uint32_t, Box> boxes;  // by the roots of the remaining sets
     const auto widen = [&](std::uint32_t atom, const glm::dvec3& place) {
-        if (seen.contains(atom) && stays(atom)) boxes[after.rootOf(atom)].add(place);
+        if (seen.contains(atom) && stays(atom)) boxes[after.findRoot(atom)].add(place);
     };
     for (std::size_t i = 0; i < scene_.spheres.size(); ++i) widen(scene_.sphereLooks[i].atom, scene_.spheres[i].center);
     for (const Triangle& t : scene_.triangles)
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
             const MeshVertex& vertex = scene_.meshVertices[v];
-            widen(scene_.meshLooks[vertex.look].atom, positionOf(vertex, t.step()));
+            widen(scene_.meshLooks[vertex.look].atom, decodePosition(vertex, t.step()));
         }
     for (const std::uint32_t atom : seen) {
         if (!stays(atom)) continue;
-        const std::uint32_t root = after.rootOf(atom);
-        const std::size_t size = sizesAfter[root], whole = sizesBefore[before.rootOf(atom)];
+        const std::uint32_t root = after.findRoot(atom);
+        const std::size_t size = sizesAfter[root], whole = sizesBefore[before.findRoot(atom)];
         if (size < whole && glm::distance(boxes[root].low, boxes[root].high) < kShort &&
             static_cast<double>(size) < kSmall * static_cast<double>(whole) && !holdPart.contains(root))
             atomsGone_.insert(atom);
@@ -352,10 +352,10 @@ bool draw(const Placed& placed, const Representation& scene, const Covers& cover
             if (covers.isPart(scene.sphereLooks[i].atom)) ball(center, radius);
         });
         placed.eachStick(true, [&](std::size_t i, const glm::dvec3& center, double radius) {
-            if (covers.chosenOf(scene.cylinderLooks[i]) == 2) ball(center, radius);
+            if (covers.countChosen(scene.cylinderLooks[i]) == 2) ball(center, radius);
         });
         placed.eachTriangle(true, [&](std::size_t i, const std::array<glm::dvec3, 3>& corners) {
-            if (covers.chosenOf(scene.triangles[i]) == 3) triangle(corners);
+            if (covers.countChosen(scene.triangles[i]) == 3) triangle(corners);
         });
     };
     bool any = false;

@@ -23,11 +23,11 @@ std::vector<double> visibleDepths(const std::vector<glm::dvec4>& balls, const Vi
     for (const glm::dvec4& ball : balls) {
         const glm::dvec3 v = view.rotation * glm::dvec3(ball);
         const double radius = std::max(ball.w, kVertexReach);
-        const auto cellOf = [&](double at) {
+        const auto findCell = [&](double at) {
             return std::clamp(static_cast<int>((at + reach) / cell), 0, kDepthCells - 1);
         };
-        for (int y = cellOf(v.y - radius); y <= cellOf(v.y + radius); ++y)
-            for (int x = cellOf(v.x - radius); x <= cellOf(v.x + radius); ++x) {
+        for (int y = findCell(v.y - radius); y <= findCell(v.y + radius); ++y)
+            for (int x = findCell(v.x - radius); x <= findCell(v.x + radius); ++x) {
                 const glm::dvec2 middle((x + 0.5) * cell - reach, (y + 0.5) * cell - reach);
                 if (glm::distance(middle, glm::dvec2(v)) > std::max(radius, cell)) continue;
                 double& there = nearest[static_cast<std::size_t>(y) * kDepthCells + static_cast<std::size_t>(x)];

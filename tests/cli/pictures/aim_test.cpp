@@ -17,36 +17,36 @@ using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
 
-nlohmann::json viewOf(const TemporaryFolder& folder, const std::string& options) {
+nlohmann::json renderView(const TemporaryFolder& folder, const std::string& options) {
     const Outcome outcome =
         nacreIn(folder, "render -q -o a.png --size 64x48 --occlusion off --stats s.json " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return nlohmann::json::parse(test::contentOf(folder / "s.json"))["view"];
+    return nlohmann::json::parse(test::readContents(folder / "s.json"))["view"];
 }
 
 TEST(Aim, ViewsAreToldSoThatTheyCanBeRepeated) {
     const TemporaryFolder folder;
-    const nlohmann::json file = viewOf(folder, "sample:dna");
+    const nlohmann::json file = renderView(folder, "sample:dna");
     EXPECT_EQ(file["orientation"], nlohmann::json({1.0, 0.0, 0.0, 0.0}));
     EXPECT_GT(file["zoom"], 1.0) << "its picture is narrower than its sphere";
-    EXPECT_EQ(viewOf(folder, "sample:dna --zoom 1")["zoom"], 1.0);
+    EXPECT_EQ(renderView(folder, "sample:dna --zoom 1")["zoom"], 1.0);
     const nlohmann::json aimed =
-        viewOf(folder, "sample:dna --orient principal --zoom-to 'chain A and resi 3' --rotate 0,0,10");
+        renderView(folder, "sample:dna --orient principal --zoom-to 'chain A and resi 3' --rotate 0,0,10");
     EXPECT_NE(aimed["rotation"], file["rotation"]);
     EXPECT_GT(aimed["zoom"], 1.5);
     // What it says, as a saved view: the same picture.
-    const std::string picture = test::contentOf(folder / "a.png");
+    const std::string picture = test::readContents(folder / "a.png");
     nlohmann::json view = {{"input", "sample:dna"}};
     for (const char* key : {"orientation", "zoom", "pan", "clip", "uncover"}) view[key] = aimed[key];
     std::ofstream(folder / "v.json") << view.dump();
-    const nlohmann::json repeated = viewOf(folder, "--view v.json");
-    EXPECT_TRUE(test::contentOf(folder / "a.png") == picture);  // bytes are no reading
+    const nlohmann::json repeated = renderView(folder, "--view v.json");
+    EXPECT_TRUE(test::readContents(folder / "a.png") == picture);  // bytes are no reading
     EXPECT_NEAR(repeated["pixels_per_angstrom"].get<double>(), aimed["pixels_per_angstrom"].get<double>(), 1e-9);
     // What hides it is left out there, too; `off` leaves it.
     EXPECT_EQ(aimed["uncover"], "chain A and resi 3");
-    EXPECT_TRUE(viewOf(folder, "--view v.json --uncover off").at("uncover").is_null());
-    EXPECT_FALSE(test::contentOf(folder / "a.png") == picture);
-    EXPECT_TRUE(viewOf(folder, "sample:dna --zoom-to 'chain A' --clip off").at("uncover").is_null());
+    EXPECT_TRUE(renderView(folder, "--view v.json --uncover off").at("uncover").is_null());
+    EXPECT_FALSE(test::readContents(folder / "a.png") == picture);
+    EXPECT_TRUE(renderView(folder, "sample:dna --zoom-to 'chain A' --clip off").at("uncover").is_null());
     // Labels of what is left out are left out with a word.
     EXPECT_NE(nacreIn(folder,
                       "render sample:dna -o a.png --size 64x48 --occlusion off --orient principal "
@@ -54,8 +54,8 @@ TEST(Aim, ViewsAreToldSoThatTheyCanBeRepeated) {
                   .err.find("no label at chain B and resi 20 and name P: none"),
               std::string::npos);
     // The file's frame again, whatever the view says.
-    EXPECT_EQ(viewOf(folder, "--view v.json --orient file")["orientation"], file["orientation"]);
-    EXPECT_NE(viewOf(folder, "sample:dna --look-at 'chain B and resi 20'")["rotation"], file["rotation"]);
+    EXPECT_EQ(renderView(folder, "--view v.json --orient file")["orientation"], file["orientation"]);
+    EXPECT_NE(renderView(folder, "sample:dna --look-at 'chain B and resi 20'")["rotation"], file["rotation"]);
 }
 
 /// What is drawn, in pixels.
@@ -64,7 +64,7 @@ struct Extent {
     int width() const { return right - left + 1; }
     int height() const { return bottom - top + 1; }
 };
-Extent extentOf(const TemporaryFolder& folder, const std::string& options) {
+Extent measureExtent(const TemporaryFolder& folder, const std::string& options) {
     const Outcome outcome = nacreIn(
         folder, "render -q -o a.png --size 300x200 --occlusion off --background transparent --stats s.json " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -85,7 +85,7 @@ TEST(Aim, ThePictureIsFilledUnlessItsScaleIsGiven) {
     const TemporaryFolder folder;
     for (const char* options :
          {"", " --rotate 0,0,90", " --rotate 30,40,50 --style cartoon", " --projection perspective"}) {
-        const Extent e = extentOf(folder, std::string("sample:dna") + options);
+        const Extent e = measureExtent(folder, std::string("sample:dna") + options);
         EXPECT_TRUE(e.width() >= 280 || e.height() >= 187) << options << e.width() << " " << e.height();
         EXPECT_TRUE(e.width() <= 290 && e.height() <= 194) << options << e.width() << " " << e.height();
         EXPECT_NEAR(e.left, 299 - e.right, 4) << options;
@@ -94,8 +94,8 @@ TEST(Aim, ThePictureIsFilledUnlessItsScaleIsGiven) {
     // Views that say how large keep to it: 95 % of the shorter side are the molecule's sphere.
     for (const char* json : {R"({"input": "sample:dna", "zoom": 1})", R"({"input": "sample:dna"})"}) {
         std::ofstream(folder / "v.json") << json;
-        EXPECT_LT(extentOf(folder, "--view v.json").height(), 187);
-        const auto view = nlohmann::json::parse(test::contentOf(folder / "s.json"))["view"];
+        EXPECT_LT(measureExtent(folder, "--view v.json").height(), 187);
+        const auto view = nlohmann::json::parse(test::readContents(folder / "s.json"))["view"];
         EXPECT_NEAR(view["pixels_per_angstrom"].get<double>(), 0.95 * 200 / (2 * view["radius"].get<double>()), 1e-9);
     }
 }
@@ -105,7 +105,7 @@ TEST(Aim, NothingToAimAtIsAnError) {
     const auto fault = [&](const std::string& options) {
         const Outcome outcome = nacreIn(folder, "render sample:dna -o a.png --size 32x32 " + options);
         EXPECT_NE(outcome.code, 0);
-        EXPECT_EQ(test::contentOf(folder / "a.png"), "");
+        EXPECT_EQ(test::readContents(folder / "a.png"), "");
         return outcome.err;
     };
     EXPECT_EQ(fault("--look-at ligand"), "nacre: error: cannot look at: ligand: the molecule has no such atoms\n");

@@ -127,7 +127,7 @@ TEST(AppearanceOptions, CartoonsTakeTheColoursOfChains) {
 
 TEST(AppearanceOptions, ACartoonIsOfGuideAtomsAndItsParts) {
     const TemporaryFolder folder;
-    const auto atomsOf = [&](const std::string& options) {
+    const auto readAtoms = [&](const std::string& options) {
         const Outcome outcome = nacreIn(folder,
                                         "render sample:dna -o a.png --layers l.exr --size 128x128 --occlusion off "
                                         "--style cartoon " +
@@ -140,13 +140,13 @@ TEST(AppearanceOptions, ACartoonIsOfGuideAtomsAndItsParts) {
         return pixels;
     };
     // The backbone is its C4's, of carbon as proteins' CA are; sticks are the C1's, plates the C4's.
-    auto plates = atomsOf("");
+    auto plates = readAtoms("");
     EXPECT_GT(plates["C4'"], 500);
     EXPECT_EQ(plates["P"], 0);
     EXPECT_GT(plates["C4"], 200);
     EXPECT_GT(plates["C1'"], 100);
     EXPECT_LE(plates.size(), 4u);
-    auto ladder = atomsOf("--bases ladder --show 'chain A and name C5=licorice'");
+    auto ladder = readAtoms("--bases ladder --show 'chain A and name C5=licorice'");
     EXPECT_EQ(ladder["C4"], 0);
     EXPECT_GT(ladder["N1"], 50);
     EXPECT_GT(ladder["C5"], 5);
@@ -200,7 +200,7 @@ TEST(AppearanceOptions, ColoursAndLegendReachPictureAndStats) {
                 "--show 'elem C=licorice' --color-by 'resn QQQ=chain'");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "nacre: warning: 'resn QQQ' matches no atoms to color\n");
-    const auto stats = nlohmann::json::parse(test::contentOf(folder / "s.json"));
+    const auto stats = nlohmann::json::parse(test::readContents(folder / "s.json"));
     EXPECT_EQ(stats["legend"].dump(),
               R"([{"entries":[{"color":"#ff0000","label":"C"}],"scheme":"element:#ff0000","selection":"all"},)"
               R"({"entries":[{"color":"#0000ff","label":"#0000ff"}],"scheme":"#0000ff","selection":"elem O"}])");

@@ -35,7 +35,7 @@ struct DrawnFigure {
     }
 };
 
-DrawnFigure figureOf(const TemporaryFolder& folder, const std::string& panels, const std::string& options) {
+DrawnFigure drawFigure(const TemporaryFolder& folder, const std::string& panels, const std::string& options) {
     std::ofstream(folder / "p.jsonl") << panels;
     const Outcome outcome = nacreIn(folder, "figure p.jsonl -o f.png -q --cache off --occlusion off " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -61,7 +61,7 @@ void writeAtoms(const TemporaryFolder& folder) {
 TEST(Figure, PanelsHaveOneScaleAndOneCentre) {
     const TemporaryFolder folder;
     writeAtoms(folder);
-    const DrawnFigure figure = figureOf(
+    const DrawnFigure figure = drawFigure(
         folder, "{\"input\": \"a.xyz\"}\n{\"input\": \"b.xyz\"}\n{\"input\": \"a.xyz\", \"hide\": [\"elem N\"]}\n",
         "--size 200x160 --style spacefill --letters off --lighting off");
     constexpr int kGap = 25;  // 6 points at 300 dots per inch
@@ -93,17 +93,17 @@ TEST(Figure, HasLettersAndOneScaleBar) {
     writeAtoms(folder);
     const std::string panels = "{\"input\": \"b.xyz\"}\n{\"input\": \"b.xyz\"}\n";
     const std::string options = "--size 240x240 --zoom 0.5 --gap 0 --columns 1 ";
-    const DrawnFigure plain = figureOf(folder, panels, options + "--letters off");
+    const DrawnFigure plain = drawFigure(folder, panels, options + "--letters off");
     ASSERT_EQ(plain.width, 240);
     ASSERT_EQ(plain.height, 480);
     for (const int top : {0, 240}) EXPECT_EQ(plain.inkIn(0, top, 40, top + 40), 0);
-    const DrawnFigure small = figureOf(folder, panels, options),
-                      capital = figureOf(folder, panels, options + "--letters A");
+    const DrawnFigure small = drawFigure(folder, panels, options),
+                      capital = drawFigure(folder, panels, options + "--letters A");
     for (const int top : {0, 240}) {
         EXPECT_GT(small.inkIn(0, top, 40, top + 40), 10);
         EXPECT_GT(capital.inkIn(0, top, 40, top + 40), small.inkIn(0, top, 40, top + 40));
     }
-    const DrawnFigure bar = figureOf(folder, panels, options + "--letters off --scale-bar angstrom");
+    const DrawnFigure bar = drawFigure(folder, panels, options + "--letters off --scale-bar angstrom");
     EXPECT_EQ(bar.inkIn(120, 180, 240, 240), plain.inkIn(120, 180, 240, 240));
     EXPECT_GT(bar.inkIn(120, 420, 240, 480), plain.inkIn(120, 420, 240, 480) + 50);
 }
@@ -112,8 +112,8 @@ TEST(Figure, APanelMayTurnButNotScale) {
     const TemporaryFolder folder;
     writeAtoms(folder);
     const DrawnFigure figure =
-        figureOf(folder, "{\"input\": \"b.xyz\"}\n{\"input\": \"b.xyz\", \"rotate\": \"0,0,90\"}\n",
-                 "--size 200x200 --gap 0 --letters off --lighting off");
+        drawFigure(folder, "{\"input\": \"b.xyz\"}\n{\"input\": \"b.xyz\", \"rotate\": \"0,0,90\"}\n",
+                   "--size 200x200 --gap 0 --letters off --lighting off");
     const auto extent = [&](int left, bool across) {
         int first = 200, last = 0;
         for (int y = 0; y < 200; ++y)
@@ -145,11 +145,11 @@ TEST(Figure, NoPanelIsCropped) {
     const TemporaryFolder folder;
     writeAtoms(folder);
     // The second panel's balls are larger, the third's molecule reaches farther, the fourth is seen from another side.
-    const DrawnFigure figure =
-        figureOf(folder,
-                 "{\"input\": \"b.xyz\", \"ball-scale\": 0.2, \"style\": \"ball-and-stick\"}\n{\"input\": \"b.xyz\"}\n"
-                 "{\"input\": \"a.xyz\"}\n{\"input\": \"a.xyz\", \"rotate\": [0, 0, 45]}\n",
-                 "--size 200x200 --gap 0 --letters off --style spacefill --columns 4");
+    const DrawnFigure figure = drawFigure(
+        folder,
+        "{\"input\": \"b.xyz\", \"ball-scale\": 0.2, \"style\": \"ball-and-stick\"}\n{\"input\": \"b.xyz\"}\n"
+        "{\"input\": \"a.xyz\"}\n{\"input\": \"a.xyz\", \"rotate\": [0, 0, 45]}\n",
+        "--size 200x200 --gap 0 --letters off --style spacefill --columns 4");
     ASSERT_EQ(figure.width, 800);
     for (int panel = 0; panel < 4; ++panel) {
         const int left = 200 * panel;
@@ -164,8 +164,8 @@ TEST(Figure, OptionsOfAllPanelsGiveOneCamera) {
     writeAtoms(folder);
     for (const char* side : {"--rotate 0,0,30", "--orient principal", "--zoom-to 'elem O' --uncover off"}) {
         const DrawnFigure figure =
-            figureOf(folder, "{\"input\": \"a.xyz\"}\n{\"input\": \"a.xyz\", \"hide\": [\"elem N\"]}\n",
-                     std::string("--size 200x160 --gap 0 --style spacefill --letters off --lighting off ") + side);
+            drawFigure(folder, "{\"input\": \"a.xyz\"}\n{\"input\": \"a.xyz\", \"hide\": [\"elem N\"]}\n",
+                       std::string("--size 200x160 --gap 0 --style spacefill --letters off --lighting off ") + side);
         int red = 0, other = 0;
         for (int y = 0; y < 160; ++y)
             for (int x = 0; x < 200; ++x) {
@@ -186,7 +186,7 @@ TEST(Figure, ACloseUpKeepsTheScaleUnlessItsLineHasOne) {
     const std::string panels =
         "{\"input\": \"a.xyz\"}\n{\"input\": \"a.xyz\", \"zoom-to\": \"id 1\", \"hide\": [\"id 2\"]}\n"
         "{\"input\": \"a.xyz\", \"zoom-to\": \"id 1\", \"zoom\": 1, \"hide\": [\"id 2\"]}\n";
-    const DrawnFigure figure = figureOf(folder, panels, options + "--uncover off");
+    const DrawnFigure figure = drawFigure(folder, panels, options + "--uncover off");
     const double both = redColumns(figure, 0, 240, 240), one = redColumns(figure, 240, 480, 240);
     EXPECT_NEAR(both, 2 * one, 2);
     // 95 % of the side for a ball of oxygen with 3 Å around it.
@@ -194,7 +194,7 @@ TEST(Figure, ACloseUpKeepsTheScaleUnlessItsLineHasOne) {
     EXPECT_NEAR(redColumns(figure, 480, 720, 240), 0.95 * 240 * kRadius / (kRadius + 3), 2);
     EXPECT_LT(one, 70);
     // A bar for each scale.
-    const DrawnFigure bars = figureOf(folder, panels, options + "--uncover off --scale-bar angstrom");
+    const DrawnFigure bars = drawFigure(folder, panels, options + "--uncover off --scale-bar angstrom");
     for (const int left : {0, 240, 480}) {
         const int more = bars.inkIn(left + 120, 200, left + 240, 240) - figure.inkIn(left + 120, 200, left + 240, 240);
         EXPECT_EQ(more > 0, left > 0) << left << ": " << more;

@@ -54,13 +54,13 @@ std::string drifting(int frames) {
     });
 }
 
-nlohmann::json viewOf(const TemporaryFolder& folder, const std::string& options) {
+nlohmann::json renderView(const TemporaryFolder& folder, const std::string& options) {
     const Outcome outcome = nacreIn(folder,
                                     "render a.xyz --trajectory t.dcd -o a.png --stats s.json --size 64x64 "
                                     "--occlusion off " +
                                         options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return nlohmann::json::parse(contentOf(folder / "s.json"))["view"];
+    return nlohmann::json::parse(readContents(folder / "s.json"))["view"];
 }
 
 TEST(FrameCamera, IsThatOfTheFirstFrameUnlessEachIsToHaveItsOwn) {
@@ -68,19 +68,20 @@ TEST(FrameCamera, IsThatOfTheFirstFrameUnlessEachIsToHaveItsOwn) {
     std::ofstream(folder / "a.xyz") << "4\nnames\nC 9 9 9\nC 9 9 8\nC 9 9 7\nC 9 9 6\n";
     std::ofstream(folder / "t.dcd", std::ios::binary) << drifting(5);
     for (const char* lens : {"", " --projection perspective"}) {
-        const nlohmann::json first = viewOf(folder, lens), fifth = viewOf(folder, std::string("--frame 5") + lens);
+        const nlohmann::json first = renderView(folder, lens),
+                             fifth = renderView(folder, std::string("--frame 5") + lens);
         EXPECT_NEAR(first["center"][0].get<double>(), 2.25, 1e-6);
         EXPECT_EQ(fifth["center"], first["center"]) << lens;
         EXPECT_EQ(fifth["pixels_per_angstrom"], first["pixels_per_angstrom"]) << lens;
         EXPECT_GT(fifth["radius"].get<double>(), 10) << "all atoms are seen, however far they went";
     }
-    const nlohmann::json own = viewOf(folder, "--frame 5 --camera model");
+    const nlohmann::json own = renderView(folder, "--frame 5 --camera model");
     EXPECT_NEAR(own["center"][0].get<double>(), 5.25, 1e-6);
     EXPECT_NEAR(own["center"][1].get<double>(), 8, 1e-6);
 }
 
 /// The least depth of an atom in a file of layers, Å.
-float nearestOf(const std::string& path, float atom) {
+float readNearest(const std::string& path, float atom) {
     const auto input = OIIO::ImageInput::open(path);
     const OIIO::ImageSpec& spec = input->spec();
     const auto channels = static_cast<std::size_t>(spec.nchannels);
@@ -101,8 +102,8 @@ TEST(FrameCamera, DepthsOfAllFramesCountFromOnePlane) {
     for (const char* lens : {"", " --projection perspective"}) {
         std::vector<float> depths;
         for (const char* frame : {"1", "3", "5"}) {
-            viewOf(folder, std::string("--zoom 0.3 --layers l.exr --frame ") + frame + lens);
-            depths.push_back(nearestOf(folder / "l.exr", 4));
+            renderView(folder, std::string("--zoom 0.3 --layers l.exr --frame ") + frame + lens);
+            depths.push_back(readNearest(folder / "l.exr", 4));
         }
         // They drift across the view, whose plane is that of the file's z.
         EXPECT_NEAR(depths[1], depths[0], 0.1) << lens;
@@ -133,10 +134,10 @@ TEST(SavedTrajectory, IsFoundBesideItsViewByItsHash) {
         else
             EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), said.empty() ? 0 : 1) << outcome.err;
-        return outcome.code == 0 ? contentOf(folder / "a.png") : "";
+        return outcome.code == 0 ? readContents(folder / "a.png") : "";
     };
     ASSERT_EQ(nacreIn(folder, "render sent/a.xyz --trajectory sent/t.dcd --frame 2" + small).code, 0);
-    const std::string picture = contentOf(folder / "a.png"), stated = ", \"trajectory-hash\": \"" + hash + "\"";
+    const std::string picture = readContents(folder / "a.png"), stated = ", \"trajectory-hash\": \"" + hash + "\"";
     view("t.dcd", "");
     EXPECT_EQ(drawn(""), picture);
     view("/nowhere/at/all/t.dcd", stated);
@@ -161,13 +162,13 @@ TEST(SavedTrajectory, IsFoundBesideItsViewByItsHash) {
     EXPECT_EQ(before.substr(0, 9), "41943040-");
 }
 
-std::string pictureOf(const TemporaryFolder& folder, const std::string& options) {
+std::string renderPicture(const TemporaryFolder& folder, const std::string& options) {
     const Outcome outcome = nacreIn(folder,
                                     "render a.xyz --trajectory t.dcd -o p.png -q --size 96x96 --style spacefill "
                                     "--occlusion off " +
                                         options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return contentOf(folder / "p.png");
+    return readContents(folder / "p.png");
 }
 
 TEST(Frames, StillsAreFittedToTheFirst) {
@@ -180,14 +181,14 @@ TEST(Frames, StillsAreFittedToTheFirst) {
         const double turned[4][2] = {{x, y}, {-y, x}, {-x, -y}, {y, -x}};
         return axis == 2 ? kPlaces[i][2] : turned[f][axis] + 2 * f;
     });
-    const std::string first = pictureOf(folder, "--frame 1");
-    EXPECT_FALSE(pictureOf(folder, "--frame 3") == first);
-    EXPECT_FALSE(pictureOf(folder, "--frame 2 --fit-frames 'elem C+O+N'") == pictureOf(folder, "--frame 2"));
+    const std::string first = renderPicture(folder, "--frame 1");
+    EXPECT_FALSE(renderPicture(folder, "--frame 3") == first);
+    EXPECT_FALSE(renderPicture(folder, "--frame 2 --fit-frames 'elem C+O+N'") == renderPicture(folder, "--frame 2"));
     for (const char* frame : {"2", "3", "4"}) {
-        const nlohmann::json view = viewOf(folder, std::string("--fit-frames all --frame ") + frame);
+        const nlohmann::json view = renderView(folder, std::string("--fit-frames all --frame ") + frame);
         EXPECT_NEAR(view["center"][0].get<double>(), 2, 1e-4) << frame;
         // Positions agree up to the rounding of floats: so do nearly all pixels.
-        pictureOf(folder, std::string("--fit-frames all --frame ") + frame);
+        renderPicture(folder, std::string("--fit-frames all --frame ") + frame);
         std::vector<unsigned char> a(96 * 96 * 3), b = a;
         std::ofstream(folder / "first.png", std::ios::binary) << first;
         OIIO::ImageInput::open(folder / "first.png")->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, a.data());
@@ -202,9 +203,9 @@ TEST(Frames, TitlesNameThem) {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.xyz") << "4\nnames\nC 9 9 9\nC 9 9 8\nC 9 9 7\nC 9 9 6\n";
     std::ofstream(folder / "t.dcd", std::ios::binary) << drifting(5);
-    const std::string third = pictureOf(folder, "--frame 3 --title 'frame 3 of five'");
-    EXPECT_TRUE(pictureOf(folder, "--frame 3 --title 'frame {frame} of five'") == third);
-    EXPECT_FALSE(pictureOf(folder, "--frame 3 --title 'frame {time} of five'") == third);
+    const std::string third = renderPicture(folder, "--frame 3 --title 'frame 3 of five'");
+    EXPECT_TRUE(renderPicture(folder, "--frame 3 --title 'frame {frame} of five'") == third);
+    EXPECT_FALSE(renderPicture(folder, "--frame 3 --title 'frame {time} of five'") == third);
 }
 
 }  // namespace

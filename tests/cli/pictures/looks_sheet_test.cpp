@@ -11,9 +11,9 @@
 namespace nacre {
 namespace {
 
-using test::contentOf;
 using test::nacreIn;
 using test::Outcome;
+using test::readContents;
 using test::TemporaryFolder;
 
 std::string drawnBy(const TemporaryFolder& folder, const std::string& options) {
@@ -21,7 +21,7 @@ std::string drawnBy(const TemporaryFolder& folder, const std::string& options) {
         nacreIn(folder, "looks sample:dna -o sheet.png --rotate 0,30,0 --occlusion 16 --cache off --validate --size " +
                             options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return contentOf(folder / "sheet.png");
+    return readContents(folder / "sheet.png");
 }
 
 TEST(LooksSheet, IsTheSameOnEveryPathWithoutAWordFromValidation) {
@@ -33,7 +33,7 @@ TEST(LooksSheet, IsTheSameOnEveryPathWithoutAWordFromValidation) {
     }
 }
 
-std::vector<std::uint8_t> bytesOf(const std::string& path, std::size_t& width) {
+std::vector<std::uint8_t> readPicture(const std::string& path, std::size_t& width) {
     const auto input = OIIO::ImageInput::open(path);
     if (!input) throw std::runtime_error(path + ": " + OIIO::geterror());
     width = static_cast<std::size_t>(input->spec().width);
@@ -54,9 +54,9 @@ TEST(LooksSheet, IsWhatItWasWhenItWasLookedAt) {
                                         {"looks_surface_sheet", "64x64 --style surface --zoom 2"}}) {
         drawnBy(folder, options);
         std::size_t width = 0, goldenWidth = 0;
-        const std::vector<std::uint8_t> drawn = bytesOf(folder / "sheet.png", width),
-                                        wanted = bytesOf(std::string(NACRE_SOURCE_DIR) + "/tests/cli/" + name + ".png",
-                                                         goldenWidth);
+        const std::vector<std::uint8_t> drawn = readPicture(folder / "sheet.png", width),
+                                        wanted = readPicture(
+                                            std::string(NACRE_SOURCE_DIR) + "/tests/cli/" + name + ".png", goldenWidth);
         ASSERT_EQ(drawn.size(), wanted.size());
         ASSERT_EQ(width, goldenWidth);
         double sum = 0, far = 0;

@@ -17,7 +17,7 @@ using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
 
-std::vector<float> pixelsOf(const std::string& path) {
+std::vector<float> readPixels(const std::string& path) {
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(path, &config);
@@ -39,7 +39,7 @@ constexpr const char* kBase = "render sample:glucose --size 200x160 --occlusion 
 TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
     const TemporaryFolder folder;
     ASSERT_EQ(nacreIn(folder, std::string(kBase) + "-o plain.png").code, 0);
-    const std::vector<float> plain = pixelsOf(folder / "plain.png");
+    const std::vector<float> plain = readPixels(folder / "plain.png");
     const std::pair<const char*, const char*> options[] = {
         {"--label 'elem O={element}_{id}'", R"("labels": ["elem O={element}_{id}"])"},
         {"--measure 1,2,3", R"("measures": ["1,2,3"])"},
@@ -51,10 +51,10 @@ TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
         const Outcome outcome = nacreIn(folder, std::string(kBase) + "-o a.png " + option);
         ASSERT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_EQ(outcome.err, "");
-        EXPECT_GT(differing(plain, pixelsOf(folder / "a.png")), 100u) << option;
+        EXPECT_GT(differing(plain, readPixels(folder / "a.png")), 100u) << option;
         std::ofstream(folder / "v.json") << "{\"input\": \"sample:glucose\", " << keys << "}";
         ASSERT_EQ(nacreIn(folder, "render --view v.json --size 200x160 --occlusion off -o b.png").code, 0) << keys;
-        EXPECT_TRUE(test::contentOf(folder / "a.png") == test::contentOf(folder / "b.png")) << keys;
+        EXPECT_TRUE(test::readContents(folder / "a.png") == test::readContents(folder / "b.png")) << keys;
     }
 }
 
@@ -74,10 +74,10 @@ TEST(PictureOptions, TransparentEdgesAreRightOnBlackAndOnWhite) {
     const TemporaryFolder folder;
     const std::string draw = "render sample:dna --zoom 1 --size 160x160 --occlusion off --look default -o ";
     ASSERT_EQ(nacreIn(folder, draw + "open.png --transparent").code, 0);
-    const std::vector<float> open = pixelsOf(folder / "open.png");
+    const std::vector<float> open = readPixels(folder / "open.png");
     for (const float ground : {0.0f, 1.0f}) {
         ASSERT_EQ(nacreIn(folder, draw + "on.png --background " + (ground > 0 ? "white" : "black")).code, 0);
-        const std::vector<float> on = pixelsOf(folder / "on.png");
+        const std::vector<float> on = readPixels(folder / "on.png");
         ASSERT_EQ(open.size() / 4, on.size() / 3);
         double sum = 0;
         for (std::size_t i = 0; i < on.size(); ++i) {
@@ -94,7 +94,7 @@ TEST(PictureOptions, AThumbnailIsSmallAndTurnedToItsAxes) {
     const auto draws = [&](const std::string& options) {
         const Outcome outcome = nacreIn(folder, "render sample:dna --occlusion 4 -o a.png " + options);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return test::contentOf(folder / "a.png");
+        return test::readContents(folder / "a.png");
     };
     const std::string small = draws("--size 64x64 --orient principal --occlusion-detail 12");
     EXPECT_TRUE(draws("--thumbnail 64") == small);
@@ -102,14 +102,14 @@ TEST(PictureOptions, AThumbnailIsSmallAndTurnedToItsAxes) {
     EXPECT_FALSE(draws("--thumbnail 64 --orient file") == small);
     std::ofstream(folder / "jobs") << R"({"input": "sample:dna", "output": "b.png", "thumbnail": 64, "occlusion": 4})";
     EXPECT_EQ(nacreIn(folder, "batch jobs").code, 0);
-    EXPECT_TRUE(test::contentOf(folder / "b.png") == small);
+    EXPECT_TRUE(test::readContents(folder / "b.png") == small);
 }
 
 TEST(PictureOptions, AThumbnailIsNearlyAsGoodAsFullOcclusion) {
     const TemporaryFolder folder;
     const auto draws = [&](const std::string& options) {
         EXPECT_EQ(nacreIn(folder, "render sample:dna --cache off -o a.png " + options).code, 0);
-        return pixelsOf(folder / "a.png");
+        return readPixels(folder / "a.png");
     };
     const std::vector<float> small = draws("--thumbnail 256");
     EXPECT_EQ(small, draws("--size 256x256 --orient principal --occlusion-detail 12 --occlusion 64"));
@@ -127,8 +127,8 @@ TEST(WordOptions, LayersAndDebugViewsHaveNoWords) {
                                       ".png --layers " + (*title ? "b" : "a") + ".exr " + title)
                       .code,
                   0);
-    EXPECT_TRUE(test::contentOf(folder / "a.png") == test::contentOf(folder / "b.png"));
-    EXPECT_TRUE(test::contentOf(folder / "a.exr") == test::contentOf(folder / "b.exr"));
+    EXPECT_TRUE(test::readContents(folder / "a.png") == test::readContents(folder / "b.png"));
+    EXPECT_TRUE(test::readContents(folder / "a.exr") == test::readContents(folder / "b.exr"));
 }
 
 TEST(WordOptions, FaultsAreOneLine) {
@@ -178,7 +178,7 @@ TEST(WordOptions, StandInMovies) {
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         std::string all;
         for (const auto& file : std::filesystem::directory_iterator(folder / "frames"))
-            all += test::contentOf(file.path().string());
+            all += test::readContents(file.path().string());
         return all;
     };
     const std::string plain = frame("");
@@ -195,7 +195,7 @@ TEST(WordOptions, LabelsOfWhatLiesBehindAreShownOrNot) {
                                         "--label 'resi 1-12={number}' --show-labels ") +
                                 which);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return pixelsOf(folder / "a.png");
+        return readPixels(folder / "a.png");
     };
     EXPECT_GT(differing(labelled("all"), labelled("seen")), 20u);
     EXPECT_EQ(nacreIn(folder, "render sample:dna -o b.png --show-labels some").code, 2);
@@ -225,7 +225,7 @@ TEST(ColorOptions, SchemesPalettesAndRangesReachTheLegend) {
         const Outcome outcome =
             nacreIn(folder, "render -q sample:dna --size 48x48 --occlusion off -o a.png --stats s.json " + options);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return nlohmann::json::parse(test::contentOf(folder / "s.json"))["legend"][0];
+        return nlohmann::json::parse(test::readContents(folder / "s.json"))["legend"][0];
     };
     EXPECT_EQ(legend("--color cbc")["scheme"], "chain-carbons");
     EXPECT_EQ(legend("--color chain --palette okabe-ito")["scheme"], "chain:okabe-ito");

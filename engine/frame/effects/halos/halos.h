@@ -11,7 +11,7 @@ namespace nacre {
 inline void addHalos(layout::EffectConstants& c, const RenderSettings& settings) {
     const Halos& halos = settings.effects.halos;
     c.halo = linearColor(halos.color, halos.strength);
-    c.haloWidth = rimsOf(settings).halo;
+    c.haloWidth = makeRims(settings).halo;
     c.perHaloDepth = static_cast<float>(1.0 / halos.depth);
 }
 

@@ -22,12 +22,12 @@ constexpr double kLargestPixels = 128;
 bool isPerspective(const View& view) { return view.projection == Projection::perspective; }
 
 /// Z of the view's centre.
-double centerOf(const View& view) { return isPerspective(view) ? view.eyeDistance : view.radius; }
+double centerDepth(const View& view) { return isPerspective(view) ? view.eyeDistance : view.radius; }
 
 /// Z of the focus, in front of the eye.
-double focusOf(const RenderSettings& settings, const View& view) {
+double focusDepth(const RenderSettings& settings, const View& view) {
     constexpr double kNearest = 0.01;  // Å
-    const double focus = centerOf(view) + settings.effects.depthOfField.focus.value_or(0);
+    const double focus = centerDepth(view) + settings.effects.depthOfField.focus.value_or(0);
     return isPerspective(view) ? std::max(focus, kNearest) : focus;
 }
 
@@ -43,9 +43,9 @@ double largestCircle(const RenderSettings& settings) {
     return std::clamp(kLargestShare * std::min(settings.view.width, settings.view.height), 1.0, kLargestPixels);
 }
 
-passes::Lens lensOf(const RenderSettings& settings, const View& view) {
+passes::Lens makeLens(const RenderSettings& settings, const View& view) {
     passes::Lens lens;
-    lens.focus = static_cast<float>(focusOf(settings, view));
+    lens.focus = static_cast<float>(focusDepth(settings, view));
     const double radius = 0.5 * settings.effects.depthOfField.strength * view.pixelsPerAngstrom;
     lens.pixels = static_cast<float>(radius * (isPerspective(view) ? view.eyeDistance : 1));
     lens.most = static_cast<float>(largestCircle(settings));
@@ -88,7 +88,7 @@ std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent exte
 
 View throughLens(const RenderSettings& settings, View view, glm::dvec2 point) {
     // The scene turns about its centre, and the image plane shifts so that the focus stays in place.
-    const double focus = focusOf(settings, view), center = centerOf(view);
+    const double focus = focusDepth(settings, view), center = centerDepth(view);
     const double scale = isPerspective(view) ? focus / center : 1;
     const glm::dvec2 turn = 0.5 * settings.effects.depthOfField.strength * scale * point;
     const double z = center - focus;  // of the focal plane
@@ -104,7 +104,7 @@ View throughLens(const RenderSettings& settings, View view, glm::dvec2 point) {
 namespace {
 
 /// The lens, with circles no larger than those of the shown tiles.
-passes::Lens lensOf(const PictureImage& picture) {
+passes::Lens makeLens(const PictureImage& picture) {
     constexpr float kRounding = 0.01f;
     passes::Lens lens = picture.lens;
     if (!picture.tiles) return lens;
@@ -150,7 +150,7 @@ void declareLens(Frame& f, graph::Extent extent, VkFormat format, const PictureI
         drawn.record({[=](gpu::PassContext& c) {
                           std::vector<vk::ImageView> views;
                           for (const graph::Image image : images) views.push_back(c.view(image));
-                          const passes::Lens lens = lensOf(*from);
+                          const passes::Lens lens = makeLens(*from);
                           std::vector<PictureRect> parts{{0, 0, c.extent.width, c.extent.height}};
                           if (from->tiles && step != LensStep::reach && step != LensStep::spread)
                               parts = blurredBy(lens, from->tiles->spans(), extent);

@@ -22,7 +22,7 @@ constexpr ScreenTarget kLensTargets[] = {
     {"distances", VK_FORMAT_R32_SFLOAT, passes::Output::surface, "surface layer", kNoDistance}};
 
 /// The lens of a view's pictures. @param view  the settings' view, or a part of it
-passes::Lens lensOf(const RenderSettings& settings, const View& view);
+passes::Lens makeLens(const RenderSettings& settings, const View& view);
 
 /// Where a picture through the lens is sharp: one byte per pixel of a frame of lower resolution; 0 where everything
 /// nearby is blurred more. @param distances  drawn by that frame (kLensTargets)

@@ -17,7 +17,7 @@ const gpu::Layout& lensLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"lens layout", kLensImages, kLensStages, sizeof(Lens)});
 }
 
-gpu::ShaderWords shaderOf(LensStep step) {
+gpu::ShaderWords chooseShader(LensStep step) {
     switch (step) {
         case LensStep::circles:
             return shaders::lensCircles;
@@ -33,8 +33,8 @@ gpu::ShaderWords shaderOf(LensStep step) {
     return shaders::lensGather;
 }
 
-FullScreenPass passOf(const LensPass& pass) {
-    FullScreenPass drawn{shaderOf(pass.step), {}, {}};
+FullScreenPass makePass(const LensPass& pass) {
+    FullScreenPass drawn{chooseShader(pass.step), {}, {}};
     drawn.constants.set(layout::kCodedId, pass.coded);
     return drawn;
 }
@@ -48,7 +48,7 @@ void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens,
     views.fill(images[0]);
     std::copy(images.begin(), images.end(), views.begin());
     const gpu::Layout& layout = lensLayout(context);
-    bindFullScreen(context, passOf(pass), layout);
+    bindFullScreen(context, makePass(pass), layout);
     bindTextures(context, layout, vk::Filter::eNearest, views);
     for (const PictureRect& part : parts) {
         const vk::Offset2D first(static_cast<std::int32_t>(part.x), static_cast<std::int32_t>(part.y));
@@ -58,7 +58,7 @@ void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens,
 }
 
 void wantLens(gpu::PipelineContext& context, const LensPass& pass) {
-    wantFullScreen(context, passOf(pass), lensLayout(context));
+    wantFullScreen(context, makePass(pass), lensLayout(context));
 }
 
 }  // namespace nacre::passes

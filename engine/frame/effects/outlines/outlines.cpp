@@ -33,12 +33,12 @@ graph::Image declareRims(Frame& f, const FrameShape& shape) {
             .input(f.nearest)
             .color(drawn, clearFirst(share, 0.0f))
             .record(draws(f, [atlas = f.atlas, numbers = f.nearest](const auto& c, const passes::SceneView& scene) {
-                return rims(scene, readsOf(c, fromEarlierPass(c), atlas, numbers));
+                return rims(scene, makeReads(c, fromEarlierPass(c), atlas, numbers));
             }));
     return drawn;
 }
 
-passes::Rims rimsOf(const RenderSettings& settings) {
+passes::Rims makeRims(const RenderSettings& settings) {
     const Effects& e = settings.effects;
     const double perPixel = 1.0 / settings.view.pixelsPerAngstrom;
     return {static_cast<float>(e.linesByGroups() ? e.contours.width * perPixel : 0),
@@ -54,7 +54,7 @@ void addOutlines(layout::ViewConstants& c, const RenderSettings& settings) {
 void addOutlines(layout::EffectConstants& c, const RenderSettings& settings) {
     const Contours& outlines = settings.effects.contours;
     c.contour = linearColor(outlines.color, 1);
-    c.lineWidth = rimsOf(settings).line;
+    c.lineWidth = makeRims(settings).line;
     c.lineDepth = static_cast<float>(outlines.depth);
 }
 

@@ -15,7 +15,7 @@ constexpr const char* kRimPass = "lines and halos";
 graph::Image declareRims(Frame& frame, const FrameShape& shape);
 
 /// Widths of outlines by groups and of halos, Å at z = 0.
-passes::Rims rimsOf(const RenderSettings& settings);
+passes::Rims makeRims(const RenderSettings& settings);
 
 /// Adds the outlines of a view for shaders; `view` may have more pixels than the picture.
 void addOutlines(layout::ViewConstants& constants, const RenderSettings& settings);

@@ -27,7 +27,7 @@ View lightView(const RenderSettings& settings, const View& view) {
 void placeInLight(passes::PlacedCopies& copies, const Representation& r, const RenderSettings& settings,
                   const View& view, const View& light, const TranslucentParts& translucent) {
     // Same levels as in the view, so that nothing shades itself.
-    passes::placeCopies(copies, r, light, nullptr, 0, meshErrorOf(settings, view));
+    passes::placeCopies(copies, r, light, nullptr, 0, computeMeshError(settings, view));
     // Translucent parts cast no shadow.
     passes::select(copies, translucent, passes::Opacity::opaque);
 }
@@ -40,7 +40,7 @@ passes::PrimitiveCounts countsInLight(const Representation& r, const RenderSetti
     passes::PlacedCopies copies;
     placeInLight(copies, r, settings, settings.view, light, translucent);
     return {copies.sphereCount(), copies.cylinderCount(), copies.triangleCount(),
-            sizesOf(r).meanRadius * light.pixelsPerAngstrom};
+            measureSizes(r).meanRadius * light.pixelsPerAngstrom};
 }
 
 void declareShadow(Frame& f, const FrameChoice& choice) {

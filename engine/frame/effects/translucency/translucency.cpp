@@ -49,7 +49,7 @@ void declareTranslucentLayers(Frame& f, const FrameShape& shape) {
             pass.depth(depth, clearFirst(share, 1.0f)).color(f.layers.back(), clearFirst(share, 0.0f));
             pass.record(records(f, [atlas = f.atlas, before](gpu::PassContext& c, const SceneView& scene) {
                 std::optional<passes::Reads> reads;
-                if (before) reads = readsOf(c, NearestFrom::texture, atlas, before);
+                if (before) reads = makeReads(c, NearestFrom::texture, atlas, before);
                 if (c.share.index == 0) passes::drawCovers(c, *scene.translucent);
                 passes::draw(c, *scene.translucent, layerPass(reads));
             }));
@@ -74,7 +74,7 @@ void declareTranslucentColor(Frame& f, std::uint32_t layer) {
     pass.color(f.targets[0])
         .record(records(f, [atlas = f.atlas, numbers = f.layers[layer], encoding = f.encoding, nearest = f.nearest](
                                gpu::PassContext& c, const SceneView& scene) {
-            passes::DeferredPass shading{passes::Output::color, readsOf(c, NearestFrom::texture, atlas, numbers)};
+            passes::DeferredPass shading{passes::Output::color, makeReads(c, NearestFrom::texture, atlas, numbers)};
             shading.over = passes::LayerOver();
             if (encoding)
                 shading.over = passes::LayerOver{fromEarlierPass(c), c.view(nearest), passes::Encoding(*encoding)};

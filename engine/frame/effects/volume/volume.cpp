@@ -29,17 +29,17 @@ struct Limits {
 };
 
 /// A brick, effects, its constants, the opaque depth, and those of the two layers.
-constexpr std::array<Type, 6> bindingsOf(Type opaque) {
+constexpr std::array<Type, 6> listBindings(Type opaque) {
     return {kSampled, Type::eUniformBuffer, Type::eUniformBuffer, opaque, kSampled, kSampled};
 }
-constexpr auto kInputBindings = bindingsOf(Type::eInputAttachment), kTextureBindings = bindingsOf(kSampled);
+constexpr auto kInputBindings = listBindings(Type::eInputAttachment), kTextureBindings = listBindings(kSampled);
 
-const gpu::Layout& layoutOf(gpu::PipelineContext& context, NearestFrom from) {
+const gpu::Layout& passLayout(gpu::PipelineContext& context, NearestFrom from) {
     return context.pipelines.layout({"volume layout", from == NearestFrom::texture ? kTextureBindings : kInputBindings,
                                      kFragments, sizeof(layout::ViewConstants)});
 }
 
-passes::FullScreenPass passOf(const SceneView& view, NearestFrom from, const Limits& limits) {
+passes::FullScreenPass makePass(const SceneView& view, NearestFrom from, const Limits& limits) {
     passes::FullScreenPass pass{from == NearestFrom::texture ? shaders::volumeSampled : shaders::volumeInput, {}, {}};
     pass.blend = gpu::Blend::premultiplied;
     passes::setGeometryConstants(pass.constants, view);
@@ -50,7 +50,7 @@ passes::FullScreenPass passOf(const SceneView& view, NearestFrom from, const Lim
 }
 
 /// The viewer, in nodes of the volume, for VolumeTextures::farthestFirst().
-glm::dvec4 eyeOf(const SceneView& view, const Volume& volume) {
+glm::dvec4 findEye(const SceneView& view, const Volume& volume) {
     const auto rows = std::array{glm::dvec4(view.still[0]), glm::dvec4(view.still[1]), glm::dvec4(view.still[2])};
     const auto turnBack = [&](const glm::dvec3& v) {
         return glm::dvec3(rows[0]) * v.x + glm::dvec3(rows[1]) * v.y + glm::dvec3(rows[2]) * v.z;
@@ -59,7 +59,7 @@ glm::dvec4 eyeOf(const SceneView& view, const Volume& volume) {
     const double one = view.perspective ? 1 : 0;
     const glm::dvec3 place =
         turnBack(view.perspective ? glm::dvec3(0, 0, view.constants.origin) - shift : glm::dvec3(0, 0, 1));
-    return {volume.nodeOf * glm::dvec4(place, one), one};
+    return {volume.toNode * glm::dvec4(place, one), one};
 }
 
 void bindBrick(gpu::PassContext& c, const SceneView& view, const gpu::Layout& layout,
@@ -71,11 +71,11 @@ void bindBrick(gpu::PassContext& c, const SceneView& view, const gpu::Layout& la
     const vk::DescriptorImageInfo nodes(c.pipelines.sampler(vk::Filter::eLinear), *brick.texture.view, kRead),
         opaque(texture ? nearestTexel : vk::Sampler(), c.view(limits.opaque), texture ? kRead : c.inputLayout);
     // Always written: a binding that the shader does not read takes any texture.
-    const auto layerOf = [&](const std::optional<graph::Image>& layer) {
+    const auto layerImage = [&](const std::optional<graph::Image>& layer) {
         return layer ? vk::DescriptorImageInfo(nearestTexel, c.view(*layer), kRead)
                      : vk::DescriptorImageInfo(nearestTexel, *view.volume->flat().view, kRead);
     };
-    const vk::DescriptorImageInfo behind = layerOf(limits.behind), before = layerOf(limits.before);
+    const vk::DescriptorImageInfo behind = layerImage(limits.behind), before = layerImage(limits.before);
     const vk::DescriptorBufferInfo effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE),
         constants(*brick.constants.handle, 0, VK_WHOLE_SIZE);
     const vk::WriteDescriptorSet writes[] = {
@@ -92,11 +92,11 @@ void bindBrick(gpu::PassContext& c, const SceneView& view, const gpu::Layout& la
 
 void drawVolume(gpu::PassContext& c, const SceneView& view, NearestFrom from, const Limits& limits) {
     if (!view.volume) return;
-    const gpu::Layout& layout = layoutOf(c, from);
-    passes::bindFullScreen(c, passOf(view, from, limits), layout);
+    const gpu::Layout& layout = passLayout(c, from);
+    passes::bindFullScreen(c, makePass(view, from, limits), layout);
     layout::ViewConstants constants = view.constants;
     constants.row0 = view.still[0], constants.row1 = view.still[1], constants.row2 = view.still[2];
-    for (const VolumeTextures::Brick* brick : view.volume->farthestFirst(eyeOf(view, view.volume->volume()))) {
+    for (const VolumeTextures::Brick* brick : view.volume->farthestFirst(findEye(view, view.volume->volume()))) {
         bindBrick(c, view, layout, *brick, from, limits);
         passes::drawFullScreen(c, layout, kFragments, constants);
     }

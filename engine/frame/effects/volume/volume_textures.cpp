@@ -10,12 +10,12 @@
 namespace nacre::passes {
 namespace {
 
-layout::BrickConstants constantsOf(const Volume& volume, const VolumeBrick& brick) {
+layout::BrickConstants makeConstants(const Volume& volume, const VolumeBrick& brick) {
     layout::BrickConstants c{};
     glm::vec4* const rows[] = {&c.nodeX, &c.nodeY, &c.nodeZ};
     for (int i = 0; i < 3; ++i)
-        *rows[i] = glm::vec4(volume.nodeOf[0][i], volume.nodeOf[1][i], volume.nodeOf[2][i],
-                             volume.nodeOf[3][i] - brick.first[i]);
+        *rows[i] = glm::vec4(volume.toNode[0][i], volume.toNode[1][i], volume.toNode[2][i],
+                             volume.toNode[3][i] - brick.first[i]);
     c.first = glm::vec4(0, 0, 0, volume.levels.size());
     c.last = glm::vec4(brick.size - 1, brick.masked ? 1 : 0);
     c.perSize = glm::vec4(1.0 / glm::dvec3(brick.size), volume.step);
@@ -40,7 +40,7 @@ VolumeTextures::VolumeTextures(const gpu::Device& device, gpu::Executor& executo
             brick.masked ? VK_FORMAT_R16G16_SFLOAT : VK_FORMAT_R16_SFLOAT, {side(0), side(1)}, 1, 1, side(2)};
         const auto bytes = std::as_bytes(std::span(brick.texels));
         const std::string name = "density map, brick " + std::to_string(bricks_.size() + 1);
-        const layout::BrickConstants constants = constantsOf(*volume_, brick);
+        const layout::BrickConstants constants = makeConstants(*volume_, brick);
         bricks_.push_back({brick.place,
                            makeTexture(device, executor, desc,
                                        {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, name),
@@ -68,7 +68,7 @@ std::vector<const VolumeTextures::Brick*> VolumeTextures::farthestFirst(const gl
 
 namespace nacre {
 
-std::shared_ptr<const passes::VolumeTextures> Volumes::texturesOf(const std::shared_ptr<const Volume>& volume) {
+std::shared_ptr<const passes::VolumeTextures> Volumes::findTextures(const std::shared_ptr<const Volume>& volume) {
     if (volume == volume_) return textures_;
     textures_ = nullptr, volume_ = nullptr;
     if (volume) textures_ = std::make_shared<const passes::VolumeTextures>(device_, executor_, volume);

@@ -44,7 +44,7 @@ public:
     Volumes(const gpu::Device& device, gpu::Executor& executor) : device_(device), executor_(executor) {}
 
     /// Null for no volume.
-    std::shared_ptr<const passes::VolumeTextures> texturesOf(const std::shared_ptr<const Volume>& volume);
+    std::shared_ptr<const passes::VolumeTextures> findTextures(const std::shared_ptr<const Volume>& volume);
 
 private:
     const gpu::Device& device_;
