@@ -2,7 +2,8 @@
 // properties) once the pipeline is given its name, and appends them to the file that NACRE_STATISTICS names, a line of
 // JSON for each shader. Which pipeline is made and named it says on standard error, too, where drivers' compilers print
 // what they know besides: one at a time. With NACRE_AS_ARM PanVK says that it is Arm's driver: it reads attachments in
-// raster order, and blends no R32F.
+// raster order, and blends no R32F. With NACRE_AS_OTHER a driver says that it is RADV: Nacre then applies none of its
+// quirks.
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -39,14 +40,15 @@ template <typename Call>
 Call next(const char* name) {
     return reinterpret_cast<Call>(nextDeviceCall(device, name));
 }
-const bool asArm = std::getenv("NACRE_AS_ARM") != nullptr;
+const bool asArm = std::getenv("NACRE_AS_ARM") != nullptr, asOther = std::getenv("NACRE_AS_OTHER") != nullptr;
 constexpr const char* kOrder = VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME;
 
 VKAPI_ATTR void VKAPI_CALL getProperties(VkPhysicalDevice of, VkPhysicalDeviceProperties2* p) {
     nextProperties(of, p);
     for (auto* s = static_cast<VkBaseOutStructure*>(p->pNext); s; s = s->pNext)
         if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES)
-            reinterpret_cast<VkPhysicalDeviceDriverProperties*>(s)->driverID = VK_DRIVER_ID_ARM_PROPRIETARY;
+            reinterpret_cast<VkPhysicalDeviceDriverProperties*>(s)->driverID =
+                asArm ? VK_DRIVER_ID_ARM_PROPRIETARY : VK_DRIVER_ID_MESA_RADV;
 }
 
 VKAPI_ATTR void VKAPI_CALL getFeatures(VkPhysicalDevice of, VkPhysicalDeviceFeatures2* f) {
@@ -206,7 +208,8 @@ VKAPI_ATTR VkResult VKAPI_CALL setName(VkDevice of, const VkDebugUtilsObjectName
 
 PFN_vkVoidFunction own(std::string_view name) {
     const auto is = [&](std::string_view call) { return name == call || name == std::string(call) + "KHR"; };
-    if (asArm && is("vkGetPhysicalDeviceProperties2")) return reinterpret_cast<PFN_vkVoidFunction>(getProperties);
+    if ((asArm || asOther) && is("vkGetPhysicalDeviceProperties2"))
+        return reinterpret_cast<PFN_vkVoidFunction>(getProperties);
     if (asArm && is("vkGetPhysicalDeviceFeatures2")) return reinterpret_cast<PFN_vkVoidFunction>(getFeatures);
     if (asArm && name == "vkGetPhysicalDeviceFormatProperties") return reinterpret_cast<PFN_vkVoidFunction>(getFormat);
     if (asArm && name == "vkEnumerateDeviceExtensionProperties")

@@ -243,6 +243,8 @@ def device_page(name, row):
         bins = stream.get("bins", "") + ("" if stream.get("tiles_by_default", True) else "; none by default")
         late = f"{stream['late']} of {stream['draws']}" if "late" in stream else "not told"
         late += f"; {stream['without_lrz']} without LRZ" if "without_lrz" in stream else ""
+        local = stream.get("without_lrz_by_local_reads")
+        late += "" if local is None else f" ({local} with local reads)"
         lines.append(f"| {path} | {planned} | {stream['passes']}, {stream['loads']}, {stream['stores']} B | {late} | {bins} |")
     return [*lines, "", *pipeline_table(pipelines), ""]
 
