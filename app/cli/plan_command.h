@@ -43,7 +43,7 @@ struct PlanReport {
     graph::Graph paperGraph{""};
     graph::Plan paper;
     MotionSamples motion{};                    ///< of a window's frames in motion
-    std::optional<RestPlan> rest{};            ///< none for two eyes
+    std::optional<RestPlan> rest{};            ///< none for two eyes and debug views
     std::uint32_t samples = 1;                 ///< per pixel of a picture where colours change
     std::vector<PassGeometry> geometry{};      ///< of the input's scene
     std::vector<std::uint64_t> vertexBytes{};  ///< of its render passes that draw primitives

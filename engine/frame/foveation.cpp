@@ -14,7 +14,7 @@ constexpr double kDegree = 0.017453292519943295;
 constexpr double kFinest = kDegree / 48, kSlope = 1.32 / 60;
 
 /// The byte whose reciprocal is not below a fragment's side: a driver may draw smaller fragments only.
-std::uint8_t readPixelDensity(std::uint32_t side) { return static_cast<std::uint8_t>(255 / side); }
+std::uint8_t toDensity(std::uint32_t side) { return static_cast<std::uint8_t>(255 / side); }
 
 }  // namespace
 
@@ -32,7 +32,7 @@ std::uint32_t fragmentSide(double tangent, double pixels) {
     return seen >= 4 * pixel ? 4 : seen >= 2 * pixel ? 2 : 1;
 }
 
-EyeAxis axisIndex(const View& v) {
+EyeAxis findAxis(const View& v) {
     const double pixels = v.pixelsPerAngstrom;
     return {{v.width, v.height},
             glm::dvec2(v.width, v.height) / 2.0 + glm::dvec2(v.pan.x, -v.pan.y) * pixels,
@@ -51,7 +51,7 @@ std::vector<std::uint8_t> fragmentDensities(std::span<const EyeAxis> eyes, std::
                 // Of the texel's places the nearest to the axis needs the finest fragments.
                 const glm::dvec2 low(x, y), nearest = glm::clamp(eye.place, low, low + double(texel));
                 const double tangent = glm::distance(nearest, eye.place) / eye.pixels;
-                bytes.insert(bytes.end(), 2, readPixelDensity(fragmentSide(tangent, eye.pixels)));
+                bytes.insert(bytes.end(), 2, toDensity(fragmentSide(tangent, eye.pixels)));
             }
     return bytes;
 }

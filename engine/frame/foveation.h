@@ -28,7 +28,7 @@ struct EyeAxis {
     glm::dvec2 place{};  ///< pixels from the top left
     double pixels = 0;   ///< per tangent at the axis
 };
-EyeAxis axisIndex(const View& perspective);
+EyeAxis findAxis(const View& perspective);
 /// Whether a map for one does for the other: heads that move change them by rounding alone.
 bool alike(const EyeAxis& a, const EyeAxis& b);
 

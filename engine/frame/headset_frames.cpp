@@ -42,7 +42,7 @@ const HeadsetFrames::Layers& HeadsetFrames::imageLayers(const HeadsetImage& imag
 
 /// The device has written a map before a frame that it decides is recorded. Eyes keep theirs while a head moves.
 const HeadsetFrames::Fovea& HeadsetFrames::makeFovea(const std::array<View, 2>& eyes) {
-    const std::array<EyeAxis, 2> axes{axisIndex(eyes[0]), axisIndex(eyes[1])};
+    const std::array<EyeAxis, 2> axes{findAxis(eyes[0]), findAxis(eyes[1])};
     if (fovea_ && std::ranges::equal(fovea_->eyes, axes, alike)) return *fovea_;
     if (fovea_) {
         executor_.retireFramebuffers(retired_);

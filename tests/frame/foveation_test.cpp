@@ -18,7 +18,7 @@ namespace {
 constexpr graph::Extent kHeadset{1680, 1760};
 
 /// An eye of a headset: 45 to 55 degrees to each side.
-View commandEye(bool right) {
+View headsetEye(bool right) {
     View view;
     view.width = kHeadset.width, view.height = kHeadset.height;
     view.projection = Projection::perspective;
@@ -28,10 +28,10 @@ View commandEye(bool right) {
     return view;
 }
 
-std::array<EyeAxis, 2> axes() { return {axisIndex(commandEye(false)), axisIndex(commandEye(true))}; }
+std::array<EyeAxis, 2> axes() { return {findAxis(headsetEye(false)), findAxis(headsetEye(true))}; }
 
 /// From the eye to a point of its picture, as View says where that is.
-glm::dvec3 loadDirection(const View& view, double x, double y) {
+glm::dvec3 directionTo(const View& view, double x, double y) {
     const double perPixel = 1 / view.pixelsPerAngstrom;
     return glm::normalize(glm::dvec3((x - view.width / 2.0) * perPixel - view.pan.x,
                                      (view.height / 2.0 - y) * perPixel - view.pan.y, -view.eyeDistance));
@@ -50,7 +50,7 @@ TEST(Foveation, NoFragmentIsWiderThanWhatAnEyeTellsApart) {
     ASSERT_EQ(bytes.size(), 2u * 2 * 53 * 55);
     double fragments = 0;
     for (std::uint32_t eye = 0; eye < 2; ++eye) {
-        const View view = commandEye(eye == 1);
+        const View view = headsetEye(eye == 1);
         for (std::uint32_t y = 0; y < 55; ++y)
             for (std::uint32_t x = 0; x < 53; ++x) {
                 const std::size_t at = 2 * (std::size_t{eye} * 53 * 55 + y * 53 + x);
@@ -60,10 +60,10 @@ TEST(Foveation, NoFragmentIsWiderThanWhatAnEyeTellsApart) {
                 fragments += 1 / (side * side);
                 for (const glm::dvec2 corner : {glm::dvec2(0, 0), {1, 0}, {0, 1}, {1, 1}}) {
                     const glm::dvec2 p = (glm::dvec2(x, y) + corner) * double{kTexel};
-                    const glm::dvec3 seen = loadDirection(view, p.x, p.y);
+                    const glm::dvec3 seen = directionTo(view, p.x, p.y);
                     const double beyond = std::max(0.0, degreesBetween(seen, {0, 0, -1}) - 15);
-                    const double wide = std::max(degreesBetween(seen, loadDirection(view, p.x + side, p.y)),
-                                                 degreesBetween(seen, loadDirection(view, p.x, p.y + side)));
+                    const double wide = std::max(degreesBetween(seen, directionTo(view, p.x + side, p.y)),
+                                                 degreesBetween(seen, directionTo(view, p.x, p.y + side)));
                     const double told = side > 1 ? 1.0 / 48 + 1.32 / 60 * beyond : wide;
                     ASSERT_LE(wide, 1.01 * told) << x << ' ' << y;
                 }
@@ -80,11 +80,11 @@ TEST(Foveation, NoFragmentIsWiderThanWhatAnEyeTellsApart) {
 }
 
 TEST(Foveation, AMovingHeadKeepsItsMap) {
-    View nearer = commandEye(false);
+    View nearer = headsetEye(false);
     nearer.pan *= 0.5;
     nearer.eyeDistance *= 0.5, nearer.pixelsPerAngstrom *= 2;
-    EXPECT_TRUE(alike(axisIndex(nearer), axisIndex(commandEye(false))));
-    EXPECT_FALSE(alike(axisIndex(commandEye(true)), axisIndex(commandEye(false))));
+    EXPECT_TRUE(alike(findAxis(nearer), findAxis(headsetEye(false))));
+    EXPECT_FALSE(alike(findAxis(headsetEye(true)), findAxis(headsetEye(false))));
 }
 
 FrameShape foveated(Visibility path) {
@@ -201,7 +201,7 @@ Decision chooseFoveation(const graph::FrameCaps& caps, const RenderSettings& set
 TEST(Foveation, IsChosenForHeadsetsAloneElseTheReason) {
     graph::FrameCaps caps = graph::capabilitySet("turnip");
     RenderSettings plain;
-    plain.view = commandEye(false);
+    plain.view = headsetEye(false);
     plain.view.other = View::OtherEye{-1, 1};
     EXPECT_EQ(chooseFoveation(caps, plain).how, "by a fragment density map");
     EXPECT_EQ(chooseFoveation(caps, plain, {}, false).how, "");
