@@ -212,6 +212,8 @@ std::vector<std::string> idleOptions(const PictureDescription& options, const Re
         palette != Palette::automatic && !takesPalette(scene, palette))
         said.push_back("--palette " + paletteName(palette) + " changes nothing: nothing is coloured by " +
                        (isRamp(palette) ? "numbers" : "categories"));
+    if (options.occlusion.bounce && !scene.copies.colors.empty())
+        said.push_back("--bounce changes nothing where copies have their own colours (--color copy)");
     if (options.words.seenOnly && options.words.labels.empty())
         said.push_back("--show-labels changes nothing without --label");
     if (effects.clip.near >= reach || effects.clip.far <= -reach)

@@ -19,7 +19,7 @@ constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
 constexpr std::uint64_t kBytesPerVertex = kBytesPerTexel + 2 * kBytesPerOpen + sizeof(AtlasWord) / 2 + 1;
 
 /// Of an atlas with bounced light: its texel, the bytes that are copied into it, and the texel that it replaces.
-constexpr std::uint64_t kBytesPerBounced = 2 * kBouncedChannels + 1;
+constexpr std::uint64_t kBytesPerBounced = 3 * kBouncedChannels;
 
 /// Width of an atlas for the usual memory: on every device.
 constexpr std::uint32_t kUsualSide = 4096;
@@ -76,10 +76,13 @@ Patches finestPatches(const gpu::Caps& caps, const Representation& representatio
     for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, vertices, side)) {
         if (stop.stop_requested()) return result;
         if (layout.sphereEdge > options.detail || layout.sphereEdge > finest) continue;
-        if (options.bounce && bouncedBytes(layout) > options.budgetBytes) continue;
         // Estimated from a sample first: visiting every texel takes longer.
         result.bytes = bakeBytes(layout, 0, 0);
         if (result.bytes > room) continue;
+        if (options.bounce && bouncedBytes(layout) > options.budgetBytes) {
+            result.bytes = bouncedBytes(layout);
+            continue;
+        }
         const bool few = samplesAll(representation);
         if (few) result.open = openTexels(layout, representation, tree, stop);
         const auto guess = few ? result.open.texels.size() - 2 * vertices

@@ -1,5 +1,6 @@
 // Bounced light of the scene, once its occlusion is finished: on a thread, while the bake without it is shown.
 #include <algorithm>
+#include <utility>
 
 #include "engine/occlusion/bounced_light.h"
 #include "engine/occlusion/cache.h"
@@ -42,8 +43,8 @@ void SceneOcclusion::takeBounce() {
     auto& bouncing = std::get<Bouncing>(state_);
     const FinishedOcclusion finished = bouncing.result.get();
     const auto bake = std::make_shared<Bake>(device_, executor_, *of_.buffers, *of_.representation, options_, finished);
-    stats_.bounceMilliseconds = millisecondsSince(bouncing.began);
-    stats_.bakeMilliseconds += stats_.bounceMilliseconds;
+    const double before = std::exchange(stats_.bounceMilliseconds, millisecondsSince(bouncing.began));
+    stats_.bakeMilliseconds += stats_.bounceMilliseconds - before;
     stats_.occlusion.bytes = std::max(stats_.occlusion.bytes, bouncedBytes(finished.layout));
     before_.reset();
     state_.emplace<Finished>(bake, Openness(bouncing.open));

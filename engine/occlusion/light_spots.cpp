@@ -190,6 +190,9 @@ LightSpots findLightSpots(const Representation& r, const OcclusionLayout& layout
     if (stop.stop_requested()) return spots;
     spots.first.reserve(std::size_t{spots.count()} + 1);
     spots.first.push_back(0);
+    std::size_t seen = 0;
+    for (const Part& part : parts) seen += part.seen.size();
+    spots.seen.reserve(seen);
     for (Part& part : parts) {
         const auto before = static_cast<std::uint32_t>(spots.seen.size());
         spots.seen.insert(spots.seen.end(), part.seen.begin(), part.seen.end());

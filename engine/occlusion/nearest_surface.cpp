@@ -1,5 +1,6 @@
 #include "engine/occlusion/nearest_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -11,9 +12,9 @@ namespace {
 std::optional<SurfacePoint> meetSphere(const Sphere& s, const glm::vec3& start, const glm::vec3& direction) {
     const glm::vec3 d = start - s.center;
     const float middle = -glm::dot(d, direction), square = middle * middle - glm::dot(d, d) + s.radius * s.radius;
-    if (square < 0) return {};
+    if (!(square >= 0)) return {};
     const float distance = middle - std::sqrt(square);
-    if (distance <= 0) return {};
+    if (!(distance > 0)) return {};
     return SurfacePoint{.distance = distance, .normal = (d + direction * distance) / s.radius};
 }
 
@@ -39,8 +40,9 @@ std::optional<SurfacePoint> meetCylinder(const Cylinder& c, const glm::vec3& sta
     if (distance <= 0 || glm::dot(there, there) > c.radius * c.radius) return {};
     // A cap has no texels of its own: those of the side next to it.
     const float off = glm::length(there);
-    glm::vec3 side = off > 0 ? there / off : glm::cross(axis, glm::vec3(axis.y, axis.z, axis.x));
-    return SurfacePoint{.distance = distance, .normal = glm::normalize(side), .share = end / length};
+    const glm::vec3 any = std::abs(axis.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 side = off > 0 ? there / off : glm::normalize(glm::cross(axis, any));
+    return SurfacePoint{.distance = distance, .normal = side, .share = end / length};
 }
 
 /// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997).
@@ -68,7 +70,10 @@ NearestSurface::NearestSurface(const Representation& r) : r_(r), tree_(r, Primit
     translucent_.resize(solids + r.triangles.size());
     const auto mark = [&](std::size_t first, const TranslucentRuns& runs) {
         for (const TranslucentRun& run : runs)
-            for (std::size_t i = 0; i < run.count; ++i) translucent_[first + run.first + i] = true;
+            // Runs of triangles go on into the coarser ones, which rays do not meet.
+            for (std::size_t i = first + run.first; i < std::min(first + run.first + run.count, translucent_.size());
+                 ++i)
+                translucent_[i] = true;
     };
     mark(0, parts.spheres);
     mark(r.spheres.size(), parts.cylinders);

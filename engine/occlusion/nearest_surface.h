@@ -25,7 +25,7 @@ public:
     /// The representation outlives this.
     explicit NearestSurface(const Representation& r);
 
-    /// Whether something opaque besides `self` has this point inside.
+    /// Whether an opaque sphere other than `self` contains this point.
     bool buries(std::uint32_t self, const glm::vec3& point) const;
     /// Translucent primitives, primitives with other copies and models that do not occlude are not met.
     /// @param self  the primitive that the ray leaves @param direction  unit length

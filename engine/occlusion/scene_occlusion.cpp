@@ -104,7 +104,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optio
     wanted_ = wanted;
     options_ = {settings.directions, computeBudget(settings.bytes, of_.representation->meshVertices.size()),
                 settings.maps,       settings.detail,
-                viewDirection,       settings.bounce};
+                viewDirection,       settings.bounce && of_.representation->copies.colors.empty()};
     const bool tiles = device_.caps().plan.tiles;
     if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
         options_.path = automaticMaps_;

@@ -6,8 +6,10 @@
 #include <random>
 #include <thread>
 
+#include "engine/molecule/selection/selection.h"
 #include "engine/occlusion/bake_preparation.h"
 #include "engine/occlusion/bounced_light.h"
+#include "engine/scene/build/translucency.h"
 #include "tests/reference/ambient_occlusion.h"
 #include "tests/reference/random.h"
 #include "tests/renderer/meshes.h"
@@ -228,6 +230,30 @@ TEST(BouncedAtlas, ComesBesideFrames) {
     EXPECT_EQ(share, 1);
     EXPECT_GT(renderer->stats().bounceMilliseconds, 0);
     EXPECT_EQ(renderer->render(s).rgba, waited);
+}
+
+/// Its runs of translucent triangles go on into the coarser levels of the ribbon.
+TEST(BouncedAtlas, OfATranslucentCartoonIsDark) {
+    const Molecule dna = molecule("sample:dna");
+    RepresentationOptions look;
+    look.style = Style::cartoon;
+    const auto sumLight = [&](std::optional<double> opacity) {
+        Rule rule;
+        rule.selection = parseSelection("all");
+        rule.style = Style::cartoon;
+        rule.opacity = opacity;
+        look.rules = {rule};
+        const Representation r = represent(dna, drawnAtoms(dna), look);
+        EXPECT_FALSE(r.coarseTriangles.empty());
+        EXPECT_EQ(translucentParts(r).triangles.empty(), opacity == 1.0);
+        const OcclusionLayout l = occlusionLayouts(0, 0, r.meshVertices.size(), 4096).front();
+        const std::vector<std::uint8_t> texels = bounced(r, l, 128);
+        double sum = 0;
+        for (std::size_t i = 0; i < texels.size() / 4; ++i) sum += surroundings(texels, i).y;
+        return sum;
+    };
+    EXPECT_EQ(sumLight(0.25), 0);
+    EXPECT_GT(sumLight(1.0), 0);
 }
 
 TEST(BouncedAtlas, KeepsWithinTheMemory) {
