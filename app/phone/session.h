@@ -40,8 +40,7 @@ struct PhoneHost {
     bool shakes = false;     ///< shaking the device undoes
     bool dark = true;        ///< the system's theme
     bool validate = false;   ///< Khronos validation layer
-    /// As on Android: the window may vanish before the session is told, and the device keeps working for invisible
-    /// apps.
+    /// Android: the window may vanish without notice, and the device keeps working for invisible apps.
     bool windowMayGo = false;
 };
 

@@ -25,7 +25,7 @@ struct SessionHost {
     std::function<void(const std::string&)> lost = {};                      ///< receives what is known of a loss
     /// Draws a frame, instead of the renderer's window.
     std::function<FrameOutcome(Renderer&, const RenderSettings&)> present = {};
-    /// The window may vanish before the session is told: a failing frame releases it, and waits for another window.
+    /// The window may vanish without notice. A frame that fails then releases it and waits for another window.
     bool windowMayGo = false;
 };
 

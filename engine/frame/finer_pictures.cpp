@@ -93,7 +93,7 @@ PictureFrames::Drawn PictureFrames::readPicture() {
 
 /// Draws a picture with one sample per pixel. @returns the pixels that need more
 FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Wanted& wanted, PreparedFrame coarse) {
-    constexpr double kThinOutline = 0.34;  // share of the widest width, as shaders/common/rims.glsl has it
+    constexpr double kThinOutline = 0.34;  // share of the widest width; same as in shaders/common/rims.glsl
     coarse.shape.name = "coarse screen";
     endInPicture(coarse, wanted.view, 1);
     const bool fine = coarse.choice().color == ColorFormat::linear;

@@ -39,7 +39,7 @@ struct CartoonOptions {
     double scale = 1;  ///< of all widths and thicknesses
     double tube = 0;   ///< Å: radius of the putty's tube everywhere; 0: by the B factor
     /// How far helices and strands extend beyond the alpha carbons of their first and last residue, in residues: 0, or
-    /// 0.5 as in Mol*, where the whole stretch of each residue has its form.
+    /// 0.5 as in Mol*, which gives each residue's whole segment its shape.
     double overhang = 0;
     friend bool operator==(const CartoonOptions&, const CartoonOptions&) = default;
 };

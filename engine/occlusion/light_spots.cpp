@@ -151,7 +151,7 @@ private:
     std::vector<std::uint32_t> itemOfVertex_;  // one of its triangles, as NearestSurface counts
 };
 
-/// What some consecutive primitives see.
+/// Results of consecutive primitives.
 struct Part {
     std::vector<SeenSpot> seen;
     std::vector<std::uint32_t> ends;  // for each spot, within `seen`

@@ -15,7 +15,7 @@
 
 namespace nacre {
 
-/// What a spot sees in one direction.
+/// The surface that a ray from a spot meets.
 struct SeenSpot {
     std::uint32_t spot = 0;    ///< the nearest one to where the ray ends
     std::uint16_t weight = 0;  ///< cosine to the seeing spot's surface, in 65535ths

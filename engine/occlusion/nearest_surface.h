@@ -1,5 +1,5 @@
 #pragma once
-// What a ray from one primitive meets first, on the host.
+// Finds the first surface that a ray from a primitive meets, on the host.
 
 #include <cstdint>
 #include <glm/vec3.hpp>

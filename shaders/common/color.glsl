@@ -18,8 +18,8 @@
 layout(set = 0, binding = ATLAS) uniform sampler2D occlusionAtlas;
 layout(set = 0, binding = SHADOW) uniform sampler2D shadowMap;
 layout(constant_id = kOcclusionId) const bool kOcclusion = true;
-// What the bake says of a point is a vec4: how open it is, 0 closed to 1, then, with kBounce, the square root of the
-// light of its surroundings.
+// Baked light at a point: x is the openness, 0 (closed) to 1; yzw, with kBounce, are square roots of the light from its
+// surroundings.
 const vec4 kOpen = vec4(1.0, 0.0, 0.0, 0.0);
 vec4 bakedIn(vec4 texel) { return kBounce ? texel : vec4(texel.r, 0.0, 0.0, 0.0); }
 vec4 bakedIn(float texel) { return vec4(texel, 0.0, 0.0, 0.0); }

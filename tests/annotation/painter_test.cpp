@@ -87,7 +87,7 @@ TEST(WordPainter, LeavesRightAlphaWhereNothingWas) {
 
 TEST(WordPainter, KnowsTheSignsOfTheField) {
     const WordPainter painter;
-    const double box = painter.measureWidth("\xef\xbf\xbd", 100);  // what stands for a sign that is missing
+    const double box = painter.measureWidth("\xef\xbf\xbd", 100);  // the box drawn for a missing glyph
     for (const char* sign : {"α", "Ω", "′", "″", "Å", "°", "−", "→", "²", "₂"}) {
         EXPECT_GT(painter.measureWidth(sign, 100), 15) << sign;
         EXPECT_LT(painter.measureWidth(sign, 100), box + 5) << sign;

@@ -1,8 +1,9 @@
 #pragma once
 // Fragment density maps, which no software driver has: NACRE_PHONE_DENSITY names a file that gets a line for each
-// render pass that begins with one: "map 3x3, 2 layers, 2 views". The picture stays the same: each pixel has its
-// fragment. The host reads maps while render passes begin (VkRenderPassFragmentDensityMapCreateInfoEXT), so that a map
-// whose contents the device has not been seen to write by then ends the program.
+// render pass that begins with one: "map 3x3, 2 layers, 2 views". Its neighbour ".made" gets a line for each new map.
+// The picture stays the same: each pixel has its fragment. The host reads maps while render passes begin
+// (VkRenderPassFragmentDensityMapCreateInfoEXT), so that a map whose contents the device has not been seen to write by
+// then ends the program.
 
 #include <vulkan/vulkan.h>
 
@@ -13,6 +14,7 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "tests/phone_layer/below.h"
@@ -48,7 +50,9 @@ inline void noteMap(VkImage image, const VkImageCreateInfo& info) {
     const std::lock_guard lock(mapsMutex);
     recordedMaps.erase(image), submittedMaps.erase(image), writtenMaps.erase(image);
     mapImages.erase(image);
-    if (info.usage & VK_IMAGE_USAGE_FRAGMENT_DENSITY_MAP_BIT_EXT) mapImages[image] = info;
+    if (!(info.usage & VK_IMAGE_USAGE_FRAGMENT_DENSITY_MAP_BIT_EXT)) return;
+    mapImages[image] = info;
+    if (takesMaps()) std::ofstream(std::string(std::getenv("NACRE_PHONE_DENSITY")) + ".made", std::ios::app) << "map\n";
 }
 
 inline void noteMap(VkImageView view, const VkImageViewCreateInfo& info) {

@@ -160,13 +160,22 @@ protected:
         std::filesystem::remove(told);
         setenv("NACRE_PHONE_DENSITY", told.c_str(), 1);
     }
-    ~Foveation() override { std::filesystem::remove(told); }
+    ~Foveation() override {
+        std::filesystem::remove(told);
+        std::filesystem::remove(made());
+    }
 
     std::set<std::string> maps() const {
         std::ifstream file(told);
         std::set<std::string> lines;
         for (std::string line; std::getline(file, line);) lines.insert(line);
         return lines;
+    }
+
+    std::filesystem::path made() const { return told.string() + ".made"; }
+    std::ptrdiff_t mapsMade() const {
+        std::ifstream file(made());
+        return std::count(std::istreambuf_iterator<char>(file), {}, '\n');
     }
 
     using Lines = std::set<std::string>;
@@ -207,7 +216,9 @@ TEST_F(Foveation, EyesWithOtherAnglesGetAnotherMap) {
     for (int i = 0; i < 4; ++i) {
         wider += 0.05f;
         show(session);
+        show(session);
     }
+    EXPECT_EQ(mapsMade(), 5);  // eyes that stay keep theirs
     EXPECT_LE(largestDifference(runtime().frames.back().pixels, pictures(session, runtime().eyes(0), first)), 1);
 }
 

@@ -65,8 +65,8 @@ Element elementByName(std::string_view field, const Name& residueName);
 Element elementByLooseName(std::string_view name, const Name& residueName);
 
 /// Element of the only atom of a residue, if names identify an ion, including CHARMM's, AMBER's and GROMACS's names
-/// ("SOD", "Na+", "CD2"); else 0. @param stated  by the line; programs that do not know the ion state the first letter
-/// of its name
+/// ("SOD", "Na+", "CD2"); else 0.
+/// @param stated  the line's own element, which may be only the first letter of the ion's name
 Element elementOfIon(const Name& name, const Name& residueName, Element stated);
 
 /// Element of an AutoDock 4 atom type ("A", "HD", "OA", "Cl"), or 0. "NA" accepts a hydrogen bond; sodium is "Na".
