@@ -98,6 +98,16 @@ TEST(Plan, FramesAtRestKeepTheColourAndTheSumOnTheTileWhereTheyFit) {
     EXPECT_EQ(toJson(apart)["rest"]["memory_bytes"], toJson(apart)["rest"]["unmerged_memory_bytes"]);
 }
 
+TEST(Plan, OfAHeadsetDrawsBothEyesInFull) {
+    PlanOptions asked = phone("mali");
+    ASSERT_EQ(planText(planReport(asked)).find("2 views"), std::string::npos);
+    asked.headset = true;
+    const std::string text = planText(planReport(asked));
+    EXPECT_NE(text.find("stereo: both eyes in one frame"), std::string::npos) << text;
+    EXPECT_NE(text.find("RGBA8 sRGB, 2 views"), std::string::npos) << text;
+    EXPECT_EQ(toJson(asked)["size"], toJson(phone("mali"))["size"]);
+}
+
 TEST(Plan, OfMaliIsOneRenderPassWhoseTrafficIsTheColourAlone) {
     const Json json = toJson(encodedOn("mali"));
     ASSERT_EQ(json["render_passes"].size(), 1u);
