@@ -337,7 +337,16 @@ InfoOfInput gatherInfo(const InputOptions& input, const InfoOptions& options) {
     if (isMap(input)) return infoOfMap(input);
     Progress progress;
     progress.begin("reading");
-    const Molecule molecule = loadMolecule(input, downloadProgress(progress));
+    const auto step = [&options] {
+        if (options.onStep) options.onStep();
+    };
+    const auto onDownload = [&step, shown = downloadProgress(progress)](double share) {
+        step();
+        shown(share);
+    };
+    const Molecule molecule = loadMolecule(
+        input, onDownload, [&step](double) { step(); }, step);
+    step();
     progress.begin("summarising");
     InfoOfInput info{infoJson(molecule), {}, false};
     if (options.residues) {

@@ -1,6 +1,7 @@
 #pragma once
 // The command line as plain data.
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,7 @@ struct InfoOptions {
     bool together = false;                             ///< the INPUTs are one scene
     bool frequencies = false;                          ///< frequency of each interaction
     Output output = Output::text;
+    std::function<void()> onStep;  ///< called while an input is read; may throw to end the command
 };
 
 struct BenchOptions {

@@ -277,7 +277,8 @@ struct Server::Parts {
         info.paths = {asked.description.input.path};
         info.output = InfoOptions::Output::json;
         try {
-            const std::string told = workers.run([info] {
+            const std::string told = workers.run([info](const std::function<void()>& check) mutable {
+                info.onStep = check;
                 std::ostringstream text;
                 const HeardMessages heard;
                 try {

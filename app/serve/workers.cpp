@@ -31,6 +31,11 @@ std::string encoded(const Picture& picture, const PictureDescription& descriptio
     }
 }
 
+/// @throws Problem after the deadline
+void checkTime(Clock::time_point deadline) {
+    if (Clock::now() > deadline) throw Problem(503, "the answer took too long");
+}
+
 /// A drawing keeps its description, but must not keep open the files of its molecule.
 PictureDescription withoutOpenFiles(PictureDescription description) {
     description.input.opened = nullptr;
@@ -88,9 +93,7 @@ private:
             canvas_.reset();
             makeCanvas();
         }
-        const auto check = [deadline](double) {
-            if (Clock::now() > deadline) throw Problem(503, "the picture took too long");
-        };
+        const auto check = [deadline](double) { checkTime(deadline); };
         if (!has(request)) {
             drawing_.forget();
             molecule_.reset();
@@ -160,7 +163,7 @@ ServedPicture Workers::draw(const PictureRequest& request, const std::string& ne
     return result(task);
 }
 
-std::string Workers::run(std::function<std::string()> work) {
+std::string Workers::run(Work work) {
     const auto task = std::make_shared<Task>();
     task->work = std::move(work);
     return result(task).bytes;
@@ -224,6 +227,20 @@ std::shared_ptr<Workers::Task> Workers::next(Worker& worker) {
     return task;
 }
 
+/// @throws Problem, std::bad_alloc
+ServedPicture Workers::done(Worker& worker, const Task& task) {
+    try {
+        if (!task.work) return worker.draw(task.request, task.deadline);
+        return {task.work([&task] { checkTime(task.deadline); }), {}, true};
+    } catch (const Problem&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw Problem(worker.isLost() ? 503 : 422, error.what());
+    }
+}
+
 void Workers::work(Worker& worker) {
     static const std::exception_ptr noMemory = std::make_exception_ptr(Problem(503, "out of memory"));  // preallocated
     while (const std::shared_ptr<Task> task = next(worker)) {
@@ -232,15 +249,11 @@ void Workers::work(Worker& worker) {
             if (task->given) continue;
         }
         try {
-            task->promise.set_value(task->work ? ServedPicture{task->work(), {}, true}
-                                               : worker.draw(task->request, task->deadline));
-        } catch (const Problem&) {
-            task->promise.set_exception(std::current_exception());
+            task->promise.set_value(done(worker, *task));
         } catch (const std::bad_alloc&) {
             task->promise.set_exception(noMemory);
-        } catch (const std::exception& error) {
-            const int status = worker.isLost() ? 503 : 422;
-            task->promise.set_exception(std::make_exception_ptr(Problem(status, error.what())));
+        } catch (...) {
+            task->promise.set_exception(std::current_exception());
         }
         givePicturesMemoryBack();
     }

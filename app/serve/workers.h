@@ -43,8 +43,10 @@ public:
     /// @param newest  not empty: identifies the client. Its older waiting request gets 429
     ServedPicture draw(const PictureRequest& request, const std::string& newest = {});
 
+    /// Work that calls `check` between its steps, which throws when nobody waits for the result any more.
+    using Work = std::function<std::string(const std::function<void()>& check)>;
     /// Runs other work in its turn, within the same limits. @throws Problem as above
-    std::string run(std::function<std::string()> work);
+    std::string run(Work work);
 
     std::size_t waiting() const;
     /// Renderers created so far: one per worker, and another after a loss or when it holds too many pipelines.
@@ -53,7 +55,7 @@ public:
 private:
     struct Task {
         PictureRequest request;
-        std::function<std::string()> work;  ///< instead of the request
+        Work work;  ///< instead of the request
         std::string newest;
         std::promise<ServedPicture> promise;
         Clock::time_point deadline;  ///< when the client gives up
@@ -63,6 +65,7 @@ private:
 
     ServedPicture result(const std::shared_ptr<Task>& task);
     void work(Worker& worker);
+    static ServedPicture done(Worker& worker, const Task& task);
     std::optional<std::size_t> choice(const Worker& worker) const;
     std::shared_ptr<Task> next(Worker& worker);
 

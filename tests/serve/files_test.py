@@ -331,12 +331,12 @@ class FilesTest(ServedTest):
         name = self.slow_scene(1, 300, 2000)
         server = Server(PROGRAM, self.folder, "--root", str(self.root), "--jobs", "1", "--timeout", "3")
         self.addCleanup(server.process.kill)
-        self.assertEqual(server.ask(f"picture?size=32x32&input={name}")[0], 503)
-        for _ in range(20):  # the worker is between two nodes
-            status = server.ask("picture?input=sample:glucose&size=32x32")[0]
-            if status == 200:
-                break
-        self.assertEqual(status, 200)
+        for number, path in enumerate((f"picture?size=32x32&input={name}", f"info?input={name}")):
+            self.assertEqual(server.ask(path)[0], 503)
+            before = server.cpu_seconds()
+            while (status := server.ask(f"picture?input=sample:glucose&size=32x{32 + number}")[0]) != 200:
+                self.assertEqual(status, 503)
+                self.assertLess(server.cpu_seconds() - before, 5 * SLOWER, path)  # the worker is between two nodes
         self.assertEqual(server.stop(), 0)
 
     def test_stopping_gives_up_what_does_not_end(self):
