@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <new>
 
 #include "engine/error.h"
 #include "engine/threads.h"
@@ -172,7 +173,11 @@ bool HttpServer::answer(Connection& connection, bool waits) {
     bool closed = false;
     stream.begin(waits);
     const auto taken = [&](httplib::Request& request) { stream.takeHead(request); };
-    return process_request(stream, last, closed, taken) && !closed && !last && stream.isThrough();
+    try {
+        return process_request(stream, last, closed, taken) && !closed && !last && stream.isThrough();
+    } catch (const std::bad_alloc&) {
+        return false;  // there is no memory for an answer either
+    }
 }
 
 void HttpServer::hand(Connection connection) {

@@ -172,6 +172,8 @@ struct Server::Parts {
                 handler(request, response);
             } catch (const Problem& problem) {
                 tell(problem, response);
+            } catch (const std::bad_alloc&) {
+                tell(Problem(503, "out of memory"), response);
             } catch (const std::exception& error) {
                 tell(Problem(500, error.what()), response);
             }

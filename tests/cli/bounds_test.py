@@ -1,4 +1,4 @@
-"""`nacre` within bounds: memory, time and threads, whatever a file says. bounds_test.py PROGRAM NO_THREADS"""
+"""`nacre` within bounds: memory, time and threads, whatever a file says. bounds_test.py PROGRAM NO_THREADS NO_MEMORY"""
 import json
 import os
 import pathlib
@@ -11,7 +11,7 @@ import sys
 import tempfile
 import unittest
 
-PROGRAM, NO_THREADS = sys.argv.pop(1), sys.argv.pop(1)
+PROGRAM, NO_THREADS, NO_MEMORY = (sys.argv.pop(1) for _ in range(3))
 SANITIZED = "NACRE_SANITIZED" in os.environ
 
 
@@ -104,6 +104,21 @@ class BoundsTest(unittest.TestCase):
         self.refused(self.run_nacre("movie", "gly.pdb", "--spin", "y", "--seconds", "0.1", "--size", "16x16", "-o", "a.gif", **environment | {"NACRE_TEST_THREADS": "0"}),
                      "cannot start a thread")
         self.refused(self.run_nacre("serve", "--listen", "0", **environment | {"NACRE_TEST_THREADS": "0"}), "thread")
+
+    @unittest.skipIf(SANITIZED, "no library can be preloaded")
+    def test_memory_that_is_refused(self):
+        """One line, though nothing can be allocated any more; of a batch, one job."""
+        large = ("--size", "4000x4000", "--occlusion", "off")
+        preload = {"LD_PRELOAD": NO_MEMORY, "NACRE_TEST_MOST_BYTES": str(16 << 20)}
+        self.refused(self.run_nacre("render", "gly.pdb", *large, "-o", "a.png", **preload, NACRE_TEST_NONE_AFTER="1"), "error: out of memory\n")
+        (self.folder / "large.pdb").write_text("REMARK\n" * (3 << 20))
+        self.refused(self.run_nacre("info", "large.pdb", **preload, NACRE_TEST_NONE_AFTER="1"), "error: out of memory\n")
+        self.refused(self.run_nacre("info", "large.pdb", **preload), "large.pdb: not enough memory\n")
+        jobs = "".join(json.dumps({"input": "gly.pdb", "output": f"m{n}.png", "size": size, "occlusion": "off"}) + "\n"
+                       for n, size in enumerate(("4000x4000", "16x16")))
+        run = self.run_nacre("batch", "-", "--jobs", "1", "-q", input=jobs, **preload)
+        told = [json.loads(line) for line in run.stdout.splitlines()]
+        self.assertEqual([(one["status"], one.get("error")) for one in told], [("failed", "out of memory"), ("done", None)], run.stderr)
 
     def test_a_long_line_is_one_job(self):
         jobs = ('{"input": "' + "x" * (1 << 20) + '"}\n' + json.dumps({"input": "gly.pdb", "output": "after.png", "size": "16x16"}) + "\n")

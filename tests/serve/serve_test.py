@@ -1,4 +1,4 @@
-"""`nacre serve`: its answers and its bounds. serve_test.py PROGRAM"""
+"""`nacre serve`: its answers and its bounds. serve_test.py PROGRAM NO_MEMORY"""
 import concurrent.futures
 import io
 import json
@@ -11,9 +11,9 @@ import unittest
 import urllib.parse
 import zipfile
 
-from served import PDB, ROOM, Client, ServedTest, Server
+from served import PDB, ROOM, SANITIZED, Client, ServedTest, Server
 
-PROGRAM = sys.argv.pop(1)
+PROGRAM, NO_MEMORY = sys.argv.pop(1), sys.argv.pop(1)
 
 class ServeTest(ServedTest):
     program = PROGRAM
@@ -233,6 +233,17 @@ class ServeTest(ServedTest):
         self.assertEqual(set(codes), {200, 429})
         for status, headers, _ in answers:
             self.assertEqual(headers["Retry-After"], "1" if status == 429 else None)
+
+    @unittest.skipIf(SANITIZED, "no library can be preloaded")
+    def test_a_picture_without_memory_is_one_answer(self):
+        server = Server(PROGRAM, self.folder, "--jobs", "1", LD_PRELOAD=NO_MEMORY, NACRE_TEST_MOST_BYTES=str(16 << 20))
+        self.addCleanup(server.process.kill)
+        for size, expected in (("64x64", 200), ("4000x4000", 503), ("64x32", 200)):
+            status, headers, body = server.ask(f"picture?input=sample:glucose&occlusion=off&size={size}")
+            self.assertEqual(status, expected, body[:200])
+            if status == 503:
+                self.assertEqual((json.loads(body)["detail"], headers["Retry-After"]), ("out of memory", "1"))
+        self.assertEqual(server.stop(), 0)
 
     @unittest.skipUnless(socket.has_ipv6 and os.path.exists("/proc/net/if_inet6"), "no IPv6")
     def test_its_address_of_ipv6_is_one_that_browsers_take(self):

@@ -1,5 +1,6 @@
 # The server, as its clients meet it. Included by tests/CMakeLists.txt.
-add_test(NAME serve COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/serve_test.py $<TARGET_FILE:nacre-cli>)
+add_test(NAME serve COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/serve_test.py $<TARGET_FILE:nacre-cli>
+                            $<TARGET_FILE:nacre_no_memory>)
 add_test(NAME serve/attack COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/attack_test.py
                                    $<TARGET_FILE:nacre-cli>)
 add_library(nacre_resolve_here SHARED serve/resolve_here.cpp)
