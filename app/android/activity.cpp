@@ -25,6 +25,7 @@
 #include "app/android/session.h"
 #include "app/download/database_id.h"
 #include "app/viewer/kept_files.h"
+#include "engine/threads.h"
 
 namespace nacre::app {
 namespace {
@@ -112,12 +113,14 @@ public:
         setHttpFetch({}, this);
         ended_ = true;
         if (wait(RenderThread::Task([this] { session_.reset(); }))) return delete this;
-        std::thread([this] {
+        std::thread waits;
+        const bool started = mayStart(waits, [this] {
             constexpr double kLong = 1e6;
             while (!thread_.call([] {}, kLong)) {
             }
             delete this;
-        }).detach();
+        });
+        if (started) waits.detach();  // else this object stays until the process ends
     }
 
     /// Calls a function of the session, on its thread.

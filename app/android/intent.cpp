@@ -8,6 +8,7 @@
 
 #include "app/android/log.h"
 #include "engine/error.h"
+#include "engine/threads.h"
 
 namespace nacre::app {
 namespace {
@@ -116,8 +117,12 @@ IntentDocument::~IntentDocument() {
 
 void IntentDocument::open() {
     if (!present()) return;
-    opened_ = true;
-    std::thread([work = work_] { work->run(); }).detach();
+    std::thread thread;
+    opened_ = mayStart(thread, [work = work_] { work->run(); });
+    if (opened_)
+        thread.detach();
+    else
+        logError("no thread can be started: the document is not opened");
 }
 
 void IntentDocument::Work::release(JNIEnv* env) {
