@@ -76,7 +76,7 @@ DynamicRendering::DynamicRendering(const Device& device, const graph::RenderPass
         if (graph::isDepthFormat(plan.attachments[a].format))
             depth_ = static_cast<std::int32_t>(a);
         else
-            colors_.push_back(a);
+            colors_.at(colorCount_++) = a;
 }
 
 bool DynamicRendering::takes(const Device& device, const graph::RenderPassPlan& plan) {
@@ -114,7 +114,8 @@ vk::ImageLayout DynamicRendering::inputLayout(std::uint32_t s) const {
 /// Does what a VkRenderPass does implicitly: transitions into its layouts, after earlier work, and out of them. The
 /// plan's own barriers continue from the attachments' stages.
 void DynamicRendering::transition(bool entering) const {
-    std::vector<vk::ImageMemoryBarrier> barriers;
+    std::array<vk::ImageMemoryBarrier, RenderingFormats::kMost + 1> barriers;  // and depth
+    std::uint32_t count = 0;
     vk::PipelineStageFlags own, earlier;
     if (entering) earlier = vk::PipelineStageFlags(before(plan_).stages);
     for (std::uint32_t a = 0; a < plan_.attachments.size(); ++a) {
@@ -130,12 +131,13 @@ void DynamicRendering::transition(bool entering) const {
         if (entering && planned == vk::ImageLayout::eUndefined) from = vk::AccessFlags(before(plan_).access);
         const auto aspect =
             static_cast<std::int32_t>(a) == depth_ ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
-        barriers.emplace_back(
+        barriers.at(count++) = vk::ImageMemoryBarrier(
             from, vk::AccessFlags(work.access), entering ? planned : inside, entering ? inside : planned,
             VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, images_[attachment.image].handle,
             vk::ImageSubresourceRange(aspect, 0, 1, images_[attachment.image].firstLayer, plan_.layers));
     }
-    if (!barriers.empty()) commands_.pipelineBarrier(own | earlier, own, {}, {}, {}, barriers);
+    const vk::ArrayProxy<const vk::ImageMemoryBarrier> some(count, barriers.data());
+    if (count > 0) commands_.pipelineBarrier(own | earlier, own, {}, {}, {}, some);
 }
 
 void DynamicRendering::begin() const {
@@ -154,15 +156,15 @@ void DynamicRendering::begin() const {
             std::copy(attachment.clear.value.begin(), attachment.clear.value.end(), info.clearValue.color.float32);
         return info;
     };
-    std::vector<VkRenderingAttachmentInfo> colors;
-    for (const std::uint32_t a : colors_) colors.push_back(attachmentInfo(a));
+    std::array<VkRenderingAttachmentInfo, RenderingFormats::kMost> infos{};
+    std::ranges::transform(colors(), infos.begin(), attachmentInfo);
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
     info.renderArea.extent = {plan_.extent.width, plan_.extent.height};
     info.layerCount = plan_.viewMask ? 1 : plan_.layers;
     info.viewMask = plan_.viewMask;
-    info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
-    info.pColorAttachments = colors.data();
+    info.colorAttachmentCount = colorCount_;
+    info.pColorAttachments = infos.data();
     VkRenderingAttachmentInfo depth{};
     if (depth_ >= 0) depth = attachmentInfo(static_cast<std::uint32_t>(depth_)), info.pDepthAttachment = &depth;
     commands_.getDispatcher()->vkCmdBeginRenderingKHR(*commands_, &info);
@@ -175,9 +177,9 @@ RenderingFormats DynamicRendering::findFormats(std::uint32_t s) const {
         return it == list.end() ? kNone : static_cast<std::uint32_t>(it - list.begin());
     };
     RenderingFormats formats;
-    formats.colorCount = static_cast<std::uint32_t>(colors_.size());
+    formats.colorCount = colorCount_;
     formats.viewMask = plan_.viewMask;
-    for (std::size_t i = 0; i < colors_.size(); ++i) {
+    for (std::size_t i = 0; i < colorCount_; ++i) {
         formats.colors[i] = plan_.attachments[colors_[i]].format;
         formats.locations[i] = findIndex(subpass.colors, colors_[i]);
         formats.inputs[i] = findIndex(subpass.inputs, colors_[i]);

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <span>
-#include <vector>
 
 #include "engine/gpu/local_read.h"
 #include "engine/gpu/resources.h"
@@ -34,7 +33,7 @@ bool readsLocally(const vk::raii::PhysicalDevice& device, bool validate);
 /// @param device  created with the features that readsLocally() checks
 LocalReadCalls loadLocalReadCalls(const vk::raii::Device& device);
 
-/// One render pass of a plan while it is recorded.
+/// One render pass of a plan while it is recorded. Does not allocate.
 class DynamicRendering {
 public:
     /// @param images  by graph index; all outlive this
@@ -52,6 +51,7 @@ public:
     vk::ImageLayout inputLayout(std::uint32_t subpass) const;
 
 private:
+    std::span<const std::uint32_t> colors() const { return {colors_.data(), colorCount_}; }
     vk::ImageLayout findLayout(std::uint32_t attachment) const;
     void transition(bool entering) const;
 
@@ -59,7 +59,8 @@ private:
     const graph::RenderPassPlan& plan_;
     std::span<const ImageRef> images_;
     const vk::raii::CommandBuffer& commands_;
-    std::vector<std::uint32_t> colors_;  // attachments
+    std::array<std::uint32_t, RenderingFormats::kMost> colors_{};  // attachments
+    std::uint32_t colorCount_ = 0;
     std::int32_t depth_ = -1;
 };
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "tests/renderer/scenes.h"
+#include "tests/support/newer_lavapipe.h"
 
 namespace {
 std::atomic<std::uint64_t> allocations{0};
@@ -47,7 +48,7 @@ std::uint64_t takenByATurn(Renderer& renderer, RenderSettings s, double radius) 
     return allocations - before;
 }
 
-TEST(HostMemory, ASteadyFrameTakesNone) {
+void expectNoneTaken() {
     for (const Visibility path :
          {Visibility::fragdepth, Visibility::encoded, Visibility::deferred, Visibility::tiles}) {
         Renderer renderer(DeviceOptions{false, "", path});
@@ -68,6 +69,15 @@ TEST(HostMemory, ASteadyFrameTakesNone) {
             EXPECT_EQ(takenByATurn(renderer, s, r.radius), 0u) << visibilityName(path) << " with shadows";
         }
     }
+}
+
+TEST(HostMemory, ASteadyFrameTakesNone) { expectNoneTaken(); }
+
+TEST(HostMemory, ASteadyFrameTakesNoneByDynamicRendering) {
+    if (!NewerLavapipe::there()) GTEST_SKIP() << NewerLavapipe::kAbsent;
+    const NewerLavapipe newer;
+    ASSERT_TRUE(deviceInfo(DeviceOptions{}).localRead);
+    expectNoneTaken();
 }
 
 /// Whoever works them out has all of them in one piece in the end.
