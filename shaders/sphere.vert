@@ -55,5 +55,9 @@ void main() {
     // With inclined facets, a corner moved by the rasteriser would change depth.
     float front = radius * inCorner.z + (kCorners == 9 ? 2.0 * snapReach() : 0.0) + kCapRoom;
     if (isCutOff(center)) q = outline.center;
-    gl_Position = clipPosition(q, encodedDepth(view.origin - center.z - front));
+    float depth = encodedDepth(view.origin - center.z - front);
+    // An apex before the near end of the depth range would be clamped, and its facets would sink into the sphere.
+    float apex = view.origin - center.z - (1.252 * radius + 2.0 * snapReach() + kCapRoom);
+    if (kCorners == 9 && encodedDepth(apex) < 0.0) depth = 0.0;
+    gl_Position = clipPosition(q, depth);
 }
