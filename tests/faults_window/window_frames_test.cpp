@@ -35,7 +35,7 @@ Overlay triangle() {
 
 TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
-    for (const Visibility path : kPaths) {
+    for (const Visibility path : devicePaths()) {
         Renderer renderer(windowOptions(path));
         const Overlay overlay = triangle();
         renderer.setOverlayGlyphs({2, 2, {255, 0, 255, 255}});
@@ -84,7 +84,7 @@ TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
 
 TEST(WindowFrames, TwoEyesByEveryPathAreValid) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
-    for (const Visibility path : kPaths) {
+    for (const Visibility path : devicePaths()) {
         Renderer renderer(windowOptions(path));
         renderer.setScene(r);
         RenderSettings s = settings(r, 96, Projection::perspective);

@@ -66,7 +66,7 @@ Errors measureErrors(const Lit& scene, const Light& light, const reference::Sky&
 }
 
 TEST_P(BouncedLight, IsNearPaths) {
-    if (GetParam() == std::string("Pocket")) NACRE_NEEDS_DATA();
+    if (GetParam() == std::string("Pocket")) NACRE_NEEDS_DATA("1hpv.pdb");
     const Lit scene = lit();
     const Errors errors = measureErrors(scene, ambientAlone(), sky());
     EXPECT_LT(errors.drawn.rms(), 0.025);
@@ -75,7 +75,7 @@ TEST_P(BouncedLight, IsNearPaths) {
 
 /// Pictures have no shadows unless asked: so far they cannot be right.
 TEST_P(BouncedLight, IsNearerToPathsWithDirectLight) {
-    if (GetParam() == std::string("Pocket")) NACRE_NEEDS_DATA();
+    if (GetParam() == std::string("Pocket")) NACRE_NEEDS_DATA("1hpv.pdb");
     Light matt;
     matt.highlight = 0;
     reference::Sky withSun = sky();
@@ -86,7 +86,7 @@ TEST_P(BouncedLight, IsNearerToPathsWithDirectLight) {
 }
 
 TEST_P(BouncedLight, LeavesNoPlaceBlack) {
-    if (GetParam() == std::string("Pocket")) NACRE_NEEDS_DATA();
+    if (GetParam() == std::string("Pocket")) NACRE_NEEDS_DATA("1hpv.pdb");
     const Pictures p = renderPictures(lit(), Light());
     for (std::size_t i = 0; i < p.layers.id.size(); ++i)
         for (std::size_t c = 4 * i; p.layers.id[i] && c < 4 * i + 3; ++c)
@@ -119,14 +119,14 @@ TEST(BouncedLightInTheDark, RunsIntoTheLeastWithoutABorder) {
 struct Colorful {
     const char* name;
     Lit (*lit)();
-    bool ofData;
+    const char* file;
     double most;  ///< share of the error that is left
 };
 void PrintTo(const Colorful& c, std::ostream* out) { *out << c.name; }
 class LightOfNeighbours : public testing::TestWithParam<Colorful> {};
 
 TEST_P(LightOfNeighbours, IsNearerToPaths) {
-    if (GetParam().ofData) NACRE_NEEDS_DATA();
+    NACRE_NEEDS_DATA(GetParam().file);
     const Lit lit = GetParam().lit();
     RenderSettings s = lit.settings;
     s.fine = true;
@@ -142,12 +142,13 @@ TEST_P(LightOfNeighbours, IsNearerToPaths) {
     EXPECT_LT(after, GetParam().most * before);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, LightOfNeighbours,
-                         testing::Values(Colorful{"Well", well, false, 0.7}, Colorful{"Dna", dna, false, 0.55},
-                                         Colorful{"Chains", [] { return hemoglobin(ColorScheme::chain); }, true, 0.5},
-                                         Colorful{"Pocket", [] { return pocket(ColorScheme::chain); }, true, 0.5},
-                                         Colorful{"DnaCartoon", dnaCartoon, false, 1}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, LightOfNeighbours,
+    testing::Values(Colorful{"Well", well, "sample:", 0.7}, Colorful{"Dna", dna, "sample:dna", 0.55},
+                    Colorful{"Chains", [] { return hemoglobin(ColorScheme::chain); }, "4hhb.pdb", 0.5},
+                    Colorful{"Pocket", [] { return pocket(ColorScheme::chain); }, "1hpv.pdb", 0.5},
+                    Colorful{"DnaCartoon", dnaCartoon, "sample:dna", 1}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace nacre::test

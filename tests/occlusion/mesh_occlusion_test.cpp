@@ -57,7 +57,7 @@ class MeshOcclusion : public testing::TestWithParam<MeshOcclusionCase> {};
 
 TEST_P(MeshOcclusion, IsNearTheRayTraced) {
     const MeshOcclusionCase& c = GetParam();
-    if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
+    NACRE_NEEDS_DATA(c.file);
     const Representation r = c.made == Made::tubes ? meshScene() : makeMeshScene(c.file, c.made);
     ASSERT_FALSE(r.triangles.empty());
     expectNearRays(r, 0.042);
@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(Large, MeshOcclusion,
                          caseName);
 
 TEST(OcclusionOfMeshes, WithLigandsIsNearTheRayTraced) {
-    NACRE_NEEDS_DATA();
+    NACRE_NEEDS_DATA("4hhb.pdb");
     expectNearRays(scene("4hhb.pdb", Style::cartoon), 0.045);
 }
 

@@ -42,7 +42,7 @@ TEST(Occlusion, OfALoneSphereIsOneEverywhere) {
 class OcclusionOf : public testing::TestWithParam<OcclusionScene> {};
 
 TEST_P(OcclusionOf, MoleculeIsNearTheRayTraced) {
-    if (!isSample(GetParam())) NACRE_NEEDS_DATA();
+    NACRE_NEEDS_DATA(GetParam().file);
     expectNearRays(makeScene(GetParam()), 0.035);
 }
 

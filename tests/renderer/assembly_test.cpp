@@ -71,12 +71,12 @@ class AssemblyPicture : public SharedRenderers<AssemblyCase> {};
 
 TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
     const AssemblyCase& c = GetParam();
-    if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
+    if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA(c.file);
     const Representation r = makeScene(makeMolecule(c), c, true);
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120}, c.zoom);
     std::vector<LayerPicture> pictures;
     std::vector<Picture> colors;
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false}) {
@@ -97,7 +97,7 @@ TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
 
 TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
     const AssemblyCase& c = GetParam();
-    if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
+    if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA(c.file);
     const Molecule m = makeMolecule(c);
     const auto assembly =
         std::find_if(m.assemblies.begin(), m.assemblies.end(), [&](const Assembly& a) { return a.id == c.assembly; });
@@ -130,7 +130,7 @@ TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
 
 TEST_P(AssemblyPicture, NamesAtomsByTheirPlaceInTheFile) {
     const AssemblyCase& c = GetParam();
-    if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
+    if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA(c.file);
     const Molecule m = makeMolecule(c);
     const Representation r = makeScene(m, c, true);
     ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic);
@@ -193,7 +193,7 @@ TEST_P(CopyColors, EachCopyHasItsColourOnEveryPath) {
     usual->setScene(copiesStored(r));
     const Picture expected = usual->render(s);
     std::vector<Picture> pictures;
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         pictures.push_back(renderer->render(s));

@@ -43,7 +43,7 @@ TEST(Borders, RunWhereTwoAtomsAreEquallyNear) {
     for (Triangle& t : plain.triangles) t = Triangle(t.a, t.b, t.c, t.step());
     const RenderSettings s = settings(r, 120, Projection::orthographic, {20, 30, 10}, 2);
     LayerPicture first;
-    for (const Visibility path : kPaths) {
+    for (const Visibility path : devicePaths()) {
         ValidatedRenderer renderer(path);
         renderer->setScene(r);
         const LayerPicture layers = renderer->layers(s);
@@ -85,7 +85,7 @@ TEST(Borders, DivideEdgesByTheMarginsOfTheirEnds) {
         r.drawnAtoms = 2;
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
             const RenderSettings s = settings(r, 100, projection, {0, 0, 0});
-            for (const Visibility path : kPaths) {
+            for (const Visibility path : devicePaths()) {
                 renderers[path]->setScene(r);
                 const LayerPicture layers = renderers[path]->layers(s);
                 double sum = 0;

@@ -80,7 +80,7 @@ class Caps : public SharedRenderers<CapCase> {};
 
 TEST_P(Caps, AreOnThePlaneOnEveryPath) {
     const Representation r = scene("sample:dna", GetParam().style);
-    for (const Visibility path : kPaths) sharedRenderer(path)->setScene(r);
+    for (const Visibility path : devicePaths()) sharedRenderer(path)->setScene(r);
     // The scene stays; views and planes change, as in a window.
     for (const auto& [rotation, near] :
          {std::pair(glm::dvec3(20, 30, 10), 0.0), {glm::dvec3(50, -70, 0), 0.0}, {glm::dvec3(50, -70, 0), 3.5}}) {
@@ -88,7 +88,7 @@ TEST_P(Caps, AreOnThePlaneOnEveryPath) {
         s.effects.clip.near = near;
         LayerPicture first;
         std::vector<float> picture;
-        for (const Visibility path : kPaths) {
+        for (const Visibility path : devicePaths()) {
             ValidatedRenderer& renderer = sharedRenderer(path);
             const LayerPicture layers = renderer->layers(s);
             const Picture drawn = renderer->render(s);
@@ -149,7 +149,7 @@ TEST(CapsOfScenes, HaveTheGivenColour) {
         s.supersample = 1;
         s.effects.clip.near = 0;
         s.effects.clip.capColor = {1, 0, 0.5f};
-        for (const Visibility path : kPaths) {
+        for (const Visibility path : devicePaths()) {
             ValidatedRenderer renderer(path);
             renderer->setScene(r);
             const LayerPicture layers = renderer->layers(s);

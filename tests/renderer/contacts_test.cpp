@@ -30,7 +30,7 @@ TEST_P(ContactScenes, AreTheSameOnEveryPath) {
     if (GetParam().clip) s.effects.clip = {-2, 12, Clip::Cap::plain};
     LayerPicture first;
     Picture picture;
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         const LayerPicture l = renderer->layers(s);

@@ -152,7 +152,7 @@ TEST_P(CopyLevels, AreTheSameOnEveryPathAndByAnyNumberOfThreads) {
     s.levelsFrom = 0;
     s.view.quarterTurns = 1;
     std::vector<float> first;
-    for (const Visibility path : kPaths)
+    for (const Visibility path : devicePaths())
         for (const unsigned threads : {1u, 2u}) {
             setThreadsPerTask(threads);
             ValidatedRenderer& renderer = sharedRenderer(path);

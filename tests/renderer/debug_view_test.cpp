@@ -59,7 +59,7 @@ int decodeFragments(const Rgb& color) {
 TEST(DebugView, ShowsTheLayersByEveryPath) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     for (const Projection projection : {Projection::orthographic, Projection::perspective})
-        for (const Visibility path : kPaths) {
+        for (const Visibility path : devicePaths()) {
             if (projection == Projection::perspective && path != Visibility::encoded) continue;
             ValidatedRenderer renderer(path);
             renderer->setScene(r);
@@ -136,7 +136,7 @@ TEST(DebugView, OverdrawIsWhatTheCountersCount) {
 
 TEST(DebugView, PlatesAreThePictureWhereThePrepassCoversIt) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    for (const Visibility path : kPaths) {
+    for (const Visibility path : devicePaths()) {
         ValidatedRenderer renderer(path);
         renderer->setScene(r);
         RenderSettings s = settings(r, kSize, Projection::orthographic);

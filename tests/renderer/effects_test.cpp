@@ -41,7 +41,7 @@ TEST_P(Effect, IsTheSamePictureOnEveryPath) {
     rims.effects.halos = {5, 6, 0.8, {0.2f, 0, 0}};
     LayerPicture layers;
     std::vector<float> picture, rimmed;
-    for (const Visibility path : kPaths) {
+    for (const Visibility path : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(path);
         renderer->setScene(r);
         const std::vector<float> withRims = renderer->render(rims).rgba;

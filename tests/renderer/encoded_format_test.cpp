@@ -19,7 +19,7 @@ LayerPicture draw(const Representation& r, const RenderSettings& s, EncodedDepth
 class Ladder : public testing::TestWithParam<const char*> {};
 
 TEST_P(Ladder, DiffersOnlyWhereSurfacesAreCloserThanItsStep) {
-    if (!std::string(GetParam()).starts_with("sample:")) NACRE_NEEDS_DATA();
+    NACRE_NEEDS_DATA(GetParam());
     const Representation r = scene(GetParam(), Style::spacefill);
     const RenderSettings s = settings(r, 400, Projection::orthographic);
     const LayerPicture exact = draw(r, s, EncodedDepth::r32f);

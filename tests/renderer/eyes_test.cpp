@@ -62,7 +62,7 @@ protected:
 
 TEST_P(Eyes, HaveThePixelsOfFramesOfTheirOwn) {
     const Representation r = scene("sample:dna", GetParam().style);
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         RenderSettings s = settings(r, 160, Projection::perspective, {75, -40, 120});
@@ -90,7 +90,12 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Eyes,
                                          EyesCase{"triangles", Style::cartoon}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-class EyesOfOthers : public SharedRenderers<Visibility> {};
+class EyesOfOthers : public SharedRenderers<Visibility> {
+protected:
+    void SetUp() override {
+        if (!isDevicePath(GetParam())) GTEST_SKIP() << testedDevice().name << " does not draw by this path";
+    }
+};
 
 TEST_P(EyesOfOthers, CopiesOfAnAssembly) {
     Molecule m = molecule("sample:dna");
@@ -137,7 +142,7 @@ TEST_P(EyesOfOthers, WhatOneFrameCannotDrawIsTwoFramesAndSaidSo) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Paths, EyesOfOthers, testing::ValuesIn(kPaths),
+INSTANTIATE_TEST_SUITE_P(Paths, EyesOfOthers, testing::ValuesIn(kEveryPath),
                          [](const auto& tested) { return testName(visibilityName(tested.param)); });
 
 }  // namespace

@@ -70,13 +70,15 @@ TEST(Geometry, OfALargeProteinIsAQuarterOfWhatPyramidsWithoutIndicesTook) {
 }
 
 TEST(Geometry, OfAPictureIsToldByItsFrame) {
-    ValidatedRenderer renderer(Visibility::rasterOrder);
+    ValidatedRenderer renderer(isDevicePath(Visibility::rasterOrder) ? Visibility::rasterOrder : Visibility::fragdepth);
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     renderer->setScene(r);
     RenderSettings s = settings(r, 32, Projection::orthographic);
     s.occlusion.directions = 0;
+    s.tuning.plates = PlateShape::square;
+    s.tuning.impostor = ImpostorShape::square;
     renderer->render(s);
-    const auto& geometry = renderer->stats().geometry;  // by a software device: squares
+    const auto& geometry = renderer->stats().geometry;
     ASSERT_EQ(geometry.size(), 2u);
     EXPECT_EQ(geometry[0].name, "opaque prepass");
     EXPECT_EQ(geometry[0].vertices, 4 * r.spheres.size());

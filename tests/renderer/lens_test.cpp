@@ -70,7 +70,7 @@ TEST_P(Lens, ShowsTheSamePictureOnEveryPath) {
         s.background = {0.2f, 0.3f, 0.9f, 0.5f};
         s.effects.contours.width = 2;
         std::vector<float> first;
-        for (const Visibility path : kPaths) {
+        for (const Visibility path : devicePaths()) {
             ValidatedRenderer& renderer = sharedRenderer(path);
             renderer->setScene(r);
             const std::vector<float> picture = renderer->render(s).rgba;
@@ -90,7 +90,7 @@ TEST_P(Lens, ReadsTheImageThatAllPathsAndSamplesEndIn) {
             s.supersample = samples;
             s.effects.halos.width = halos;
             std::vector<float> first;
-            for (const Visibility path : kPaths) {
+            for (const Visibility path : devicePaths()) {
                 ValidatedRenderer& renderer = sharedRenderer(path);
                 renderer->setScene(r);
                 const std::vector<float> picture = renderer->render(s).rgba;

@@ -60,7 +60,7 @@ TEST(Materials, AreShadedByTheirFormulaOnEveryPath) {
     RenderSettings s = settings(r, 200, Projection::orthographic, {0, 0, 0});
     for (const Material ofPicture : kEach) {
         s.effects.light.material = ofPicture;
-        for (const Visibility path : kPaths) {
+        for (const Visibility path : devicePaths()) {
             ValidatedRenderer renderer(path);
             renderer->setScene(r);
             const LayerPicture p = renderer->layers(s);

@@ -59,7 +59,7 @@ TEST_P(MeshLevelsPicture, IsTheSameOnEveryPath) {
     const RenderSettings s = levelsSettings(c, r);
     LayerPicture first;
     Picture picture;
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         const LayerPicture l = renderer->layers(s);

@@ -49,7 +49,7 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
     plain.effects = {};
     LayerPicture first;
     Picture picture;
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         const LayerPicture l = renderer->layers(s);

@@ -34,7 +34,7 @@ TEST_P(MeshPicture, IsTheSameOnEveryPath) {
     RenderSettings s = makeSettings(c, r, 160);
     LayerPicture layers;
     std::vector<float> picture;
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false}) {
@@ -211,14 +211,18 @@ TEST(MeshFrame, MeetsASphereWhereItDoesInSpace) {
         r.sphereLooks = {testLook(1)};
         r.radius = 5.1;
         r.drawnAtoms = 2;
-        for (const Visibility visibility : kPaths) {
+        for (const Visibility visibility : devicePaths()) {
             ValidatedRenderer renderer(visibility);
             renderer->setScene(r);
-            const LayerPicture l = renderer->layers(settings(r, 120, Projection::orthographic));
-            std::size_t counts[3] = {};
-            for (const std::uint32_t id : l.id) ++counts[id];
-            EXPECT_EQ(counts[radius < 5 ? 2 : 1], 0u) << visibilityName(visibility);
-            EXPECT_GT(counts[radius < 5 ? 1 : 2], 5000u) << visibilityName(visibility);
+            RenderSettings s = settings(r, 120, Projection::orthographic);
+            for (const bool facets : {false, true}) {  // whose apex is farther in front than depth reaches
+                if (facets) s.tuning.plates = PlateShape::dome3, s.tuning.impostor = ImpostorShape::pyramid;
+                const LayerPicture l = renderer->layers(s);
+                std::size_t counts[3] = {};
+                for (const std::uint32_t id : l.id) ++counts[id];
+                EXPECT_EQ(counts[radius < 5 ? 2 : 1], 0u) << visibilityName(visibility) << ", " << facets;
+                EXPECT_GT(counts[radius < 5 ? 1 : 2], 5000u) << visibilityName(visibility) << ", " << facets;
+            }
         }
     }
 }

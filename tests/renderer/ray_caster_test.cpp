@@ -21,7 +21,7 @@ class RayCaster : public SharedRenderers<RayCase> {};
 
 TEST_P(RayCaster, AgreesWithTheGpu) {
     const RayCase& c = GetParam();
-    if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
+    NACRE_NEEDS_DATA(c.file);
     const Representation r = scene(c.file, c.style);
     // From afar sticks are all edge, and pixels near an edge are not judged: step closer.
     const double zoom = c.style != Style::spacefill && r.radius > 20 ? 8 : 1;

@@ -15,15 +15,12 @@
 #include "engine/renderer.h"
 #include "engine/scene/build/representation.h"
 #include "tests/reference/layers.h"
+#include "tests/support/device_paths.h"
 #include "tests/support/test_data.h"
 
 namespace nacre::test {
 
-/// The paths that rasterise.
-inline constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
-                                        Visibility::rasterOrder, Visibility::tiles};
-
-/// A molecule by name: "sample:dna", or a file of the test data (use NACRE_NEEDS_DATA() first).
+/// A molecule by name: "sample:dna", or a file of the test data (use NACRE_NEEDS_DATA(name) first).
 inline Molecule molecule(const std::string& name) {
     if (name.starts_with("sample:")) return sampleMolecule(name.substr(7));
     return readMoleculeFile(dataFile(name));
@@ -152,7 +149,7 @@ struct PictureAndOcclusion {
 inline PictureAndOcclusion sameOnEveryPath(PathRenderers& renderers, const Representation& scene,
                                            const RenderSettings& settings) {
     PictureAndOcclusion first;
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = renderers[visibility];
         renderer->setScene(scene);
         Picture p = renderer->render(settings);

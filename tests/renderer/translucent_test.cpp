@@ -95,7 +95,7 @@ TEST_P(TranslucentPicture, IsTheSameOnEveryPath) {
     }
     std::vector<float> picture, layered;
     LayerPicture layers;
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false}) {

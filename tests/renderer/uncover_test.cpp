@@ -66,7 +66,7 @@ RenderSettings closeTo(const std::vector<bool>& chosen, const Representation& r,
 
 TEST_P(UncoveredPart, ShowsNearlyAllThatItShowsAlone) {
     const UncoverCase c = GetParam();
-    if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
+    NACRE_NEEDS_DATA(c.file);
     const Molecule m = molecule(c.file);
     const std::vector<bool> chosen = selectAtoms(m, parseSelection(c.part));
     Representation r = represent(m, drawnAtoms(m), {c.style, ColorScheme::element});

@@ -10,8 +10,11 @@
 namespace nacre::test {
 namespace {
 
-constexpr Visibility kRasterPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
-                                       Visibility::rasterOrder};
+std::vector<Visibility> rasterPaths() {
+    std::vector<Visibility> paths = devicePaths();
+    std::erase(paths, Visibility::tiles);
+    return paths;
+}
 
 std::size_t countRenderPasses(const std::string& plan) {
     std::size_t count = 0;
@@ -41,7 +44,10 @@ void expectTheSameInShares(ValidatedRenderer& renderer, RenderSettings s, const 
     const Decision fit = findFit(*renderer.operator->());
     EXPECT_NE(fit.how, "") << what;
     EXPECT_NE(fit.why.find("a render pass gets at most"), std::string::npos) << fit.why;
-    EXPECT_GT(countRenderPasses(renderer->planText()), renderPasses) << what << ": " << fit.how;
+    // A GPU's shapes have lighter ones, which may fit.
+    const bool lighter = fit.how.find("without plates") != std::string::npos || fit.how.ends_with("of squares");
+    const std::size_t least = renderPasses + (lighter && !isSoftwareDevice() ? 0 : 1);
+    EXPECT_GE(countRenderPasses(renderer->planText()), least) << what << ": " << fit.how;
     std::uint64_t drawn = 0;
     for (const PassGeometry& pass : renderer->stats().geometry) {
         EXPECT_LE(pass.varyingBytes, s.tuning.mostVertexBytes) << what << ", " << pass.name;
@@ -70,7 +76,7 @@ TEST_P(VertexLimit, ChangesNoPixelOnAnyPath) {
     Representation r = scene(c.style == Style::cartoon ? "sample:dna" : "sample:glucose", c.style);
     RenderSettings s = settings(r, 128, Projection::orthographic);
     c.set(r, s);
-    for (const Visibility path : kRasterPaths) {
+    for (const Visibility path : rasterPaths()) {
         ValidatedRenderer& renderer = sharedRenderer(path);
         renderer->setScene(r);
         for (const double share : {0.3, 0.13})
@@ -131,7 +137,7 @@ TEST(VertexLimitOfCopies, CutsAnywhere) {
     options.assembly = "1";
     const Representation r = represent(m, drawnAtoms(m), options);
     PathRenderers renderers;
-    for (const Visibility path : kRasterPaths) {
+    for (const Visibility path : rasterPaths()) {
         renderers[path]->setScene(r);
         expectTheSameInShares(renderers[path], settings(r, 128, Projection::orthographic), visibilityName(path), 0.07);
     }

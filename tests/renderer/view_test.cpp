@@ -70,7 +70,7 @@ TEST(View, AtomsThatAreNotThereAreErrors) {
 
 TEST(View, PanningByWholePixelsMovesThePictureByThem) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
-    for (const Visibility path : kPaths) {
+    for (const Visibility path : devicePaths()) {
         ValidatedRenderer renderer(path);
         renderer->setScene(r);
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
@@ -93,7 +93,7 @@ TEST(View, PanningByWholePixelsMovesThePictureByThem) {
 
 TEST(View, ATurnedImageIsThePictureTurnedBitForBit) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
-    for (const Visibility path : kPaths) {
+    for (const Visibility path : devicePaths()) {
         ValidatedRenderer renderer(path);
         renderer->setScene(r);
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
@@ -125,7 +125,7 @@ TEST(View, ATurnedImageIsThePictureTurnedBitForBit) {
 
 TEST(View, TheAtomUnderAPixelIsThatOfTheLayers) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    for (const Visibility path : kPaths) {
+    for (const Visibility path : devicePaths()) {
         ValidatedRenderer renderer(path);
         renderer->setScene(r);
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {

@@ -137,7 +137,7 @@ TEST_P(Volumes, AreWhatARayMarcherSees) {
             putBehind(toLinear(testLook(hits.id[i] - 1).color), 1, seen[i]);
         }
     double worst = 0;
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         const LayerPicture picture = renderer->layers(s);
@@ -170,7 +170,7 @@ TEST_P(Volumes, AreTheSameOnEveryPath) {
                 s.effects.shadow.strength = 0.5;
             }
             std::vector<float> first;
-            for (const Visibility visibility : kPaths) {
+            for (const Visibility visibility : devicePaths()) {
                 ValidatedRenderer& renderer = sharedRenderer(visibility);
                 renderer->setScene(r);
                 const Picture p = renderer->render(s);
@@ -248,7 +248,7 @@ TEST_P(Volumes, AreDrawnAlone) {
     r.volume = blobVolume();
     const RenderSettings s = settings(r, 64, GetParam());
     std::vector<float> first;
-    for (const Visibility visibility : kPaths) {
+    for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility);
         renderer->setScene(r);
         const Picture p = renderer->render(s);
