@@ -124,8 +124,8 @@ void PictureFrames::note(const PreparedFrame& prepared) {
     stats_.tileBytesPerPixel = graph::tileBytesPerPixel(plan);
     stats_.loadedBytes = plan.total.loaded;
     stats_.storedBytes = plan.total.stored;
-    stats_.deviceBytes = device_.peakAllocatedBytes();
-    stats_.deviceBytesHeld = device_.allocatedBytes();
+    stats_.deviceBytes = device_.memory().peakBytes();
+    stats_.deviceBytesHeld = device_.memory().bytes();
     const graph::GeometryCaps& caps = device_.caps().plan.geometry;
     const passes::SceneView& view = *prepared.view;
     tellGeometry(last_->frame.graph, prepared.counts, caps, view.plates, view.impostor, stats_.geometry);

@@ -64,7 +64,7 @@ WindowFrames::WindowFrames(const gpu::Device& device, gpu::Executor& executor, S
 }
 
 void WindowFrames::setGlyphs(const OverlayGlyphs& glyphs) {
-    device_->waitIdle();
+    device_.waitIdle();
     overlay_.setGlyphs(executor_, glyphs);
 }
 

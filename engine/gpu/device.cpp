@@ -60,6 +60,7 @@ Device::Device(const DeviceOptions& options, Caching caching) {
     createDevice(options);
     if (caching == Caching::usual && !graph::has(graph::Quirk::noPipelineCache, driverIdentity(physical_)))
         pipelineCache_ = makePipelineCache(device_, physical_, options.pipelineCache);
+    memory_ = std::make_unique<MemoryStore>(device_, physical_);
     nameOwn();
     DeviceOptions wanted = options;
     wanted.capture = capture_.loaded();
@@ -144,26 +145,12 @@ void Device::createDevice(const DeviceOptions& options) {
     queue_ = device_.getQueue(queueFamily_, 0);
 }
 
-Device::Allocation Device::allocate(const vk::MemoryRequirements& requirements,
-                                    std::initializer_list<vk::MemoryPropertyFlags> choices,
-                                    const std::string& what) const {
-    const auto memory = physical_.getMemoryProperties();
-    for (const vk::MemoryPropertyFlags properties : choices) {
-        for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
-            if (!(requirements.memoryTypeBits & (1u << type))) continue;
-            if ((memory.memoryTypes[type].propertyFlags & properties) != properties) continue;
-            try {
-                vk::raii::DeviceMemory allocation(device_, vk::MemoryAllocateInfo(requirements.size, type));
-                name(*allocation, "memory of " + what);
-                *allocated_ += requirements.size;
-                *peakAllocated_ = std::max(*peakAllocated_, *allocated_);
-                return {std::move(allocation), memory.memoryTypes[type].propertyFlags};
-            } catch (const vk::SystemError&) {
-                continue;  // this heap is full; another type may have room
-            }
-        }
-    }
-    throw Error("out of device memory", what, std::to_string(requirements.size) + " bytes were asked for");
+HeldMemory Device::allocate(const vk::MemoryRequirements& requirements,
+                            std::initializer_list<vk::MemoryPropertyFlags> choices, const std::string& what) const {
+    std::optional<HeldMemory> held = memory_->take(requirements, choices);
+    if (!held) throw Error("out of device memory", what, std::to_string(requirements.size) + " bytes were asked for");
+    name(*held->memory, "memory of " + what);
+    return std::move(*held);
 }
 
 void Device::name(vk::ObjectType type, std::uint64_t handle, std::string_view name) const {
@@ -186,7 +173,14 @@ void Device::endLabel(const vk::raii::CommandBuffer& commands) const {
 }
 
 Device::Single Device::begin() const {
-    Single single = std::exchange(*kept_, {});
+    Single single;
+    {
+        const std::lock_guard lock(shared_->singles);
+        if (!shared_->kept.empty()) {
+            single = std::move(shared_->kept.back());
+            shared_->kept.pop_back();
+        }
+    }
     if (!single.commands) {
         single.commands = CommandBuffer(device_, queueFamily_);
         name(single.commands.pool(), "single commands");
@@ -200,16 +194,18 @@ Device::Single Device::begin() const {
 
 void Device::finish(Single& single, Ends ends) const {
     single.commands.end();
-    log_->submitted();
     const auto handles = single.commands.handles();
     vk::SubmitInfo info({}, {}, handles);
     VkFrameBoundaryEXT boundary{};
     boundary.sType = VK_STRUCTURE_TYPE_FRAME_BOUNDARY_EXT;
-    boundary.frameID = *frame_;
-    if (ends == Ends::frame) boundary.flags = VK_FRAME_BOUNDARY_FRAME_END_BIT_EXT, ++*frame_;
-    if (marksFrames_) info.pNext = &boundary;
+    if (ends == Ends::frame) boundary.flags = VK_FRAME_BOUNDARY_FRAME_END_BIT_EXT;
     try {
-        queue_.submit(info, *single.done);
+        if (marksFrames_) {
+            const std::lock_guard lock(shared_->queue);
+            boundary.frameID = ends == Ends::frame ? shared_->frame++ : shared_->frame;
+            info.pNext = &boundary;
+        }
+        submit(info, *single.done);
         if (device_.waitForFences(*single.done, true, UINT64_MAX) != vk::Result::eSuccess)
             throw Error("the device stopped", caps_.deviceName, "waiting for a submission failed");
     } catch (...) {
@@ -218,7 +214,19 @@ void Device::finish(Single& single, Ends ends) const {
     }
     single.commands.reset();  // releases their resources
     device_.resetFences(*single.done);
-    if (!kept_->commands) *kept_ = std::move(single);
+    const std::lock_guard lock(shared_->singles);
+    shared_->kept.push_back(std::move(single));
+}
+
+void Device::submit(const vk::SubmitInfo& work, vk::Fence done) const {
+    log_->submitted();
+    const std::lock_guard lock(shared_->queue);
+    queue_.submit(work, done);
+}
+
+void Device::waitIdle() const {
+    const std::lock_guard lock(shared_->queue);
+    device_.waitIdle();
 }
 
 bool Device::awaitSubmitted(double seconds) const {
@@ -226,7 +234,10 @@ bool Device::awaitSubmitted(double seconds) const {
     if (**drained_ && device_.waitForFences(**drained_, true, 0) != vk::Result::eSuccess) return false;
     if (!**drained_) *drained_ = vk::raii::Fence(device_, vk::FenceCreateInfo());
     device_.resetFences(**drained_);
-    queue_.submit({}, **drained_);
+    {
+        const std::lock_guard lock(shared_->queue);
+        queue_.submit({}, **drained_);
+    }
     const auto nanoseconds = static_cast<std::uint64_t>(1e9 * seconds);
     return device_.waitForFences(**drained_, true, nanoseconds) == vk::Result::eSuccess;
 }
@@ -234,7 +245,7 @@ bool Device::awaitSubmitted(double seconds) const {
 void Device::settle() const noexcept {
     for (int attempt = 0; attempt < 2; ++attempt) {
         try {
-            device_.waitIdle();
+            waitIdle();
             return;
         } catch (const vk::DeviceLostError&) {
             return;

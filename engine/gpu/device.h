@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "engine/gpu/context.h"
 #include "engine/gpu/device_loss.h"
 #include "engine/gpu/local_read.h"
+#include "engine/gpu/memory_store.h"
 #include "engine/gpu/validation_log.h"
 
 namespace nacre::gpu {
@@ -22,7 +24,7 @@ namespace nacre::gpu {
 /// Whether pipelines are kept in the driver's cache. Quirks of a driver may still forbid it.
 enum class Caching { usual, none };
 
-/// Instance, device and its single queue (graphics and compute).
+/// Instance, device and its single queue (graphics and compute). Renderers of several threads may share one.
 class Device {
 public:
     /// @throws Error without a loader, driver or device that meets the requirements, or if validation is not installed
@@ -35,7 +37,12 @@ public:
     const vk::raii::PhysicalDevice& physical() const { return physical_; }
     /// Null where the driver has no working cache.
     const vk::raii::PipelineCache* pipelineCache() const { return *pipelineCache_ ? &pipelineCache_ : nullptr; }
+    /// For presenting. Submit by submit().
     const vk::raii::Queue& queue() const { return queue_; }
+    /// Submits while no other thread does.
+    void submit(const vk::SubmitInfo& work, vk::Fence done) const;
+    /// Waits until nothing is in flight, that of other threads included.
+    void waitIdle() const;
     std::uint32_t queueFamily() const { return queueFamily_; }
     const Caps& caps() const { return caps_; }
     const LocalReadCalls& localReadCalls() const { return localReadCalls_; }
@@ -43,18 +50,11 @@ public:
     /// Notes the path that a self-test found. Call before anything is drawn.
     void choose(graph::TestedPath path) { caps_.tested = std::move(path); }
 
-    struct Allocation {
-        vk::raii::DeviceMemory memory;
-        vk::MemoryPropertyFlags properties;
-    };
-    /// Allocates memory from the first memory type that has all properties of the first choice, else of the next one.
+    /// Memory of the first type that has all properties of the first choice, else of the next one.
     /// @throws Error if no type has the properties of any choice, or memory runs out
-    Allocation allocate(const vk::MemoryRequirements& requirements,
+    HeldMemory allocate(const vk::MemoryRequirements& requirements,
                         std::initializer_list<vk::MemoryPropertyFlags> choices, const std::string& what) const;
-    /// Device memory currently allocated, bytes.
-    std::uint64_t allocatedBytes() const { return *allocated_; }
-    std::uint64_t peakAllocatedBytes() const { return *peakAllocated_; }
-    void release(std::uint64_t bytes) const { *allocated_ -= bytes; }
+    MemoryStore& memory() const { return *memory_; }
 
     /// Names an object for capture tools and validation messages.
     void name(vk::ObjectType type, std::uint64_t handle, std::string_view name) const;
@@ -98,10 +98,16 @@ public:
     }
 
 private:
-    /// Commands that the host waits for. One is kept for reuse.
+    /// Commands that the host waits for. They are kept for reuse.
     struct Single {
         CommandBuffer commands;
         vk::raii::Fence done{nullptr};
+    };
+    /// What threads use in turn.
+    struct Shared {
+        std::mutex queue, singles;
+        std::vector<Single> kept;
+        std::uint64_t frame = 0;  ///< number of the next one that is marked; under `queue`
     };
     Single begin() const;
     void finish(Single& single, Ends ends) const;
@@ -116,7 +122,8 @@ private:
     vk::raii::PhysicalDevice physical_{nullptr};
     vk::raii::Device device_{nullptr};
     vk::raii::Queue queue_{nullptr};
-    std::unique_ptr<Single> kept_ = std::make_unique<Single>();
+    std::unique_ptr<MemoryStore> memory_;
+    std::unique_ptr<Shared> shared_ = std::make_unique<Shared>();
     std::unique_ptr<vk::raii::Fence> drained_ = std::make_unique<vk::raii::Fence>(nullptr);
     vk::raii::PipelineCache pipelineCache_{nullptr};
     std::uint32_t queueFamily_ = 0;
@@ -125,9 +132,6 @@ private:
     Caps caps_;
     LocalReadCalls localReadCalls_;
     CaptureHook capture_;
-    std::unique_ptr<std::uint64_t> allocated_ = std::make_unique<std::uint64_t>(0);
-    std::unique_ptr<std::uint64_t> peakAllocated_ = std::make_unique<std::uint64_t>(0);
-    std::unique_ptr<std::uint64_t> frame_ = std::make_unique<std::uint64_t>(0);
     std::unique_ptr<SubmissionLog> log_ = std::make_unique<SubmissionLog>();
 };
 

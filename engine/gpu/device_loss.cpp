@@ -29,14 +29,21 @@ std::string toString(const char (&text)[size]) {
 
 }  // namespace
 
+std::string& SubmissionLog::recording() {
+    static thread_local std::string work;
+    return work;
+}
+
 void SubmissionLog::submitted() {
-    if (recording_.empty()) recording_ = "unnamed work";
+    if (recording().empty()) recording() = "unnamed work";
+    const std::lock_guard lock(turn_);
     std::rotate(submitted_.begin(), submitted_.end() - 1, submitted_.end());
-    std::swap(submitted_.front(), recording_);
-    recording_.clear();
+    std::swap(submitted_.front(), recording());
+    recording().clear();
 }
 
 std::string SubmissionLog::text() const {
+    const std::lock_guard lock(turn_);
     std::string text;
     for (const std::string& work : submitted_)
         if (!work.empty()) text += (text.empty() ? "" : ", before it ") + ("[" + work + "]");

@@ -2,29 +2,33 @@
 // Explains a lost device: the last submissions and the driver's own report.
 
 #include <array>
+#include <mutex>
 #include <string>
 #include <vulkan/vulkan_raii.hpp>
 
 namespace nacre::gpu {
 
-/// Names of the last submissions. Each is one line: its graphs with their passes.
+/// Names of the last submissions. Each is one line: its graphs with their passes. For any thread, of which each records
+/// one submission at a time.
 class SubmissionLog {
 public:
     static constexpr std::size_t kKept = 3;
 
     /// Discards what was recorded and not submitted.
-    void begin() { recording_.clear(); }
+    void begin() { recording().clear(); }
     /// Adds a graph or pass that is being recorded: "screen: opaque prepass, depth encoding, impostor colour".
     void record(const std::string& work) {
-        if (!recording_.empty()) recording_ += "; ";
-        recording_ += work;
+        if (!recording().empty()) recording() += "; ";
+        recording() += work;
     }
     void submitted();
     /// Newest first; empty if there was none.
     std::string text() const;
 
 private:
-    std::string recording_;
+    static std::string& recording();
+
+    mutable std::mutex turn_;
     std::array<std::string, kKept> submitted_;  // newest first; empty: none
 };
 

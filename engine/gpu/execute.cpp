@@ -272,7 +272,7 @@ DriverFeedback Executor::feedback() const {
 }
 
 void Executor::forgetFramebuffers() {
-    device_->waitIdle();
+    device_.waitIdle();
     for (OwnedRenderPass& pass : renderPasses_) pass.framebuffers.clear();
 }
 

@@ -36,10 +36,9 @@ void FrameRing::submit(FrameSlot& slot, std::span<const vk::CommandBuffer> comma
     slot.submitted = false;
     device_->resetFences(*slot.done);
     const vk::PipelineStageFlags stage = vk::PipelineStageFlagBits::eColorAttachmentOutput;
-    device_.log().submitted();
     vk::SubmitInfo info({}, {}, commands, signals);
     info.setWaitSemaphores(waits).setPWaitDstStageMask(&stage);
-    device_.queue().submit(info, *slot.done);
+    device_.submit(info, *slot.done);
     slot.submitted = true;
     slot.image.reset();
     at_ = (at_ + 1) % kInFlight;

@@ -25,14 +25,13 @@ Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlag
     const auto coherent = Property::eHostVisible | Property::eHostCoherent;
     const auto cached = Property::eHostVisible | Property::eHostCached;
     // Every device has coherent memory that the host sees.
-    Device::Allocation allocation =
-        access == Access::upload
-            ? device.allocate(requirements, {coherent | Property::eDeviceLocal, coherent}, name)
-            : device.allocate(requirements, {coherent | Property::eHostCached, cached, coherent}, name);
-    buffer.coherent = static_cast<bool>(allocation.properties & Property::eHostCoherent);
-    buffer.memory = Memory(device, std::move(allocation.memory), requirements.size);
+    HeldMemory held = access == Access::upload
+                          ? device.allocate(requirements, {coherent | Property::eDeviceLocal, coherent}, name)
+                          : device.allocate(requirements, {coherent | Property::eHostCached, cached, coherent}, name);
+    buffer.coherent = static_cast<bool>(held.properties & Property::eHostCoherent);
+    buffer.memory = Memory(device, std::move(held));
     buffer.handle.bindMemory(**buffer.memory, 0);
-    buffer.mapped = static_cast<std::byte*>((*buffer.memory).mapMemory(0, VK_WHOLE_SIZE));
+    buffer.mapped = buffer.memory.map();
     device.name(*buffer.handle, name);
     return buffer;
 }
@@ -59,10 +58,9 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
                                                      vk::ImageTiling::eOptimal, usage));
     const auto requirements = image.handle.getMemoryRequirements();
     const vk::MemoryPropertyFlags lazy = transient ? Property::eLazilyAllocated : vk::MemoryPropertyFlagBits{};
-    Device::Allocation allocation =
-        device.allocate(requirements, {Property::eDeviceLocal | lazy, Property::eDeviceLocal, {}}, name);
-    image.lazy = static_cast<bool>(allocation.properties & Property::eLazilyAllocated);
-    image.memory = Memory(device, std::move(allocation.memory), requirements.size);
+    HeldMemory held = device.allocate(requirements, {Property::eDeviceLocal | lazy, Property::eDeviceLocal, {}}, name);
+    image.lazy = static_cast<bool>(held.properties & Property::eLazilyAllocated);
+    image.memory = Memory(device, std::move(held));
     image.handle.bindMemory(**image.memory, 0);
     const auto aspect =
         graph::isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;

@@ -1,5 +1,5 @@
 #pragma once
-// Buffers and images with their memory. Each has its own allocation: the renderer holds a few dozen.
+// Buffers and images with their memory. Each has its own allocation (memory_store.h): the renderer holds a few dozen.
 
 #include <cstddef>
 #include <cstring>
@@ -13,30 +13,32 @@
 
 namespace nacre::gpu {
 
-/// Counts device memory during its lifetime.
+/// A resource's device memory, which goes back to the device's store.
 class Memory {
 public:
     Memory() = default;
-    Memory(const Device& device, vk::raii::DeviceMemory memory, std::uint64_t bytes)
-        : device_(&device), memory_(std::move(memory)), bytes_(bytes) {}
+    Memory(const Device& device, HeldMemory held) : device_(&device), held_(std::move(held)) {}
     Memory(Memory&& other) noexcept { *this = std::move(other); }
     Memory& operator=(Memory&& other) noexcept {
         std::swap(device_, other.device_);
-        std::swap(memory_, other.memory_);
-        std::swap(bytes_, other.bytes_);
+        std::swap(held_, other.held_);
         return *this;
     }
     ~Memory() {
-        if (device_) device_->release(bytes_);
+        if (device_) device_->memory().giveBack(std::move(held_));
     }
-    const vk::raii::DeviceMemory& operator*() const { return memory_; }
+    const vk::raii::DeviceMemory& operator*() const { return held_.memory; }
     const Device* device() const { return device_; }
-    std::uint64_t bytes() const { return bytes_; }
+    std::uint64_t bytes() const { return held_.used; }
+    /// The whole memory as the host sees it.
+    std::byte* map() {
+        if (!held_.mapped) held_.mapped = static_cast<std::byte*>(held_.memory.mapMemory(0, VK_WHOLE_SIZE));
+        return held_.mapped;
+    }
 
 private:
     const Device* device_ = nullptr;
-    vk::raii::DeviceMemory memory_{nullptr};
-    std::uint64_t bytes_ = 0;
+    HeldMemory held_;
 };
 
 /// A buffer that the host reads and writes through `mapped`; also device-local where memory is shared.

@@ -28,9 +28,8 @@ void Submission::begin() {
 void Submission::end() {
     commands_.end();
     device_->resetFences(*fence_);
-    device_.log().submitted();
     const auto handles = commands_.handles();
-    device_.queue().submit(vk::SubmitInfo({}, {}, handles), *fence_);
+    device_.submit(vk::SubmitInfo({}, {}, handles), *fence_);
     pending_ = true;
 }
 
