@@ -71,22 +71,30 @@ void PictureFrames::endInPicture(PreparedFrame& prepared, const View& picture, s
     picture_.place = {wholeRect(desc.extent)};
 }
 
-/// The picture's image, as the host reads it.
-PictureFrames::Drawn PictureFrames::readPicture() {
+/// Declares the reading of the picture's image.
+PictureFrames::Reading PictureFrames::declareReading() const {
     const graph::ImageDesc& desc = picture_.image.desc;
     const std::uint64_t bytes =
         std::uint64_t{desc.extent.width} * desc.extent.height * graph::bytesPerTexel(desc.format);
-    Drawn drawn;
-    drawn.pixels.push_back(gpu::makeBuffer(device_, bytes, vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback,
-                                           "picture pixels"));
-    graph::Graph g("picture");
-    const graph::Image image = g.importImage("picture", desc, passes::kTextureState);
-    const graph::Buffer buffer = g.importBuffer("picture pixels", bytes);
-    passes::readBack(g, image, desc, buffer);
-    gpu::Imports imports;
-    imports.bind(image, picture_.image);
-    imports.bind(buffer, drawn.pixels[0]);
-    executor_.run(g, imports);
+    Reading reading;
+    reading.drawn.pixels.push_back(gpu::makeBuffer(device_, bytes, vk::BufferUsageFlagBits::eTransferDst,
+                                                   gpu::Access::readback, "picture pixels"));
+    const graph::Image image = reading.graph.importImage("picture", desc, passes::kTextureState);
+    const graph::Buffer buffer = reading.graph.importBuffer("picture pixels", bytes);
+    passes::readBack(reading.graph, image, desc, buffer);
+    reading.imports.bind(image, picture_.image);
+    reading.imports.bind(buffer, reading.drawn.pixels[0]);
+    return reading;
+}
+
+/// The picture's image in memory that the host reads.
+PictureFrames::Drawn PictureFrames::readPicture() {
+    if (!read_) {
+        Reading reading = declareReading();
+        executor_.run(reading.graph, reading.imports);
+        read_ = std::move(reading.drawn);
+    }
+    Drawn drawn = *std::exchange(read_, std::nullopt);
     drawn.pixels[0].invalidate();
     return drawn;
 }
@@ -110,7 +118,7 @@ FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Want
 /// Draws the samples of finer places in one frame by tiles, for pictures by other paths.
 /// @returns false if the tiles' lists are too long
 bool PictureFrames::drawEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                              const FinerPlaces& places) {
+                              const FinerPlaces& places, Ending ending) {
     const PictureRect whole = wholeRect(imageExtent(view));
     const PictureRect rect = hasLens(settings) ? places.boundsIn(whole) : whole;  // else they are everywhere
     const auto [part, inner] = withRim(view, rect, measureRim(settings));
@@ -123,6 +131,7 @@ bool PictureFrames::drawEdges(const RenderSettings& settings, const passes::Atla
     edges.shape.picture = {picture_.image.desc, false, true, 1};
     picture_.place = {rect, static_cast<std::int32_t>(inner.x), static_cast<std::int32_t>(inner.y),
                       places.bandsIn(rect)};
+    if (ending == Ending::readBack && !hasLens(settings)) reading_ = declareReading();
     run(std::move(edges), settings);
     return true;
 }
@@ -167,7 +176,8 @@ void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atl
 /// Draws a picture with more samples where the coarse frame changes colour, or everywhere, as its choice says.
 /// @param first  the coarse frame, or one that gives way to others
 void PictureFrames::refine(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
-                           PreparedFrame first) {
+                           PreparedFrame first, Ending ending) {
+    upload_.reset(), reading_.reset(), read_.reset();  // a failed picture may have left some
     const Refinement refinement = first.choice().refinement;
     PictureStats sum;
     sum.frames = 0;
@@ -185,10 +195,11 @@ void PictureFrames::refine(const RenderSettings& settings, const passes::Atlas& 
         // The memory of its images serves the lens.
         if (hasLens(settings)) executor_.forget("coarse screen");
         if (hasLens(settings) && leaveBlurred(settings, wanted.view, *places)) drew();
-        picture_.finer = passes::makeTexture(device_, executor_, {VK_FORMAT_R8_UNORM, picture_.image.desc.extent},
-                                             places->bytes(), "finer pixels");
+        upload_ = passes::uploadTexture(device_, {VK_FORMAT_R8_UNORM, picture_.image.desc.extent}, places->bytes(),
+                                        "finer pixels");
+        picture_.finer = std::move(upload_->image);
     }
-    if (refinement == Refinement::edges && places->any() && drawEdges(settings, atlas, wanted.view, *places))
+    if (refinement == Refinement::edges && places->any() && drawEdges(settings, atlas, wanted.view, *places, ending))
         drew();
     else
         drawBlocks(settings, atlas, wanted, places ? &*places : nullptr, drew);

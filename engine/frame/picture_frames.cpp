@@ -100,13 +100,21 @@ PictureFrames::Drawn PictureFrames::run(PreparedFrame prepared, const RenderSett
     drawn.pixels = bindPixels(device_, *declared);
     const auto start = Clock::now();
     const std::shared_ptr<passes::FragmentCounter> fragments = prepared.view->fragments;
+    const auto upload = std::exchange(upload_, std::nullopt);
+    auto reading = std::exchange(reading_, std::nullopt);
+    const auto copy = [&](gpu::CommandBuffer& c, const auto& copied) {
+        executor_.record(c, copied.graph, graph::compile(copied.graph, device_.caps().plan), copied.imports, sets_);
+    };
     const auto record = [&](gpu::CommandBuffer& c) {
+        if (upload) copy(c, *upload);
         executor_.record(c, *declared->recording, declared->imports, settings.tuning.timePasses ? &timer_ : nullptr);
         if (fragments) fragments->finish(*c);
+        if (reading) copy(c, *reading);
     };
     device_.submitAndWait(record, gpu::Device::Ends::frame);
     stats_.frameMilliseconds = millisecondsSince(start);
     executor_.reset();
+    if (reading) read_ = std::move(reading->drawn);
     for (const gpu::Buffer& pixels : drawn.pixels) pixels.invalidate();
     if (drawn.colors) drawn.colors->pixels().invalidate();
     if (fragments) stats_.passes = fragments->counts();
@@ -182,7 +190,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     if (refined) {
         const graph::Extent image = imageExtent(wanted.view);
         refine(settings, atlas, lens ? Wanted{wanted.view, {0, 0, image.width, image.height}} : wanted,
-               std::move(first));
+               std::move(first), ending);
     } else {
         if (lens) endInPicture(first, wanted.view, n);
         drawn = run(std::move(first), settings);

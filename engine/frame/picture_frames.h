@@ -14,6 +14,7 @@
 #include "engine/frame/resolve.h"
 #include "engine/frame/scene_frames.h"
 #include "engine/gpu/submission.h"
+#include "engine/passes/read_back.h"
 
 namespace nacre {
 
@@ -21,7 +22,12 @@ class PictureFrames {
 public:
     /// All arguments outlive this.
     PictureFrames(const gpu::Device& device, gpu::Executor& executor, SceneFrames& frames)
-        : device_(device), executor_(executor), frames_(frames), timer_(device), declared_(device.caps().plan) {}
+        : device_(device),
+          executor_(executor),
+          frames_(frames),
+          timer_(device),
+          sets_(device),
+          declared_(device.caps().plan) {}
 
     /// @throws Error if the picture exceeds the device's limits, or memory runs out
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas);
@@ -89,11 +95,19 @@ private:
 
     // Pictures of several frames end in picture_.image.
     void endInPicture(PreparedFrame& prepared, const View& picture, std::uint32_t n);
+    /// A copy of the picture's image for the host: of its own, or with the last frame.
+    struct Reading {
+        Drawn drawn;
+        graph::Graph graph{"picture"};
+        gpu::Imports imports;
+    };
+    Reading declareReading() const;
     Drawn readPicture();
-    void refine(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted, PreparedFrame first);
+    void refine(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted, PreparedFrame first,
+                Ending ending);
     FinerPlaces drawCoarse(const RenderSettings& settings, const Wanted& wanted, PreparedFrame coarse);
     bool drawEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                   const FinerPlaces& places);
+                   const FinerPlaces& places, Ending ending);
     template <typename Drew>
     void drawBlocks(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                     const FinerPlaces* places, const Drew& drew);
@@ -128,8 +142,12 @@ private:
     PictureStats stats_;
     SceneCounts counts_;
     gpu::Timer timer_;
+    gpu::DescriptorPool sets_;  // of copies, which take none
     DeclaredFrames declared_;
     PictureImage picture_;
+    std::optional<passes::TextureUpload> upload_;  // recorded before the next frame
+    std::optional<Reading> reading_;               // recorded after the next frame, then
+    std::optional<Drawn> read_;
     std::shared_ptr<const DeclaredFrame> last_;
     std::optional<Asked> asked_;
     std::deque<Started> started_;

@@ -1,5 +1,7 @@
 #include "engine/passes/read_back.h"
 
+#include <utility>
+
 namespace nacre::passes {
 namespace {
 
@@ -19,24 +21,31 @@ void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc,
     g.output(buffer);
 }
 
-gpu::Image makeTexture(const gpu::Device& device, gpu::Executor& executor, const graph::ImageDesc& desc,
-                       std::span<const std::uint8_t> bytes, const std::string& name, graph::Verb use) {
+TextureUpload uploadTexture(const gpu::Device& device, const graph::ImageDesc& desc,
+                            std::span<const std::uint8_t> bytes, const std::string& name, graph::Verb use) {
     const auto read =
         use == graph::Verb::density ? vk::ImageUsageFlagBits::eFragmentDensityMapEXT : vk::ImageUsageFlagBits::eSampled;
-    gpu::Image image = gpu::makeImage(device, desc, read | vk::ImageUsageFlagBits::eTransferDst, false, name);
-    const gpu::Buffer staging = gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferSrc, name + " bytes");
-    graph::Graph g(name);
+    TextureUpload upload{gpu::makeImage(device, desc, read | vk::ImageUsageFlagBits::eTransferDst, false, name),
+                         gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferSrc, name + " bytes"),
+                         graph::Graph(name),
+                         {}};
+    graph::Graph& g = upload.graph;
     auto target = g.importImage(name, desc, graph::verbState(use, graph::PassKind::graphics), true);
-    const auto source = g.importBuffer(name + " bytes", staging.size);
+    const auto source = g.importBuffer(name + " bytes", upload.bytes.size);
     g.transfer("upload").copiesFrom(source).copiesTo(target).record([=](gpu::PassContext& c) {
         c.commands.copyBufferToImage(c.buffer(source), c.image(target), vk::ImageLayout::eTransferDstOptimal,
                                      whole(desc));
     });
-    gpu::Imports imports;
-    imports.bind(target, image);
-    imports.bind(source, staging);
-    executor.run(g, imports);
-    return image;
+    upload.imports.bind(target, upload.image);
+    upload.imports.bind(source, upload.bytes);
+    return upload;
+}
+
+gpu::Image makeTexture(const gpu::Device& device, gpu::Executor& executor, const graph::ImageDesc& desc,
+                       std::span<const std::uint8_t> bytes, const std::string& name, graph::Verb use) {
+    TextureUpload upload = uploadTexture(device, desc, bytes, name, use);
+    executor.run(upload.graph, upload.imports);
+    return std::move(upload.image);
 }
 
 gpu::Image makeWhiteTexture(const gpu::Device& device, gpu::Executor& executor) {
