@@ -49,6 +49,16 @@ bool hasLazyMemory(const vk::raii::PhysicalDevice& device) {
     return false;
 }
 
+/// Whether no memory is both the device's own and fast for the host to read.
+bool keepsMemoryApart(const vk::raii::PhysicalDevice& device) {
+    constexpr auto kShared = vk::MemoryPropertyFlagBits::eDeviceLocal | vk::MemoryPropertyFlagBits::eHostVisible |
+                             vk::MemoryPropertyFlagBits::eHostCached;
+    const auto memory = device.getMemoryProperties();
+    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
+        if ((memory.memoryTypes[i].propertyFlags & kShared) == kShared) return false;
+    return true;
+}
+
 /// The finest rung that the device blends. R32F keeps depth exactly, but neither Mali nor Adreno 5xx blends it;
 /// RGBA16F blends everywhere (the Vulkan specification's table of mandatory format support).
 graph::EncodedFormat findBlendedFormat(const vk::raii::PhysicalDevice& device, EncodedDepth wanted) {
@@ -279,6 +289,7 @@ Caps queryCaps(const vk::raii::PhysicalDevice& device, const DeviceOptions& opti
         caps.tiles.shade = caps.tiles.texels;
         caps.fastPowers = caps.asynchronous = false;
     }
+    caps.apartMemory = caps.type == "discrete" && keepsMemoryApart(device);
     caps.visibility = options.visibility;
     caps.multisampling = options.multisampling;
     caps.lacksRasterOrder = options.capture

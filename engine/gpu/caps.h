@@ -30,6 +30,8 @@ struct Caps : graph::FrameCaps {
     std::uint32_t quirks = 0;                   ///< of the driver, a bit each
     bool has(graph::Quirk quirk) const { return (quirks >> static_cast<unsigned>(quirk) & 1) != 0; }
     bool fastPowers = true;  ///< powers take a few instructions
+    /// Memory that the host reads fast is not the device's own: a graphics card reads it through its bus.
+    bool apartMemory = false;
     /// Submissions return at once, and timestamps cost nothing: bakes are cut into short, timed submissions.
     bool asynchronous = true;
     std::string driverKey;      ///< device, driver and driver version as hexadecimal digits

@@ -67,12 +67,18 @@ std::vector<std::uint8_t> Bake::atlasTexels() const {
     return {texels, texels + std::size_t{layout_.width} * layout_.height};
 }
 
-void Bake::makeBuffers(const OpenTexels& open) {
+void Bake::makeBuffers(OpenTexels& open) {
     texelCount_ = open.texels.size();
     wordCount_ = open.words.size();
     firstOfSphere_ = open.firstOfSphere;
     narrow_ = device_.caps().plan.loadsUniforms && !maps_.tiles() && allTurn(copies_.groups);
-    batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size(),
+    // Tiles list one batch at a time.
+    constexpr std::size_t kMostParts = 8, kMostSets = 128;  // of a submission
+    regions_ =
+        maps_.tiles()
+            ? 1
+            : static_cast<std::uint32_t>(std::clamp<std::size_t>(kMostSets / copies_.groups.size(), 1, kMostParts));
+    batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size() * regions_,
                                        Usage::eUniformBuffer | Usage::eUniformTexelBuffer, gpu::Access::upload,
                                        "occlusion directions");
     if (maps_.tiles() && maps_.tiles()->texels())
@@ -82,16 +88,25 @@ void Bake::makeBuffers(const OpenTexels& open) {
     const auto shared = [&](std::uint64_t bytes, vk::BufferUsageFlags usage, const char* name) {
         return gpu::makeBuffer(device_, bytes, usage, gpu::Access::readback, name);
     };
-    const std::size_t listBytes = texelCount_ * sizeof(std::uint32_t), wordBytes = wordCount_ * sizeof(AtlasWord);
-    list_ = shared(listBytes, Usage::eStorageBuffer, "occlusion texels");
-    if (listBytes) std::memcpy(list_.mapped, open.texels.data(), listBytes);
-    words_ = shared(wordBytes, Usage::eStorageBuffer, "occlusion words");
-    if (wordBytes) std::memcpy(words_.mapped, open.words.data(), wordBytes);
-    sums_ = shared(texelCount_ * 8, Usage::eStorageBuffer, "occlusion sums");
-    std::memset(sums_.mapped, 0, sums_.size);
     bytes_ = shared(std::uint64_t{layout_.width} * layout_.height, Usage::eStorageBuffer | Usage::eTransferSrc,
                     "occlusion bytes");
+    apart_ = device_.caps().apartMemory;
+    const auto worked = [&](std::uint64_t bytes, vk::BufferUsageFlags usage, const char* name) {
+        return gpu::makeBuffer(device_, bytes, usage, apart_ ? gpu::Access::upload : gpu::Access::readback, name);
+    };
+    const std::size_t listBytes = texelCount_ * sizeof(std::uint32_t), wordBytes = wordCount_ * sizeof(AtlasWord);
+    list_ = worked(listBytes, Usage::eStorageBuffer, "occlusion texels");
+    if (listBytes) std::memcpy(list_.mapped, open.texels.data(), listBytes);
+    words_ = worked(wordBytes, Usage::eStorageBuffer, "occlusion words");
+    if (wordBytes) std::memcpy(words_.mapped, open.words.data(), wordBytes);
+    sums_ = worked(texelCount_ * 8, Usage::eStorageBuffer | Usage::eTransferSrc, "occlusion sums");
+    std::memset(sums_.mapped, 0, sums_.size);
     std::memset(bytes_.mapped, 0, bytes_.size);
+    if (apart_) {
+        sumsRead_ = shared(sums_.size, Usage::eTransferDst, "occlusion sums, read");
+        hostList_ = std::move(open.texels);
+        hostWords_ = std::move(open.words);
+    }
     for (const gpu::Buffer* buffer : {&list_, &words_, &sums_, &bytes_}) buffer->flush();
     atlas_ = gpu::makeImage(device_, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}},
                             vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false,
@@ -115,9 +130,9 @@ std::size_t Bake::countTexels(std::uint32_t model) const {
 std::uint64_t Bake::bytes() const { return bakeBytes(layout_, texelCount_, wordCount_) + maps_.bytes(); }
 
 void Bake::release() {
-    sums_.invalidate();
+    hostSums().invalidate();
     bytes_.invalidate();
-    const auto* sums = reinterpret_cast<const float*>(sums_.mapped);
+    const auto* sums = reinterpret_cast<const float*>(hostSums().mapped);
     seenSpheres_.assign(layout_.sphereCount, false);
     for (std::size_t i = 0; i < seenSpheres_.size(); ++i)
         for (std::size_t k = firstOfSphere_[i]; k < firstOfSphere_[i + 1] && !seenSpheres_[i]; ++k)
@@ -128,6 +143,9 @@ void Bake::release() {
     list_ = {};
     words_ = {};
     sums_ = {};
+    sumsRead_ = {};
+    hostList_ = {};
+    hostWords_ = {};
     makeCells({reinterpret_cast<const std::uint8_t*>(bytes_.mapped), std::size_t{layout_.width} * layout_.height});
     bytes_ = {};
     firstOfSphere_.clear();
@@ -168,9 +186,9 @@ void Bake::makeCells(std::span<const std::uint8_t> texels) {
 
 /// Removes texels that no direction has lit so far from the list, and compacts it.
 void Bake::dropDeepTexels() {
-    sums_.invalidate();  // only the host writes the other two
-    auto* list = reinterpret_cast<std::uint32_t*>(list_.mapped);
-    auto* sums = reinterpret_cast<glm::vec2*>(sums_.mapped);
+    hostSums().invalidate();  // only the host writes the other two
+    auto* list = apart_ ? hostList_.data() : reinterpret_cast<std::uint32_t*>(list_.mapped);
+    auto* sums = reinterpret_cast<glm::vec2*>(hostSums().mapped);
     std::vector<std::uint32_t> keptBefore(texelCount_ + 1);
     std::uint32_t kept = 0;
     for (std::size_t i = 0; i < texelCount_; ++i) {
@@ -180,7 +198,7 @@ void Bake::dropDeepTexels() {
         sums[kept++] = sums[i];
     }
     keptBefore[texelCount_] = kept;
-    followKept({reinterpret_cast<AtlasWord*>(words_.mapped), wordCount_}, keptBefore);
+    followKept({apart_ ? hostWords_.data() : reinterpret_cast<AtlasWord*>(words_.mapped), wordCount_}, keptBefore);
     for (std::uint32_t& first : firstOfSphere_) first = keptBefore[first];
     for (OcclusionCopies::Run& run : copies_.runs) {
         const std::uint32_t end = keptBefore[run.first + run.count];
@@ -188,6 +206,11 @@ void Bake::dropDeepTexels() {
         run.count = end - run.first;
     }
     texelCount_ = kept;
+    if (apart_ && !hostWords_.empty()) {
+        std::memcpy(list_.mapped, list, kept * sizeof *list);
+        std::memcpy(sums_.mapped, sums, kept * sizeof *sums);
+        std::memcpy(words_.mapped, hostWords_.data(), wordCount_ * sizeof(AtlasWord));
+    }
     for (const gpu::Buffer* buffer : {&list_, &sums_, &words_}) buffer->flush();
 }
 

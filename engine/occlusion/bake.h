@@ -55,6 +55,17 @@ public:
     double declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance);
     /// Call when the declared part has run.
     void sliceDone();
+    /// Call instead if more parts are to follow in the same submission. @returns whether one may: it may not after the
+    /// last part, or if the host reads the sums next. Then call submissionDone() when all have run.
+    bool sliceRecorded();
+    void submissionDone();
+    /// Whether the host reads the sums in submissionDone(), and changes what declareFinish() reads.
+    bool readsSumsNext() const { return deepTexelsDue_; }
+    /// Maps of the next part; 0: it draws or tests a part of one. A submission has parts of one number of maps: another
+    /// replaces the images.
+    std::uint32_t mapsOfNext(const Allowance& allowance) const;
+    /// Parts of one submission.
+    std::uint32_t mostRecorded() const { return regions_; }
     /// Units of the smallest remaining part.
     double leastUnits() const;
     /// Whether all started directions are added up.
@@ -103,6 +114,9 @@ private:
         std::size_t texels = 0, asked = 0;
         std::uint64_t drawnThen = 0;  ///< `drawn` after the slice has run
         std::size_t askedThen = 0;
+        std::uint32_t region = 0;  ///< of the directions' buffer
+
+        bool ends() const { return drawnThen == instances && askedThen == texels; }
     };
     /// Maps in a batch of this many directions.
     static std::uint32_t batchFor(std::uint32_t directions) { return directions > 4 ? 16 : directions > 1 ? 4 : 1; }
@@ -111,7 +125,10 @@ private:
     static double countUnits(const Work& work);
     /// Whether whole directions are drawn at once, not in parts.
     bool drawnAtOnce(const Work& work, const Allowance& allowance) const;
-    void makeBuffers(const OpenTexels& open);
+    void makeBuffers(OpenTexels& open);
+    bool advance();
+    void readSums(graph::Graph& g, gpu::Imports& imports, graph::Buffer sums) const;
+    const gpu::Buffer& hostSums() const { return apart_ ? sumsRead_ : sums_; }
     layout::OcclusionConstants constants() const;
     Accumulation accumulation(OcclusionCopies::Run::Of of, std::uint32_t batch) const;
     /// Pixels between the taps of sticks; 0: one tap. A single tap misses the thin shadows of sticks. Four taps cover
@@ -122,12 +139,12 @@ private:
     float widestTaps() const;
     void dropDeepTexels();
     void makeCells(std::span<const std::uint8_t> texels);
-    /// @param first, end  of the model's texels
     /// @param maps  null: the heights of the tile path
     void recordAccumulation(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t batch,
-                            std::uint32_t model, std::size_t first, std::size_t end);
-    vk::DescriptorSet accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t group);
-    void writeDirections(std::span<const glm::dmat3> frames, int first);
+                            const Work& work);
+    vk::DescriptorSet accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t group,
+                                      std::uint32_t region);
+    void writeDirections(std::span<const glm::dmat3> frames, const Work& work);
     std::size_t countTexels(std::uint32_t model) const;
 
     const gpu::Device& device_;
@@ -142,7 +159,14 @@ private:
     std::vector<int> doneOf_;  // directions per model
     std::uint64_t asked_ = 0;
     std::optional<Work> work_;
+    std::uint32_t regions_ = 1, region_ = 0;  // of batchDirections_: one for each part of a submission
     gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
+    // Where memory that the host reads fast is not the device's own, the device has list, words and sums in its own,
+    // and the host reads copies.
+    bool apart_ = false, deepTexelsDue_ = false;
+    gpu::Buffer sumsRead_;
+    std::vector<std::uint32_t> hostList_;
+    std::vector<AtlasWord> hostWords_;
     bool narrow_ = false;  // directions are layout::NarrowDirections
     vk::raii::BufferView directionTexels_{nullptr};
     gpu::Image atlas_;

@@ -107,7 +107,7 @@ void Bake::wantPipelines(gpu::Executor& executor, const Allowance& least, const 
 }
 
 vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps,
-                                        std::uint32_t group) {
+                                        std::uint32_t group, std::uint32_t region) {
     const vk::DescriptorSet set =
         context.descriptors.allocate(accumulationLayout(context, !maps).set, "occlusion accumulation");
     bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
@@ -120,7 +120,8 @@ vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, std::optional
         device_->updateDescriptorSets(writes, {});
         return set;
     }
-    bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle, group * kGroupBytes, kGroupBytes);
+    bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle,
+         (region * copies_.groups.size() + group) * kGroupBytes, kGroupBytes);
     if (!maps) {
         bind(device_, set, 4, Type::eStorageBuffer, *maps_.tiles()->buffer().handle);
         return set;
@@ -132,19 +133,19 @@ vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, std::optional
 }
 
 void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t batch,
-                              std::uint32_t model, std::size_t first, std::size_t end) {
+                              const Work& work) {
     constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
     const vk::PipelineLayout pipelineLayout = *accumulationLayout(context, !maps).pipeline;
     layout::OcclusionConstants c = constants();
     std::vector<vk::DescriptorSet> sets(copies_.groups.size());
     std::size_t at = 0;  // index into the model's texels
     for (const OcclusionCopies::Run& run : copies_.runs) {
-        if (run.model != model) continue;
-        const std::size_t from = std::clamp(first, at, at + run.count) - at;
-        const std::size_t to = std::clamp(end, at, at + run.count) - at;
+        if (run.model != work.model) continue;
+        const std::size_t from = std::clamp(work.asked, at, at + run.count) - at;
+        const std::size_t to = std::clamp(work.askedThen, at, at + run.count) - at;
         at += run.count;
         if (from == to) continue;
-        if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
+        if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group, work.region);
         c.firstDirection = run.group * static_cast<std::uint32_t>(kGroupBytes / sizeof(glm::vec4));
         c.firstEntry = static_cast<std::uint32_t>(run.first + from);
         c.entries = static_cast<std::uint32_t>(to - from);
@@ -162,15 +163,14 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
 
 /// Writes the directions of a batch for each group of copies. Each direction first moves the tested copy to its
 /// position. Missing directions are zero. Units: map pixels; rows run downwards.
-/// @param first  index of the batch's first direction
-void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
-    auto* group = batchDirections_.mapped;
+void Bake::writeDirections(std::span<const glm::dmat3> frames, const Work& work) {
+    auto* group = batchDirections_.mapped + work.region * copies_.groups.size() * kGroupBytes;
     const double scale = maps_.view(glm::dmat3(1)).pixelsPerAngstrom, middle = maps_.pixels() / 2.0;
     const glm::dmat3 toPixels(scale, 0, 0, 0, -scale, 0, 0, 0, scale);
     for (const std::vector<glm::dmat4x3>& places : copies_.groups) {
         std::array<layout::Direction, DepthMaps::kMostPerBatch> directions{};
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            const glm::dmat4x3& place = places[(static_cast<std::size_t>(first) + i) / 2 % places.size()];
+            const glm::dmat4x3& place = places[(static_cast<std::size_t>(work.first) + i) / 2 % places.size()];
             const glm::dmat3 frame = toPixels * frames[i];
             const glm::dmat3 rows = glm::transpose(frame * glm::dmat3(place[0], place[1], place[2]));
             const glm::dvec3 shift = frame * place[3] + glm::dvec3(middle, middle, 0);

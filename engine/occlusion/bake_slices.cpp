@@ -1,6 +1,7 @@
 // Splits a bake into submissions: whole directions, or parts of one.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/occlusion/bake.h"
 
@@ -68,12 +69,20 @@ bool Bake::drawnAtOnce(const Work& work, const Allowance& allowance) const {
     return work.count > 1 || (countUnits(work) <= allowance.units && work.instances <= mostInstances(allowance));
 }
 
+std::uint32_t Bake::mapsOfNext(const Allowance& allowance) const {
+    if (work_) return 0;
+    const Work next = nextWork(allowance);
+    return drawnAtOnce(next, allowance) ? batchFor(next.count) : 0;
+}
+
 double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance) {
     if (!work_) {
         const Work next = nextWork(allowance);
         if (next.count == 0) return 0;
         work_ = next;
-        writeDirections(std::span(directions_.data() + next.first, next.count), next.first);
+        work_->region = region_;
+        region_ = (region_ + 1) % regions_;
+        writeDirections(std::span(directions_.data() + next.first, next.count), *work_);
     }
     Work& w = *work_;
     const std::uint32_t batch = batchFor(w.count);
@@ -84,9 +93,12 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
         graph::PassBuilder pass = g.compute("occlusion accumulation");
         if (drawn.image) pass.samples(*drawn.image);
         if (drawn.heights) pass.reads(*drawn.heights);
-        pass.writes(sums).record([=, this, maps = drawn.image, model = w.model, first = w.asked, end = w.askedThen](
-                                     gpu::PassContext& c) { recordAccumulation(c, maps, batch, model, first, end); });
-        g.output(sums);  // the host reads them to drop deep texels
+        pass.writes(sums).record(
+            [=, this, maps = drawn.image, work = w](gpu::PassContext& c) { recordAccumulation(c, maps, batch, work); });
+        if (apart_)
+            readSums(g, imports, sums);
+        else
+            g.output(sums);  // the host reads them to drop deep texels
     };
     const std::uint64_t most = mostInstances(allowance);
     if (w.drawn == 0 && drawnAtOnce(w, allowance)) {
@@ -117,15 +129,41 @@ double Bake::leastUnits() const {
     return draw > 0 ? draw : static_cast<double>(std::min(kLeastTexels, w.texels - w.asked));
 }
 
-void Bake::sliceDone() {
+/// Copies the sums to memory that the host reads fast, if it reads them after this part.
+void Bake::readSums(graph::Graph& g, gpu::Imports& imports, graph::Buffer sums) const {
+    const int done = work_->first + static_cast<int>(work_->count);
+    if (!work_->ends() || (done != kTellsDeepTexels && done != directions())) return g.output(sums);
+    const auto read = g.importBuffer("occlusion sums, read", sumsRead_.size);
+    imports.bind(read, sumsRead_);
+    g.transfer("occlusion sums to the host").copiesFrom(sums).copiesTo(read).record([=, this](gpu::PassContext& c) {
+        c.commands.copyBuffer(c.buffer(sums), c.buffer(read), vk::BufferCopy(0, 0, sums_.size));
+    });
+    g.output(read);
+}
+
+/// @returns whether to drop deep texels
+bool Bake::advance() {
     work_->drawn = work_->drawnThen;
     work_->asked = work_->askedThen;
-    if (work_->drawn < work_->instances || work_->asked < work_->texels) return;
+    if (work_->drawn < work_->instances || work_->asked < work_->texels) return false;
     const Work w = *work_;
     work_.reset();
     asked_ += std::uint64_t{w.count} * w.texels;
     doneOf_[w.model] += static_cast<int>(w.count);
-    if (w.first < kTellsDeepTexels && directionsDone() == kTellsDeepTexels) dropDeepTexels();
+    return w.first < kTellsDeepTexels && directionsDone() == kTellsDeepTexels;
+}
+
+void Bake::sliceDone() {
+    if (advance()) dropDeepTexels();
+}
+
+bool Bake::sliceRecorded() {
+    deepTexelsDue_ = advance();
+    return !deepTexelsDue_ && !complete();
+}
+
+void Bake::submissionDone() {
+    if (std::exchange(deepTexelsDue_, false)) dropDeepTexels();
 }
 
 void Bake::finish(gpu::Executor& executor) {

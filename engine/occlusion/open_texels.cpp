@@ -238,7 +238,8 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
     if (whole) openSpheres(all, spheres);
     const std::uint32_t first = whole ? spheres : 0;
 
-    const std::uint32_t parts = std::min(threadsPerTask(), 16u);
+    constexpr std::uint32_t kLeast = 128;  // primitives per thread: starting one takes as long as a dozen primitives
+    const std::uint32_t parts = std::min({threadsPerTask(), 16u, 1 + (count - first) / kLeast});
     std::vector<Finder> finders(parts, Finder(layout, r, tree));
     inParallel(parts, [&](std::size_t part) {
         const auto bound = [&](std::size_t n) {

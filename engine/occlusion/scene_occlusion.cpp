@@ -12,6 +12,10 @@ namespace {
 /// that take seconds.
 constexpr double kWaitedMilliseconds = 30;
 
+/// Speed of a device before its first submission, units per millisecond: low enough for any phone, or any graphics
+/// card. A card starts with whole batches, so that it compiles no pipelines for smaller ones.
+constexpr double kSpeedOfPhone = 10'000, kSpeedOfCard = 200'000;
+
 /// Minimum value while a molecule moves: surfaces exposed since the bake are dark, not black.
 constexpr std::uint32_t kLeastOfMoved = 102;
 
@@ -51,6 +55,11 @@ bool hasPatches(const Representation& scene) {
 
 }  // namespace
 
+SceneOcclusion::SceneOcclusion(const gpu::Device& device, gpu::Executor& executor)
+    : device_(device),
+      executor_(executor),
+      unitsPerMillisecond_(device.caps().type == "discrete" ? kSpeedOfCard : kSpeedOfPhone) {}
+
 std::shared_ptr<Bake> SceneOcclusion::there() const {
     if (const auto* baking = std::get_if<Baking>(&state_)) return baking->bake;
     if (const auto* bouncing = std::get_if<Bouncing>(&state_)) return bouncing->bake;
@@ -81,12 +90,15 @@ void SceneOcclusion::moveScene(SceneToBake scene) {
     moved_ = true;
 }
 
+void SceneOcclusion::start(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
+    if (isOutdated()) drop();
+    prepare(settings, viewDirection);
+    if (is<Preparing>()) make(device_.caps().asynchronous ? allowed(kWaitedMilliseconds) : Allowance(), Allowance());
+}
+
 void SceneOcclusion::begin(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
     cancelOnError([&] {
-        if (isOutdated()) drop();
-        prepare(settings, viewDirection);
-        if (is<Preparing>())
-            make(device_.caps().asynchronous ? allowed(kWaitedMilliseconds) : Allowance(), Allowance());
+        start(settings, viewDirection);
         if (const auto bake = there(); bake && !bake->shows()) finishFlight(), bake->finish(executor_);
     });
 }
@@ -180,7 +192,7 @@ void SceneOcclusion::wrapUp() {
 
 /// Shows the finished part.
 void SceneOcclusion::show(Baking& baking, Clock::time_point start) {
-    baking.bake->finish(executor_);
+    if (!baking.atlasWritten) baking.bake->finish(executor_);
     baking.shown = share();
     stats_.occlusion.done = baking.bake->directionsDone();
     stats_.occlusion.asked = baking.bake->asked();
@@ -269,6 +281,45 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
     bake.sliceDone();
 }
 
+/// Runs as many parts as take kWaitedMilliseconds in one submission, and with the last one the atlas update: on a GPU
+/// each wait costs more than the work of a small molecule.
+void SceneOcclusion::runSlices(Baking& baking) {
+    Bake& bake = *baking.bake;
+    const auto start = Clock::now();
+    if (!timer_) timer_ = std::make_unique<gpu::Timer>(device_);
+    if (!sets_) sets_ = std::make_unique<gpu::DescriptorPool>(device_);
+    sets_->reset();  // a failed recording may have left some
+    double timed = 0;
+    Allowance left = allowed(kWaitedMilliseconds);
+    const std::uint32_t maps = bake.mapsOfNext(left);
+    device_.submitAndWait([&](gpu::CommandBuffer& commands) {
+        const auto record = [&](const graph::Graph& g, const gpu::Imports& imports, gpu::Timer* timer) {
+            executor_.record(commands, g, graph::compile(g, device_.caps().plan), imports, *sets_, timer);
+        };
+        double units = 0;
+        std::uint32_t parts = 0;
+        for (bool follows = true; follows; ++parts) {
+            graph::Graph g("occlusion");
+            gpu::Imports imports;
+            units = bake.declareSlice(g, imports, left);
+            record(g, imports, parts == 0 ? timer_.get() : nullptr);
+            if (parts == 0) timed = units;
+            left.units -= units;
+            follows = bake.sliceRecorded() && left.units >= units && parts + 1 < bake.mostRecorded() &&
+                      bake.mapsOfNext(left) == maps;
+        }
+        if (!bake.complete() || bake.readsSumsNext()) return;
+        graph::Graph g("occlusion finish");
+        gpu::Imports imports;
+        bake.declareFinish(g, imports);
+        record(g, imports, nullptr);
+        baking.atlasWritten = true;
+    });
+    sets_->reset();
+    learn(timed, timer_->milliseconds().value_or(millisecondsSince(start)));
+    bake.submissionDone();
+}
+
 void SceneOcclusion::advance(double milliseconds) {
     cancelOnError([&] {
         finishFlight();
@@ -288,14 +339,17 @@ void SceneOcclusion::advance(double milliseconds) {
 }
 
 void SceneOcclusion::finish(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
-    begin(settings, viewDirection);
+    cancelOnError([&] { start(settings, viewDirection); });
     if (settings.directions == 0) return;
     cancelOnError([&] {
         finishFlight();
         if (auto* baking = std::get_if<Baking>(&state_)) {
             const auto start = Clock::now();
             while (!baking->bake->complete()) {
-                runSlice(*baking->bake, device_.caps().asynchronous ? allowed(kWaitedMilliseconds) : Allowance());
+                if (device_.caps().asynchronous)
+                    runSlices(*baking);
+                else
+                    runSlice(*baking->bake, Allowance());
                 if (settings.onProgress && baking->bake->betweenSteps()) settings.onProgress(share());
             }
             show(*baking, start);

@@ -27,7 +27,7 @@ struct SceneToBake {
 class SceneOcclusion {
 public:
     /// Both must outlive this.
-    SceneOcclusion(const gpu::Device& device, gpu::Executor& executor) : device_(device), executor_(executor) {}
+    SceneOcclusion(const gpu::Device& device, gpu::Executor& executor);
     ~SceneOcclusion() { drop(); }
 
     /// Sets the maps that OcclusionMaps::automatic means. Call before the first bake.
@@ -105,6 +105,7 @@ private:
         double shown = 0;           // the share that frames show
         double unshown = 0;         // milliseconds of work not shown yet
         double submittedUnits = 0;  // units in flight beside frames; 0: none
+        bool atlasWritten = false;  // with the last part
         Clock::time_point submittedAt{};
     };
     using Openness = std::shared_ptr<const std::vector<std::uint8_t>>;
@@ -142,6 +143,8 @@ private:
     /// Takes over the prepared bake. @param least, most  work per submission
     void make(const Allowance& least, const Allowance& most);
     void runSlice(Bake& bake, const Allowance& allowance);
+    void runSlices(Baking& baking);
+    void start(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection);
     void submit(Baking& baking, const OcclusionPace& pace);
     void finishFlight();
     void collect(Baking& baking);
@@ -173,9 +176,10 @@ private:
     double worthKeeping_ = 0;
     std::vector<std::uint8_t>* texels_ = nullptr;  // receives the finished atlas; null: unused
 
-    double unitsPerMillisecond_ = 10'000;          // recent speed of the device; starts low enough for any phone
+    double unitsPerMillisecond_;                   // recent speed of the device
     std::unique_ptr<gpu::Submission> submission_;  // beside frames
     std::unique_ptr<gpu::Timer> timer_;            // for submissions that are waited for
+    std::unique_ptr<gpu::DescriptorPool> sets_;    // likewise, of several parts
 };
 
 }  // namespace nacre::occlusion

@@ -1,5 +1,6 @@
-// A Vulkan layer that makes a software driver look like a desktop GPU: a discrete device without raster order. Frames
-// and bakes then have the passes that they have on a GPU, so that tests which expect others fail here, too.
+// A Vulkan layer that makes a software driver look like a desktop GPU: a discrete device without raster order, and
+// without memory that the host reads fast. Frames and bakes then have the passes that they have on a GPU, so that tests
+// which expect others fail here, too.
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
@@ -22,6 +23,7 @@ PFN_vkGetDeviceProcAddr nextDeviceCall = nullptr;
 PFN_vkGetPhysicalDeviceProperties nextProperties = nullptr;
 PFN_vkGetPhysicalDeviceProperties2 nextProperties2 = nullptr;
 PFN_vkEnumerateDeviceExtensionProperties nextExtensions = nullptr;
+PFN_vkGetPhysicalDeviceMemoryProperties nextMemory = nullptr;
 
 template <typename Call>
 void find(Call& next, const char* name) {
@@ -39,6 +41,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(const VkInstanceCreateInfo* info, 
     instance = *made;
     find(nextProperties, "vkGetPhysicalDeviceProperties");
     find(nextProperties2, "vkGetPhysicalDeviceProperties2");
+    find(nextMemory, "vkGetPhysicalDeviceMemoryProperties");
     find(nextExtensions, "vkEnumerateDeviceExtensionProperties");
     return result;
 }
@@ -56,6 +59,12 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties(VkPhysicalDevice of, VkPh
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties2(VkPhysicalDevice of, VkPhysicalDeviceProperties2* p) {
     nextProperties2(of, p);
     pose(p->properties);
+}
+
+VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties(VkPhysicalDevice of, VkPhysicalDeviceMemoryProperties* p) {
+    nextMemory(of, p);
+    for (std::uint32_t i = 0; i < p->memoryTypeCount; ++i)
+        p->memoryTypes[i].propertyFlags &= ~VkMemoryPropertyFlags{VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevice of, const char* layer,
@@ -100,6 +109,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance of, cons
     NACRE_GIVE(CreateDevice)
     NACRE_GIVE(GetPhysicalDeviceProperties)
     NACRE_GIVE(GetPhysicalDeviceProperties2)
+    NACRE_GIVE(GetPhysicalDeviceMemoryProperties)
     NACRE_GIVE(EnumerateDeviceExtensionProperties)
     return of ? nextInstanceCall(of, name) : nullptr;
 }
