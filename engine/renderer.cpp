@@ -73,9 +73,16 @@ void checkEyes(const View& view) {
 
 }  // namespace
 
+struct SharedDevice {
+    SharedDevice(const DeviceOptions& options, gpu::Caching caching) : device(options, caching) {}
+    gpu::Device device;
+    DeviceInfo info;  ///< with choices, and the result of a self-test
+};
+
 struct Renderer::Impl {
     StartGuard start;
-    gpu::Device device;
+    std::shared_ptr<SharedDevice> shared;
+    gpu::Device& device{shared->device};
     gpu::LossGuard guarded{device};
     gpu::Executor executor{device};
     FrameStats stats;
@@ -91,16 +98,32 @@ struct Renderer::Impl {
 
     explicit Impl(const DeviceOptions& options)
         : start(options.surface.create ? options.selfTests : std::string()),
-          device(options, start.mode() == StartMode::usual ? gpu::Caching::usual : gpu::Caching::none) {
+          shared(std::make_shared<SharedDevice>(
+              options, start.mode() == StartMode::usual ? gpu::Caching::usual : gpu::Caching::none)) {
         stats.device = gpu::describeDevice(device.caps(), device.physical());
         const std::string selfTest = testPath(options, stats.device);
         addChoices(stats.device, device.caps());
         stats.device.selfTest = selfTest;
+        shared->info = stats.device;
         occlusion.setAutomaticMaps(chooseOcclusionMaps(device.caps()));
         if (options.surface.create) window = std::make_unique<WindowFrames>(device, executor, frames, options.surface);
         if (options.headset.device) headset = std::make_unique<HeadsetFrames>(device, executor, frames);
     }
-    ~Impl() { device.settle(); }
+    explicit Impl(std::shared_ptr<SharedDevice> other) : start(std::string()), shared(std::move(other)) {
+        stats.device = shared->info;
+        occlusion.setAutomaticMaps(chooseOcclusionMaps(device.caps()));
+    }
+    ~Impl() { settle(); }
+
+    /// Waits for this renderer's own work.
+    void settle() {
+        if (window || headset) return device.settle();  // their frames may still read the scene
+        try {
+            pictures.settle();
+        } catch (const std::exception&) {
+            device.settle();
+        }
+    }
 
     /// Finds the fastest correct path, if a self-test decides. A window does not wait for a test: it draws by the path
     /// of the device's capabilities until somebody has tested (lacksSelfTest()).
@@ -202,12 +225,17 @@ Renderer::Renderer(const DeviceOptions& options) {
         throw Error("cannot start Vulkan", "", gpu::inOneLine(failure.what()));
     }
 }
+Renderer::Renderer(std::shared_ptr<SharedDevice> device) {
+    gpu::LossGuard(device->device)([&] { impl_ = std::make_unique<Impl>(device); });
+}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
+std::shared_ptr<SharedDevice> Renderer::device() const { return impl_->shared; }
+
 bool Renderer::setScene(Representation representation) {
     const bool colorsAlone = impl_->guarded([&] {
-        impl_->device->waitIdle();  // a window's frames may still read the streams
+        impl_->settle();
         impl_->occlusion.stopBounce();
         const bool kept = !impl_->occlusion.readsScene() && recolor(*impl_->own, representation);
         if (!kept) {

@@ -17,6 +17,7 @@
 namespace nacre {
 
 struct Representation;  // scene/build/representation.h
+struct SharedDevice;    // renderer.cpp
 
 /// After an Error the renderer works as before: the same call, or one that needs less memory, may succeed. Only a lost
 /// device stays lost.
@@ -30,8 +31,13 @@ class Renderer {
 public:
     /// @throws Error if there is no suitable device
     explicit Renderer(const DeviceOptions& options);
+    /// Draws on the device of another renderer, which has no window and no headset. A loss concerns both.
+    explicit Renderer(std::shared_ptr<SharedDevice> device);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
+
+    /// The device, for renderers of other threads.
+    std::shared_ptr<SharedDevice> device() const;
 
     /// Uploads a scene and drops the occlusion of the previous one. Keeps both if only colours change.
     /// @returns whether it uploaded only colours @throws Error and keeps the previous scene

@@ -1,9 +1,10 @@
-// Many pictures in one process, on one device. Each thread runs all steps of a job: while one draws, the others read
-// and write files, or also draw on a software device.
+// Many pictures in one process, on one device. Each thread runs all steps of a job: while some draw, the others read
+// and write files.
 
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <exception>
 #include <memory>
@@ -35,8 +36,9 @@ struct NoDevice : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The renderers, made on demand and after a loss: one for a GPU; for a software device one per thread, since the
-/// calling thread does most of a small picture's work.
+/// The renderers, made on demand and after a loss. A software device has one per thread, since the calling thread does
+/// most of a small picture's work. On a GPU a few share the device: while it works for one, the host prepares bakes and
+/// records frames for the others.
 class Renderers {
 public:
     Renderers(const DeviceOptions& options, int threads) : options_(options), threads_(threads) {}
@@ -48,8 +50,10 @@ public:
             job.draw(*canvas);
         } catch (const Error&) {
             const bool lost = canvas->isLost();
-            if (lost) canvas.reset();
-            giveBack(std::move(canvas), lost);
+            if (lost)
+                dropLost(std::move(canvas));
+            else
+                giveBack(std::move(canvas));
             if (!lost || tooManyLosses()) throw;
             return false;
         } catch (...) {
@@ -66,7 +70,7 @@ private:
         idles_.wait(lock, [&] { return !idle_.empty() || atWork_ < most_; });
         if (idle_.empty()) {
             idle_.push_back(make());
-            if (idle_.back()->renderer.stats().device.type == "software") most_ = threads_;
+            most_ = isSoftware(*idle_.back()) ? threads_ : std::min(threads_, kMostOfGpu);
         }
         std::unique_ptr<Canvas> canvas = std::move(idle_.back());
         idle_.pop_back();
@@ -75,11 +79,23 @@ private:
         return canvas;
     }
 
-    void giveBack(std::unique_ptr<Canvas> canvas, bool lost = false) {
+    void giveBack(std::unique_ptr<Canvas> canvas) {
         const std::lock_guard lock(turn_);
-        if (canvas && !canvas->isSpent()) idle_.push_back(std::move(canvas));
+        if (!canvas->isSpent()) idle_.push_back(std::move(canvas));
         --atWork_;
-        if (lost) ++losses_;
+        idles_.notify_one();
+    }
+
+    /// Drops every canvas of a lost device. The first to report it counts the loss.
+    void dropLost(std::unique_ptr<Canvas> canvas) {
+        const std::shared_ptr<SharedDevice> device = canvas->renderer.device();
+        canvas.reset();
+        const std::lock_guard lock(turn_);
+        --atWork_;
+        if (lost_.lock() != device) ++losses_;
+        lost_ = device;
+        if (shared_ == device) shared_.reset();
+        std::erase_if(idle_, [&](const auto& idle) { return idle->renderer.device() == device; });
         idles_.notify_one();
     }
 
@@ -90,18 +106,30 @@ private:
 
     std::unique_ptr<Canvas> make() {
         try {
-            return std::make_unique<Canvas>(options_);
+            if (shared_) return std::make_unique<Canvas>(shared_);
+        } catch (const Error&) {
+            shared_.reset();  // lost, perhaps
+        }
+        try {
+            auto first = std::make_unique<Canvas>(options_);
+            if (!isSoftware(*first)) shared_ = first->renderer.device();
+            return first;
         } catch (const Error& error) {
             throw NoDevice(error.what());
         }
     }
 
+    static bool isSoftware(const Canvas& canvas) { return canvas.renderer.stats().device.type == "software"; }
+
     static constexpr int kMostLosses = 3;  // in a batch: more are no accident
+    static constexpr int kMostOfGpu = 6;   // renderers: each has its own images and pipelines
     const DeviceOptions& options_;
     const int threads_;
     std::mutex turn_;  // of all below
     std::condition_variable idles_;
     std::vector<std::unique_ptr<Canvas>> idle_;
+    std::shared_ptr<SharedDevice> shared_;  // a GPU
+    std::weak_ptr<SharedDevice> lost_;      // the last one
     int atWork_ = 0, most_ = 1, losses_ = 0;
 };
 
@@ -131,6 +159,9 @@ public:
 
     /// @returns whether all jobs succeeded @throws Error if stopped
     bool run() {
+        // Threads of one job's tasks: others have jobs of their own, and starting one takes longer than its share of a
+        // small molecule.
+        setThreadsPerTask(std::max(1u, threadsPerTask() / static_cast<unsigned>(options_.parallel)));
         std::vector<std::thread> threads(static_cast<std::size_t>(options_.parallel - 1));
         for (std::thread& thread : threads)
             if (!mayStart(thread, [this] { work(); })) break;

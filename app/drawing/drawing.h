@@ -24,6 +24,7 @@ namespace nacre::app {
 /// A renderer, and its current scene.
 struct Canvas {
     explicit Canvas(const DeviceOptions& options) : renderer(options) {}
+    explicit Canvas(std::shared_ptr<SharedDevice> device) : renderer(std::move(device)) {}
     bool isLost() const { return !renderer.deviceLoss().empty(); }
     /// Whether to replace the renderer: it is lost, or holds too many pipelines. The renderer keeps each pipeline; some
     /// take megabytes on lavapipe.

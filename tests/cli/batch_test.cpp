@@ -58,6 +58,26 @@ TEST(Batch, DrawsWhatRenderDraws) {
     EXPECT_EQ(readContents(folder / "d.exr"), readContents(folder / "one.exr"));
 }
 
+/// On a GPU the jobs' renderers share one device.
+TEST(Batch, DrawsTheSameByAnyNumberOfJobs) {
+    const TemporaryFolder folder;
+    const auto draw = [&](const std::string& prefix, const std::string& more) {
+        std::vector<std::string> jobs;
+        for (int i = 0; i < 12; ++i)
+            jobs.push_back(job(i % 3 == 0 ? "sample:dna" : "sample:glucose", prefix + std::to_string(i) + ".png",
+                               R"("rotate": [0, )" + std::to_string(30 * i) + ", 0]"));
+        writeJobs(folder, jobs);
+        const Outcome batch = nacreIn(folder, "batch jobs.jsonl --validate" + more + kSmall);
+        EXPECT_EQ(batch.code, 0) << batch.err << batch.out;
+    };
+    draw("one", " --jobs 1");
+    draw("four", " --jobs 4");
+    for (int i = 0; i < 12; ++i)
+        EXPECT_EQ(readContents(folder / ("four" + std::to_string(i) + ".png")),
+                  readContents(folder / ("one" + std::to_string(i) + ".png")))
+            << i;
+}
+
 TEST(Batch, TakesSeveralInputsAndWhatFitsThem) {
     const TemporaryFolder folder;
     writeJobs(folder, {R"({"input": ["a=sample:dna", "b=sample:dna"], "fit": ["/b and name P", "/a and name P"],)"
