@@ -49,9 +49,25 @@ def figure(found, table, row, column):
     return number(found.get(table, {}).get(row, {}).get(column, ""))
 
 
+def with_rows(text, rows):
+    """The page with rows that it lacks, empty: each after the last of its kind, which is its name up to the last comma, or
+    at its table's end. @param rows  (table, row)"""
+    lines = text.splitlines()
+    for table, row in rows:
+        start = next((at for at, line in enumerate(lines) if (mark := MARK.fullmatch(line)) and mark[1] == table), None)
+        if start is None:
+            continue
+        end = next((at for at in range(start + 1, len(lines)) if not lines[at].startswith("|")), len(lines))
+        names = [cells(line)[0] for line in lines[start + 3:end]]
+        if row not in names:
+            alike = [at for at, name in enumerate(names) if name.rpartition(", ")[0] == row.rpartition(", ")[0]]
+            lines.insert(start + 4 + alike[-1] if alike else end, f"| {row} |" + " |" * (len(cells(lines[start + 1])) - 1))
+    return "\n".join(lines) + "\n"
+
+
 def with_figures(text, figures):
     """The page with new numbers in its cells. @param figures  (table, row, column) -> value"""
-    lines, table, header = text.splitlines(), None, None
+    lines, table, header = with_rows(text, dict.fromkeys(key[:2] for key in figures)).splitlines(), None, None
     for at, line in enumerate(lines):
         if mark := MARK.fullmatch(line):
             table, header = mark[1], cells(lines[at + 1])

@@ -6,6 +6,7 @@ import pathlib
 import shlex
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -50,6 +51,10 @@ class Run:
         if not path.exists():
             raise Unavailable(f"no {path}: set NACRE_DATA")
         return str(path)
+
+    def lacks(self, what):
+        """Tells of figures that are not measured, while others of their table are."""
+        print(f"nacre: not measured: {what}", file=sys.stderr, flush=True)
 
     def needs(self, *programs):
         for program in programs:
@@ -98,6 +103,20 @@ class Run:
         return {"wall": report["times"]["frame"]["min"], "cpu": report["times"]["frame_processor"]["min"],
                 "pixels": report["covered_pixels"], "atoms": report["atoms"]["drawn"],
                 "open": report["times"]["load"] + report["times"]["scene"], "resident": report["memory"]["resident_peak"]}
+
+    def paths(self, *arguments, path):
+        """What `nacre bench` reports of frames and bake by one path, whatever the default is: the least of all rounds."""
+        found = [self.json(self.nacre, "bench", *arguments, "--visibility", path, "--json")["paths"][0] for _ in range(self.rounds)]
+        return least([{"wall": one["frame"]["min"], "cpu": one["processor"]["min"], "bake": one["bake"]} for one in found])
+
+    def batch(self, options, *more, count):
+        """Times of `nacre batch` with three small molecules in turn. @param options  as the page has them"""
+        jobs = self.folder / "jobs.jsonl"
+        files = [self.file(name) for name in ("1crn.pdb", "1l2y.pdb", "1bna.pdb")]
+        jobs.write_text("".join(f'{{"input": "{files[i % 3]}", "output": "{self.folder}/{i}.png"}}\n' for i in range(count)))
+        words = [self.nacre, "batch", jobs, "--cache", "off", *self.words(options), *more]
+        self.timed(*words)
+        return least([self.timed(*words) for _ in range(self.rounds)])
 
     def jmol(self, path, size, frames):
         self.needs(JMOL, "xvfb-run", "java")

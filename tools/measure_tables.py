@@ -10,6 +10,7 @@ import sys
 
 from measure_page import number
 from measure_run import ROOT, Unavailable, least
+import measure_gpu as gpu
 import measure_scenes as scenes
 
 sys.path.insert(0, str(ROOT / "tools"))
@@ -23,6 +24,7 @@ class Table:
     targets: tuple = ("nacre-cli",)  # what is built for it
     ratios: dict = dataclasses.field(default_factory=dict)  # column -> the two of which it is the ratio
     slow: bool = False  # measured where it is named alone
+    by_device: bool = False  # the page has rows of several devices, each called "ROW, DEVICE"
 
 
 COMMANDS = ("`nacre --help`", "`nacre info 1crn.pdb`", "`nacre render sample:dna`", "`nacre render sample:dna --supersample 1`",
@@ -102,13 +104,8 @@ def frames(run):
 
 def batches(run):
     for row in BATCHES:
-        jobs = run.folder / "jobs.jsonl"
-        files = [run.file(name) for name in ("1crn.pdb", "1l2y.pdb", "1bna.pdb")]
         count = 300
-        jobs.write_text("".join(f'{{"input": "{files[i % 3]}", "output": "{run.folder}/{i}.png"}}\n' for i in range(count)))
-        words = [run.nacre, "batch", jobs, "--cache", "off", *run.words(row)]
-        run.timed(*words)
-        best = least([run.timed(*words) for _ in range(run.rounds)])
+        best = run.batch(row, count=count)
         yield row, {"CPU, ms per picture": 1000 * best["cpu"] / count, "pictures per second": count / best["wall"]}
 
 
@@ -235,6 +232,8 @@ TABLES = {
     "exports": Table(("4HHB", "1AON"), ("s",), exports),
     "reading": Table(tuple(READ), ("read, ms", "MB/s", "gemmi, ms", "ratio", "with bonds, ms"), reading, ("load_benchmark",),
                      {"ratio": ("read, ms", "gemmi, ms")}),
+    "gpu": Table(tuple(gpu.SCENES), gpu.COLUMNS, gpu.frames, slow=True, by_device=True),
+    "gpu-batches": Table(gpu.BATCHES, tuple(gpu.JOBS), gpu.batches, slow=True, by_device=True),
     "build": Table(("clean build with tests", "test suite"), ("minutes",), building, slow=True),
 }
 

@@ -29,7 +29,12 @@ class Measure(unittest.TestCase):
     def test_every_figure_is_measured(self):
         self.assertEqual(set(PAGE), set(TABLES) | {"summary"})
         for name, table in TABLES.items():
-            self.assertEqual(tuple(PAGE[name]), table.rows, name)
+            rows = tuple(PAGE[name])
+            if table.by_device:
+                shown = dict.fromkeys(row.rpartition(", ")[0] for row in rows)  # in the page's order; some may be missing
+                self.assertEqual(tuple(shown), tuple(row for row in table.rows if row in shown), name)
+            else:
+                self.assertEqual(rows, table.rows, name)
             for row, cells in PAGE[name].items():
                 self.assertEqual(tuple(cells), table.columns, name)
 
@@ -65,6 +70,32 @@ class Measure(unittest.TestCase):
         self.assertEqual(measure_page.figure(measure_page.tables(new), "a", "c", "y"), 1234567)
         whole = measure_page.PAGE.read_text()
         self.assertEqual(measure_page.with_figures(whole, {}), whole)
+
+    def test_rows_of_another_device_stand_beside_those_of_the_same_scene(self):
+        page = "<!-- measured: a -->\n| of | x |\n|---|---|\n| b, one | 1 |\n| b, tube, one | 2 |\n\n"
+        figures = {("a", "b, two", "x"): 3.0, ("a", "b, tube, one", "x"): 4.0, ("a", "c, two", "x"): 5.0}
+        new = page.replace("| b, one | 1 |\n", "| b, one | 1 |\n| b, two | 3.00 |\n").replace("| 2 |\n", "| 4.00 |\n| c, two | 5.00 |\n")
+        self.assertEqual(measure_page.with_figures(page, figures), new)
+        self.assertEqual(measure_page.with_figures(new, figures), new)
+
+    def test_a_device_is_measured_by_the_program_alone(self):
+        if not test_data.folder():
+            self.skipTest(test_data.ABSENT)
+        with tempfile.TemporaryDirectory() as folder:
+            data, build = pathlib.Path(folder, "data"), pathlib.Path(folder, "build/bin")
+            data.mkdir(), build.mkdir(parents=True)
+            (data / "1bna.pdb").symlink_to(test_data.folder() / "1bna.pdb")
+            (build / "nacre").symlink_to(BUILD / "bin/nacre")
+            env = dict(os.environ, NACRE_NO_BUILD="1", NACRE_DATA=str(data))
+            done = subprocess.run([SOURCE / "tools/measure", "gpu", "--build", build.parent, "--rounds", "1"], env=env,
+                                  capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = [measure_page.cells(line) for line in done.stdout.splitlines()[2:]]
+        self.assertEqual([(row.rpartition(", ")[0], column) for _, row, column, *_ in found],
+                         [("1BNA", column) for column in TABLES["gpu"].columns], done.stderr)
+        self.assertTrue(all(measure_page.number(now) > 0 for _, _, _, now, *_ in found), found)
+        self.assertRegex(done.stderr, r"not measured: gpu: 4V5A, .*: no .*/4v5a-ribosome.mmtf")
+        self.assertRegex(done.stderr, r"not measured: gpu-batches: no .*/1crn.pdb")
 
     def test_a_table_is_measured_beside_the_page(self):
         env = dict(os.environ, NACRE_NO_BUILD="1")
