@@ -15,12 +15,11 @@
 namespace nacre {
 namespace {
 
-/// Paths tested on request. The last one is for software devices, which are not tested automatically.
-constexpr Visibility kEveryPath[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder,
-                                     Visibility::deferred, Visibility::tiles};
-constexpr std::span<const Visibility> kPaths(kEveryPath, std::size(kEveryPath) - 1);
+/// The last one is a path of every device.
+constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder, Visibility::tiles,
+                                 Visibility::deferred};
 constexpr const char* kOutcomes[] = {"right", "wrong", "failed", "unfinished"};
-constexpr const char* kHeading = "nacre self-test 4";
+constexpr const char* kHeading = "nacre self-test 5";
 constexpr std::uint32_t kPixels = 128, kTimedPixels = 720;
 constexpr int kDirections = 16;  // of a bake: a batch
 
@@ -59,9 +58,9 @@ SelfTest read(const std::string& folder, const std::string& key) {
         for (double& milliseconds : r.milliseconds) words >> milliseconds;
         if (!(words >> r.tries >> r.subpasses >> r.carried >> r.transientBytes >> r.committedBytes)) return {};
         const auto visibility =
-            std::ranges::find_if(kEveryPath, [&](Visibility v) { return path == visibilityName(v); });
+            std::ranges::find_if(kPaths, [&](Visibility v) { return path == visibilityName(v); });
         const auto found = std::find(std::begin(kOutcomes), std::end(kOutcomes), outcome);
-        if (visibility == std::end(kEveryPath) || found == std::end(kOutcomes)) return {};
+        if (visibility == std::end(kPaths) || found == std::end(kOutcomes)) return {};
         r.visibility = *visibility;
         r.outcome = static_cast<PathResult::Outcome>(found - std::begin(kOutcomes));
     }
@@ -160,12 +159,10 @@ PathResult tested(const DeviceOptions& options, Visibility path, const std::atom
 
 }  // namespace
 
-SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, TestedPaths which,
-                   const std::atomic<bool>* stop) {
+SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, const std::atomic<bool>* stop) {
     const std::string& key = device.driverKey;
     SelfTest test = read(options.selfTests, key);
-    const std::span<const Visibility> paths = which == TestedPaths::every ? std::span(kEveryPath) : kPaths;
-    for (const Visibility path : paths) {
+    for (const Visibility path : kPaths) {
         if (!hasPath(path, device.rasterOrder, device.tiles)) continue;
         auto it = std::find_if(test.begin(), test.end(), [&](const PathResult& r) { return r.visibility == path; });
         if (it == test.end()) it = test.insert(it, {path, PathResult::Outcome::unfinished});
@@ -195,7 +192,7 @@ bool lacksSelfTest(const DeviceOptions& options, const DeviceInfo& device) {
 
 std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::string& key) {
     SelfTest test = read(folder, key);
-    const Visibility last = kPaths.back();
+    const Visibility last = *std::rbegin(kPaths);
     const bool whole = std::ranges::any_of(test, [&](const PathResult& r) { return r.visibility == last; });
     if (!whole || !std::all_of(test.begin(), test.end(), [](const PathResult& r) { return r.known(); })) return {};
     return test;
@@ -248,7 +245,7 @@ graph::TestedPath choosePath(const SelfTest& test, Visibility byCaps, const std:
     for (const PathResult& r : test) {
         if (r.outcome != PathResult::Outcome::right) continue;
         if (r.visibility == byCaps) chosen = &r;
-        if (r.visibility == byCaps || isTimedBySmallScenes(r.visibility)) candidates.push_back(&r);
+        candidates.push_back(&r);
     }
     if (candidates.empty()) return {Visibility::automatic, "no path draws right: " + describe(test)};
     const PathResult& base = chosen ? *chosen : *candidates.front();

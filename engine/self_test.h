@@ -36,17 +36,11 @@ struct PathResult {
 /// Paths in the order of the test.
 using SelfTest = std::vector<PathResult>;
 
-enum class TestedPaths {
-    automatic,  ///< paths that a test decides between
-    every,      ///< also those that `automatic` takes by capabilities alone: tiles
-};
-
 /// Tests each path of a device without a known result, and keeps the results. Before a path's device is made, a note is
 /// written that it is being tested.
 /// @param options  name the device; their window is ignored
 /// @param stop  set by another thread: returns early, without the current path's result; may be null
-SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, TestedPaths paths = TestedPaths::automatic,
-                   const std::atomic<bool>* stop = nullptr);
+SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, const std::atomic<bool>* stop = nullptr);
 /// Whether a device's paths are tested before one is chosen. Software devices need no test: the program's own tests
 /// cover their paths.
 bool wantsSelfTest(const DeviceOptions& options, const DeviceInfo& device);

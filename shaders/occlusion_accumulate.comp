@@ -3,6 +3,7 @@
 // adds up the cosines of the maps where it is front-most. One read and one write of its sum.
 // CYLINDER, VERTEX: texels of cylinders, of meshes. WHOLE: one value per sphere, tested at its point facing the light.
 // HEIGHTS: the maps are a buffer of heights from tile_depth.comp; else an image of encoded depth.
+// ORDERED: with HEIGHTS, from map_heights.comp.
 // TEXELS: these and the directions are read as texels.
 // NARROW: directions take few words (layout.h), for drivers that load them in every invocation.
 // PAIRS: an invocation tests two texels, and loads each direction once for both.
@@ -16,6 +17,9 @@
 #include "common/layout.h"
 #include "common/texel.glsl"
 #include "common/encoding.glsl"
+#ifdef ORDERED
+#include "common/ordered.glsl"
+#endif
 
 layout(local_size_x = 64) in;
 
@@ -27,6 +31,9 @@ layout(set = 0, binding = 3, std430) buffer Sums { vec2 sums[]; };  // accumulat
 #if defined(TEXELS)
 layout(set = 0, binding = 4) uniform samplerBuffer heightTexels;  // Å
 float heightAt(int i) { return texelFetch(heightTexels, i).x; }
+#elif defined(ORDERED)
+layout(set = 0, binding = 4, std430) readonly buffer Heights { uint heights[]; };
+float heightAt(int i) { return fromOrderedBits(heights[i]); }  // Å
 #elif defined(HEIGHTS)
 layout(set = 0, binding = 4, std430) readonly buffer Heights { float heights[]; };  // Å
 float heightAt(int i) { return heights[i]; }

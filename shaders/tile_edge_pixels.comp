@@ -34,7 +34,8 @@ layout(set = 0, binding = 0, std430) readonly buffer Lists { uint lists[]; };
 layout(set = 0, binding = 1, std430) readonly buffer Numbers { uvec4 numbers[]; };
 uint listAt(uint i) { return lists[i]; }
 uvec4 numbersAt(uint quad) { return numbers[quad]; }
-uvec4 colorsAt(uint quad) { return uvec4(0u); }
+layout(set = 0, binding = 2, std430) readonly buffer Colors { uvec4 colors[]; };
+uvec4 colorsAt(uint quad) { return colors[quad]; }
 #endif
 layout(set = 0, binding = 3, std430) buffer EdgePixels { uint edgePixels[]; };
 layout(set = 0, binding = 4, std430) writeonly buffer Edges { uint edges[]; };

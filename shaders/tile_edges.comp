@@ -59,9 +59,9 @@ float nearest[kSamples];  // Hit::order
 uint seen[kSamples];      // sights
 bool holes = false;  // samples without a hit may lack candidates
 
-/// At equal distances the last one wins: list entries are ordered by number.
+/// At equal distances the largest number wins.
 void keep(int i, bool inside, float Z, uint sight) {
-    bool wins = inside && Z <= nearest[i];
+    bool wins = inside && (Z < nearest[i] || (Z == nearest[i] && (sight & kNumber) >= (seen[i] & kNumber)));
     nearest[i] = wins ? Z : nearest[i];
     seen[i] = wins ? sight : seen[i];
 }

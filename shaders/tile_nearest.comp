@@ -19,7 +19,9 @@
 #define LOOKS 4
 #define ATLAS 5
 #define EFFECTS 6
+#ifdef TEXELS
 #define CELLS 7
+#endif
 #define SHADOW 9
 #ifdef SHADED
 #include "common/numbered.glsl"
@@ -50,6 +52,7 @@ uint listAt(uint i) { return lists[i]; }
 #endif
 layout(set = 0, binding = 3, std430) buffer Numbers { uint numbers[]; };
 layout(constant_id = kSeededId) const bool kSeeded = false;
+layout(constant_id = kClearsId) const bool kClears = false;
 #if defined(CYLINDERS)
 layout(constant_id = kSpheresId) const bool kSpheres = true;
 layout(constant_id = kCylindersId) const bool kCylinders = true;
@@ -297,14 +300,17 @@ void drawTile(uint index, bool last) {
         if (number[i] == 0u) numbers[here + on.y * pitch + on.x] = rimmed(vec4(0.0), rimWords[i]);
     }
 #else
-    if (kSeeded) {
+    if (kSeeded || kClears) {
         uint lost = 0u, rows = 0u;
-        for (int i = 0; i < kPixels; ++i) lost |= number[i] == 0u && seeds[i] != 0u ? 1u << i : 0u;
+        for (int i = 0; i < kPixels; ++i) lost |= number[i] == 0u && (kClears || seeds[i] != 0u) ? 1u << i : 0u;
         rows = bitsOfAll(lost);
         do {
             uint i = lowestBit(rows);
             uvec2 on = uvec2(i * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
-            if ((lost >> i & 1u) != 0u) numbers[here + on.y * pitch + on.x] = 0u;
+            if ((lost >> i & 1u) != 0u) {
+                numbers[here + on.y * pitch + on.x] = 0u;
+                if (kClears && kNumbered) pixelNumbers[here + on.y * pitch + on.x] = 0u;
+            }
             rows &= rows - 1u;
         } while (rows != 0u);
     }

@@ -40,7 +40,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
             device.selfTests = folder;
             forgetSelfTest(folder, devices[i].driverKey);
             progress.begin("testing device " + std::to_string(i));
-            devices[i].selfTest = describe(testPaths(device, devices[i], TestedPaths::every));
+            devices[i].selfTest = describe(testPaths(device, devices[i]));
             traffic[i] = queryTraffic(devices[i], device);
         }
         // A software device uses the path of its caps.

@@ -31,7 +31,7 @@ void IdleTest::begin(const DeviceOptions& options, const DeviceInfo& device) {
     alone.onSelfTest = {};
     thread_ = startThread([this, alone, device] {
         try {
-            testPaths(alone, device, TestedPaths::automatic, &stop_);
+            testPaths(alone, device, &stop_);
         } catch (const std::exception&) {
             // The next start tests what is missing.
         }

@@ -197,11 +197,14 @@ private:
     bool debugs() const { return settings_.debug != DebugView::none; }
     bool rims() const { return settings_.effects.rims(); }
 
+    /// Whether compute may shade pictures: on software devices always, on others if they draw by tiles.
+    bool mayCompute() const {
+        return device_.tiles.shade && device_.plan.tiles &&
+               (!device_.tiles.lists || pickPath(device_) == Visibility::tiles);
+    }
     /// The device's path, or the path of frames that add samples or depth to a picture. Devices that shade by tiles
     /// always draw those by tiles: other paths draw each sample as a pixel.
-    Visibility usual(bool adds) const {
-        return adds && device_.tiles.shade && device_.plan.tiles ? Visibility::tiles : pickPath(device_);
-    }
+    Visibility usual(bool adds) const { return adds && mayCompute() ? Visibility::tiles : pickPath(device_); }
     bool adds() const {
         switch (choice_.part) {
             case Part::edges:
@@ -335,7 +338,7 @@ void Chooser::chooseColor() {
             // Averages of the render pass are linear: no shader codes those colours.
             if (settings_.fine && !debugs())
                 color = ColorFormat::linear;
-            else if (choice_.samples.where != Where::resolved && device_.tiles.shade && !scene_.blends())
+            else if (choice_.samples.where != Where::resolved && mayCompute() && !scene_.blends())
                 color = ColorFormat::coded;
             break;
         case Part::motion:
@@ -351,7 +354,7 @@ void Chooser::chooseColor() {
 
 void Chooser::choosePath() {
     const Visibility path = usual(adds());
-    const bool computes = path == Visibility::tiles && device_.tiles.shade && choice_.color == ColorFormat::coded &&
+    const bool computes = path == Visibility::tiles && mayCompute() && choice_.color == ColorFormat::coded &&
                           isPicture(request_.part) && !request_.counted;
     choice_.path = rims()     ? (computes ? Visibility::tiles : Visibility::deferred)
                    : debugs() ? pickPath(settings_.debug, path)
@@ -402,12 +405,13 @@ bool Chooser::needsPrepass(Visibility path, PlateShape plates) const {
 void Chooser::chooseGeometry() {
     const bool tiles = choice_.path == Visibility::tiles;
     choice_.prepass = needsPrepass(choice_.path, settings_.tuning.plates);
-    choice_.geometry = tiles                                                       ? Geometry::hostLists
+    choice_.geometry = tiles ? (device_.tiles.lists ? Geometry::deviceLists : Geometry::hostLists)
                        : device_.plan.geometry.storesVaryings && !request_.counted ? Geometry::fetched
                                                                                    : Geometry::instanced;
-    if (!debugs()) choice_.host = tiles ? hostWorkOfTiles() : chooseHostWork(choice_.path);
+    const bool lists = choice_.geometry == Geometry::hostLists;
+    if (!debugs() && (lists || !tiles)) choice_.host = tiles ? hostWorkOfTiles() : chooseHostWork(choice_.path);
     // A volume between layers needs their depth.
-    if (tiles && !scene_.hasTranslucentAtoms && !choice_.has(Kind::volume))
+    if (lists && !scene_.hasTranslucentAtoms && !choice_.has(Kind::volume))
         choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
     if (request_.part == Part::edges && choice_.shadedByCompute()) {
         // The number of a sphere is enough if nothing cuts or outlines it.
@@ -726,7 +730,8 @@ FrameChoice choose(const FrameRequest& request, const SceneFacts& scene, const F
 
 std::vector<Decision> describe(const FrameChoice& choice) {
     constexpr const char* kShading[] = {"fragments", "compute"};
-    constexpr const char* kGeometry[] = {"instanced", "fetched by fragments", "lists of the host"};
+    constexpr const char* kGeometry[] = {"instanced", "fetched by fragments", "lists of the host",
+                                        "lists of the device"};
     constexpr const char* kHost[] = {"nothing", "hidden spheres", "front spheres"};
     constexpr const char* kEndings[] = {"left on the device",
                                         "read back",
@@ -834,7 +839,8 @@ MotionSamples chooseMotionSamples(const FrameCaps& device) {
 }
 
 OcclusionMaps chooseOcclusionMaps(const FrameCaps& device) {
-    if (device.kind == DeviceKind::software && device.plan.tiles) return OcclusionMaps::tiles;
+    const bool computes = device.kind == DeviceKind::software || pickPath(device) == Visibility::tiles;
+    if (computes && device.plan.tiles) return OcclusionMaps::tiles;
     // Where MIN is a blend shader, the depth buffer is cheaper.
     return pickPath(device) == Visibility::encoded && !device.encoded.ordered ? OcclusionMaps::encoded
                                                                               : OcclusionMaps::fragdepth;
@@ -845,8 +851,6 @@ graph::TestedPath plainestPath(const char* why) { return {Visibility::fragdepth,
 bool hasPath(Visibility path, bool rasterOrder, bool tiles) {
     return path == Visibility::rasterOrder ? rasterOrder : path != Visibility::tiles || tiles;
 }
-
-bool isTimedBySmallScenes(Visibility path) { return path != Visibility::tiles; }
 
 bool platesReject(Visibility path, const graph::PlanCaps& caps) {
     return caps.conservativeDepth || (path != Visibility::fragdepth && path != Visibility::deferred);

@@ -139,7 +139,8 @@ private:
 enum class Geometry : std::uint8_t {
     instanced,  ///< vertex streams; attributes go through varyings
     fetched,    ///< fragments fetch attributes by the primitive's number
-    hostLists,  ///< the host lists the primitives of each tile
+    hostLists,    ///< the host lists the primitives of each tile
+    deviceLists,  ///< compute lists the primitives of each tile
 };
 
 /// Work of the host before the device draws.
@@ -230,7 +231,7 @@ struct FrameChoice {
     bool rims() const { return has(Effect::Kind::outlines) || has(Effect::Kind::halos); }
     std::uint32_t layers() const;
     bool drawsEdges() const { return samples.where == Samples::Where::edges; }
-    bool drawnByTiles() const { return geometry == Geometry::hostLists; }
+    bool drawnByTiles() const { return geometry == Geometry::hostLists || geometry == Geometry::deviceLists; }
     bool shadedByCompute() const { return shading == Shading::compute; }
     /// Samples per pixel of the frame's attachments.
     std::uint32_t attachmentSamples() const { return samples.where == Samples::Where::resolved ? samples.count : 1; }
@@ -288,8 +289,6 @@ graph::TestedPath plainestPath(const char* why);
 
 /// Whether a device with these abilities has a path at all.
 bool hasPath(Visibility path, bool rasterOrder, bool tiles);
-/// Whether the small scenes of a self-test are enough to time a path.
-bool isTimedBySmallScenes(Visibility path);
 
 /// Whether plates in the hardware depth buffer reject fragments on a path. Where impostors write depth themselves, that
 /// needs a depth test before the fragment shader.

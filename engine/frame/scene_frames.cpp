@@ -63,6 +63,7 @@ std::shared_ptr<const passes::TileFrame> SceneFrames::listTiles(const passes::Sc
                                                                 const FrameChoice& choice, const FrameRequest& request,
                                                                 const FrameInputs& inputs) {
     passes::TileWork work;
+    work.byDevice = choice.geometry == Geometry::deviceLists;
     work.shaded = choice.shadedByCompute();
     work.edges = choice.drawsEdges();
     work.edgesAlone = choice.edgePixels == EdgePixels::alone;
@@ -219,6 +220,10 @@ void SceneFrames::bind(DeclaredFrame& declared, const PreparedFrame& prepared) {
     imports.clear();
     imports.bind(frame.atlas, *prepared.atlas);
     if (view.tiles) imports.bind(frame.numbers, view.tiles->pixels());
+    if (frame.lists) {
+        imports.bind(*frame.entries, view.tiles->entries());
+        imports.bind(*frame.lists, view.tiles->sortedEntries());
+    }
     if (frame.layerNumbers) imports.bind(*frame.layerNumbers, view.translucent->tiles->pixels());
     if (frame.edges) {
         imports.bind(*frame.edges, view.tiles->edges());

@@ -22,6 +22,7 @@ enum class DeviceKind : std::uint8_t {
 struct TileCaps {
     bool texels = false;      ///< texel buffers can hold whole streams
     std::uint32_t lanes = 0;  ///< per subgroup
+    bool lists = false;       ///< compute makes the lists of tiles faster than the host
     bool shade = false;       ///< compute shading is faster than drawing fragments
     bool drawsEdges = false;  ///< draws edges from the tile lists
     /// Most entries of a tile's list. lavapipe 22.3 allows an invocation 65,535 loop iterations in total, then ends its

@@ -20,12 +20,15 @@ constexpr std::array kAccumulateTexels{kStorage, kTexel, kStorage, kStorage, kTe
 // Shapes, rows of copies, lists, heights for reading and for writing.
 constexpr std::array kThreeBuffers{kStorage, kStorage, kStorage};
 
+/// Whether heights are read as texels.
+bool asTexels(const graph::TileCaps& caps) { return caps.texels && !caps.lists; }
+
 }  // namespace
 
 const gpu::Layout& accumulationLayout(gpu::PipelineContext& context, bool heights) {
     const auto types = [&]() -> std::span<const Type> {
         if (!heights) return kAccumulate;
-        if (context.device.caps().tiles.texels) return kAccumulateTexels;
+        if (asTexels(context.device.caps().tiles)) return kAccumulateTexels;
         return kAccumulateStorage;
     }();
     return context.pipelines.layout(
@@ -60,13 +63,13 @@ gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const A
         d.name = "occlusion accumulation, vertices";
         d.code = NACRE_ACCUMULATION(Vertex);
     }
-    if (heights) d.code = questionsToTileMaps(accumulation.texels, context.device.caps().tiles.texels);
+    if (heights) d.code = questionsToTileMaps(accumulation.texels, context.device.caps().tiles);
     const graph::EncodedFormat& encoded = context.device.caps().encodedMaps;
     d.constants.set(layout::kBatchId, accumulation.batch);
     d.constants.set(layout::kDepthChannelsId, accumulation.encoded ? encoded.channels : 1);
     d.constants.set(layout::kDepthStepsId, accumulation.encoded ? encoded.steps : 0);
     d.constants.set(layout::kMapsAcrossId, accumulation.across);
-    if (heights && context.device.caps().tiles.texels)
+    if (heights && asTexels(context.device.caps().tiles))
         d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
     if (accumulation.spread > 0) {
         d.constants.set(layout::kTapsId, accumulation.taps);

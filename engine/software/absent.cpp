@@ -16,6 +16,10 @@ namespace passes {
 
 std::unique_ptr<TileFrames> makeTileFrames(const gpu::Device&) { return nullptr; }
 std::unique_ptr<HiddenSpheres> makeHiddenSpheres() { return nullptr; }
+void countPrimitivesOfBins(gpu::PassContext&, const SceneView&) { refuse(); }
+void placeListsOfBins(gpu::PassContext&, const SceneView&) { refuse(); }
+void writeListsOfBins(gpu::PassContext&, const SceneView&) { refuse(); }
+void sortListsOfBins(gpu::PassContext&, const SceneView&) { refuse(); }
 void draw(gpu::PassContext&, const SceneView&, const NearestByTiles&) { refuse(); }
 void want(gpu::PipelineContext&, const SceneView&, const NearestByTiles&) { refuse(); }
 void draw(gpu::PassContext&, const SceneView&, const TileShading&) { refuse(); }
@@ -33,7 +37,7 @@ std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device&, const passes::SceneBu
                                        std::uint32_t, double, std::uint32_t, OccluderMeshes) {
     return nullptr;
 }
-gpu::ShaderWords questionsToTileMaps(Texels, bool) { refuse(); }
+gpu::ShaderWords questionsToTileMaps(Texels, const graph::TileCaps&) { refuse(); }
 
 }  // namespace occlusion
 }  // namespace nacre

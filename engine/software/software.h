@@ -47,6 +47,7 @@ struct EdgePlaces {
 
 /// Options of a frame.
 struct TileWork {
+    bool byDevice = false;           ///< the device makes the lists
     bool shaded = false;             ///< compute also shades
     bool edges = false;              ///< edges are drawn
     bool edgesAlone = false;         ///< only edges are shaded, from primitive numbers
@@ -74,6 +75,9 @@ public:
     /// Numbers of the nearest primitives from 1, or colours where compute shades; row by row of all bins.
     virtual const gpu::Buffer& pixels() const = 0;
     virtual vk::BufferView pixelTexels() const = 0;  ///< pixels() as texels, where the device reads them so
+    /// Where the device makes the lists: their entries in any order, and the lists.
+    virtual const gpu::Buffer& entries() const = 0;
+    virtual const gpu::Buffer& sortedEntries() const = 0;
     virtual const gpu::Buffer& edges() const = 0;    ///< numbers if pixels() are colours, else edge colours
     virtual const gpu::Buffer& edgePixels() const = 0;
 };
@@ -99,6 +103,12 @@ public:
 };
 /// @returns null in a build without the path: devices then draw hidden spheres
 std::unique_ptr<HiddenSpheres> makeHiddenSpheres();
+
+// Compute: make the lists of a frame whose TileWork says so, in this order.
+void countPrimitivesOfBins(gpu::PassContext& context, const SceneView& view);
+void placeListsOfBins(gpu::PassContext& context, const SceneView& view);
+void writeListsOfBins(gpu::PassContext& context, const SceneView& view);
+void sortListsOfBins(gpu::PassContext& context, const SceneView& view);
 
 /// Compute: writes TileFrame::pixels() of the view's non-empty tiles, one workgroup each.
 struct NearestByTiles {
@@ -176,7 +186,7 @@ std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device& device, const passes::
                                        const Representation& representation, std::uint32_t pixels, double radius,
                                        std::uint32_t across, OccluderMeshes occluders);
 
-/// The stage that samples such maps. @param asTexels  the device reads them as texels
-gpu::ShaderWords questionsToTileMaps(Texels texels, bool asTexels);
+/// The stage that samples such maps.
+gpu::ShaderWords questionsToTileMaps(Texels texels, const graph::TileCaps& caps);
 
 }  // namespace nacre::occlusion

@@ -69,10 +69,12 @@ std::uint32_t groupsOfTiles(const TileLists& lists, bool shaded, std::uint32_t w
 
 /// Maximum number of workgroups that draw edges. Each fills its lanes repeatedly: on a software device an empty
 /// workgroup costs as much as a full one. No loop may exceed lavapipe's limit.
-std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps) {
+/// @param byDevice  the lengths of lists are unknown
+std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps, bool byDevice) {
     constexpr std::uint64_t kFew = 64, kRow = 65535;
     const std::uint64_t fillings =
         lists.tiles().size() * (TileLists::kTilePixels * TileLists::kTilePixels / caps.lanes);
+    if (byDevice) return static_cast<std::uint32_t>(std::min(fillings, kRow));
     const std::uint64_t turns = kTurnsOfFilling + std::uint64_t{lists.longest()} * 3 / 2;
     const std::uint64_t least = fillings * turns / kTurnsOfEdges + 1;
     return static_cast<std::uint32_t>(std::min(std::max(least, caps.texels ? kFew : lists.tiles().size()), kRow));
@@ -104,6 +106,14 @@ const SphereBoxes& ListedFrames::sceneBoxes(const Representation& r, const Scene
     return boxes_;
 }
 
+const LargestPrimitives& ListedFrames::largestPrimitives(const Representation& r, const SceneView& seen) {
+    if (!seen.owner || measured_.lock() != seen.owner) {
+        largest_ = measureLargest(r);
+        measured_ = seen.owner;
+    }
+    return largest_;
+}
+
 std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, const SceneView& seen, const View& view,
                                                        graph::Extent image, TileWork work) {
     const std::shared_ptr<ListedFrame>& free = frames_.free();
@@ -120,14 +130,25 @@ std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, 
     asked.edges = work.edges;
     asked.small = work.edges ? static_cast<float>(kSmallPixels) : 0.0f;
     asked.mask = work.mask;
-    frame.lists.build(asked, scenery);
-    if (frame.lists.longest() > work.longestList) return free;
+    frame.tooMany = false;
+    if (work.byDevice) {
+        const std::uint64_t bins = TileBins::pixels(image.width, image.height) / (TileBins::kPixels * TileBins::kPixels);
+        const std::uint64_t most = mostEntries(seen, largestPrimitives(r, seen), bins);
+        frame.tooMany = most > kMostEntries;
+        if (frame.tooMany) return free;
+        frame.lists.cover(asked);
+        uploadCalls(frame, asked.small, most);
+    } else {
+        frame.byDevice = nullptr;
+        frame.lists.build(asked, scenery);
+        if (frame.lists.longest() > work.longestList) return free;
+    }
     const std::uint32_t walks = seen.rims.any() ? 2 : 1;
-    frame.groups = groupsOfTiles(frame.lists, work.shaded, walks, device_.caps().tiles.longestList);
+    frame.groups = work.byDevice ? static_cast<std::uint32_t>(frame.lists.tiles().size()) : groupsOfTiles(frame.lists, work.shaded, walks, device_.caps().tiles.longestList);
     frame.copies = !r.copies.transforms.empty();
     frame.constants = makeConstants(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
-    frame.cleared = work.shaded && (!r.cylinders.empty() || !r.wires.empty() || !r.triangles.empty());
+    frame.cleared = work.shaded && !work.byDevice && (!r.cylinders.empty() || !r.wires.empty() || !r.triangles.empty());
     upload(frame, seen.copies, image, work.kept);
     frame.edgeData.drawn = work.edges;
     frame.edgeData.everywhere = seen.smallestPixels < kSmallPixels;
@@ -151,7 +172,7 @@ void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::Bu
 
 /// Tiles are drawn where something may be visible. Elsewhere words of earlier frames are cleared.
 void ListedFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
-                                bool all, const char* name) const {
+                                bool all, bool clears, const char* name) const {
     constexpr std::size_t kBin = TileLists::kBinPixels;
     const std::size_t bytes = 4 * kept * TileBins::pixels(image.width, image.height);
     const bool grows = words.buffer.size < bytes;
@@ -159,6 +180,7 @@ void ListedFrames::prepareWords(PixelWords& words, const TileLists& lists, graph
     reserve(device_, words, bytes, kReadByTiles | Usage::eTransferSrc, vk::Format::eR32Uint, name);
     if (grows && device_.caps().tiles.texels)
         words.quads = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32G32B32A32Uint, name);
+    if (!clears) return;
     if (grows || words.across != lists.across()) {
         words.written.clear();
         words.across = lists.across();
@@ -212,19 +234,56 @@ void ListedFrames::writeSeeds(ListedFrame& f) {
 void ListedFrames::upload(ListedFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
     TileLists& lists = f.lists;
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
-    reserve(device_, f.words, 4 * lists.words(), kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
+    if (!f.byDevice)
+        reserve(device_, f.words, 4 * lists.words(), kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
     reserve(device_, f.rows, rowBytes, kReadByTiles, vk::Format::eR32G32B32A32Sfloat, "copies");
-    prepareWords(f.numbers, lists, image, kept, f.cleared && !lists.seeded(), "primitive numbers");
+    prepareWords(f.numbers, lists, image, kept, f.cleared && !lists.seeded(), !f.byDevice, "primitive numbers");
     if (lists.seeded()) writeSeeds(f);
     reserve(device_, f.spanVertices, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
             vk::Format::eUndefined, "rows of tiles");
 
-    lists.write(reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped));
+    if (!f.byDevice) lists.write(reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped));
     std::memcpy(f.rows.buffer.mapped, copies.rows.data(), rowBytes);
     auto* spans = reinterpret_cast<TileSpanVertex*>(f.spanVertices.buffer.mapped);
     const glm::vec2 ndc = 2.0f * TileLists::kBinPixels / glm::vec2(image.width, image.height);
     for (const TileLists::Span& s : lists.spans())
         *spans++ = {glm::vec4(glm::vec2(s.x, s.y) * ndc, glm::vec2(s.endX, s.endY) * ndc) - 1.0f};
+}
+
+/// Uploads what the device lists: the calls, and the tiles if they are not the last frame's.
+/// @param small  as in TileView @param most  entries of all lists
+void ListedFrames::uploadCalls(ListedFrame& f, float small, std::uint64_t most) const {
+    constexpr std::size_t kHeader = 4;
+    if (!f.byDevice) f.byDevice = std::make_unique<ListsByDevice>();
+    ListsByDevice& d = *f.byDevice;
+    const std::size_t bins = std::size_t{f.lists.across()} * f.lists.down();
+    const std::size_t calls = spheres_.size() + cylinders_.size() + triangles_.size();
+    reserve(device_, d.calls, 4 * (kHeader + 2 * calls), Usage::eStorageBuffer, vk::Format::eUndefined, "calls");
+    const std::size_t workBytes = 4 * (2 * bins + 2 * most), listBytes = 4 * (f.lists.words() + most);
+    const vk::Buffer before = *f.words.buffer.handle;
+    if (d.work.buffer.size < workBytes || d.across != f.lists.across() || d.down != f.lists.down()) {
+        reserve(device_, d.work, workBytes, Usage::eStorageBuffer, vk::Format::eUndefined, "primitives of bins");
+        std::memset(d.work.buffer.mapped, 0, 4 * bins);
+    }
+    reserve(device_, f.words, listBytes, kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
+    if (f.lists.masked() || before != *f.words.buffer.handle || d.across != f.lists.across() ||
+        d.down != f.lists.down())
+        f.lists.writeTiles(reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped));
+    d.across = f.lists.masked() ? 0 : f.lists.across();
+    d.down = f.lists.down();
+    auto* to = reinterpret_cast<std::uint32_t*>(d.calls.buffer.mapped);
+    std::uint32_t* call = to + kHeader;
+    d.items = 0;
+    for (const std::vector<TileCall>* list : {&spheres_, &cylinders_, &triangles_})
+        for (const TileCall& c : *list) {
+            *call++ = d.items;
+            *call++ = c.number + c.first;
+            d.items += c.count;
+        }
+    to[0] = static_cast<std::uint32_t>(calls);
+    to[1] = d.items;
+    to[2] = f.lists.down();
+    std::memcpy(to + 3, &small, sizeof small);
 }
 
 namespace {
@@ -251,14 +310,14 @@ void ListedFrames::uploadEdges(ListedFrame& f, graph::Extent image, const EdgePl
     reserve(device_, f.edgeData.pixels, 4 * (layout::kEdgeHeader + pixels), kReadByTiles, vk::Format::eR32Uint,
             "edge pixels");
     if (f.shaded)
-        prepareWords(f.edgeData.numbers, f.lists, image, 1, f.cleared, "primitive numbers");
+        prepareWords(f.edgeData.numbers, f.lists, image, 1, f.cleared, !f.byDevice, "primitive numbers");
     else
         reserve(device_, f.edgeData.colors, 8 * pixels, kReadByTiles, vk::Format::eR32G32Uint, "edge colours");
     auto* words = reinterpret_cast<std::uint32_t*>(f.edgeData.pixels.buffer.mapped);
     f.edgeData.placed = places != nullptr;
     words[0] = places ? listPlaces(f.lists, *places, device_.caps().tiles.lanes, words + layout::kEdgeHeader) : 0;
     words[1] = f.lists.down() * TileLists::kBinPixels;
-    f.edgeData.groups = groupsOfEdges(f.lists, device_.caps().tiles);
+    f.edgeData.groups = groupsOfEdges(f.lists, device_.caps().tiles, f.byDevice != nullptr);
 }
 
 }  // namespace nacre::passes

@@ -1,6 +1,7 @@
 #pragma once
 // Data of one frame of the `tiles` path: lists and buffers.
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "engine/graph/graph.h"
 #include "engine/passes/scene_view.h"
 #include "engine/results.h"
+#include "engine/software/device_lists.h"
 #include "engine/software/tile_lists.h"
 
 namespace nacre::passes {
@@ -44,10 +46,20 @@ struct TileEdges {
     TileBuffer colors;         ///< else edge colours: linear, premultiplied halves; kNoEdge elsewhere
 };
 
+/// Data for lists that the device makes.
+struct ListsByDevice {
+    TileBuffer calls;  ///< as in shaders/tile_bins.comp
+    TileBuffer work;   ///< as in shaders/common/list_layout.glsl; counts are 0 between frames
+    std::uint32_t items = 0;             ///< primitives that may enter lists
+    std::uint32_t across = 0, down = 0;  ///< bins of the tiles in `words`; 0: none are written
+};
+
 /// A frame's lists and buffers.
 class ListedFrame final : public TileFrame {
 public:
-    std::uint32_t longestList() const override { return lists.longest(); }
+    std::uint32_t longestList() const override {
+        return tooMany ? std::numeric_limits<std::uint32_t>::max() : lists.longest();
+    }
     TileCounts counts() const override {
         return {lists.tiles().size(), lists.kept(), lists.keptSpheres(), lists.entries(), lists.longest()};
     }
@@ -58,12 +70,15 @@ public:
     std::uint32_t rowPixels() const override { return lists.across() * TileLists::kBinPixels; }
     const gpu::Buffer& pixels() const override { return numbers.buffer; }
     vk::BufferView pixelTexels() const override { return *numbers.texels; }
+    const gpu::Buffer& entries() const override { return byDevice->work.buffer; }
+    const gpu::Buffer& sortedEntries() const override { return words.buffer; }
     const gpu::Buffer& edges() const override { return (shaded ? edgeData.numbers : edgeData.colors).buffer; }
     const gpu::Buffer& edgePixels() const override { return edgeData.pixels.buffer; }
 
     TileLists lists;
     layout::TileConstants constants{};
     std::uint32_t groups = 0;  ///< workgroups that draw its tiles
+    bool tooMany = false;      ///< more entries than the device lists
     bool copies = false;       ///< primitives have the transforms of copies
     bool shaded = false;       ///< `numbers` are colours
     bool cleared = false;      ///< the device writes covered pixels only; the others are cleared
@@ -72,6 +87,7 @@ public:
     PixelWords numbers;        ///< of the nearest primitives, counted from 1; sights, where edges are drawn
     TileBuffer spanVertices;   ///< TileLists::spans() as vertices
     TileEdges edgeData;
+    std::unique_ptr<ListsByDevice> byDevice;  ///< null: the host has made the lists
 
     const PixelWords& sights() const { return shaded ? edgeData.numbers : numbers; }
 };
@@ -97,9 +113,12 @@ private:
     const SphereBoxes& sceneBoxes(const Representation& representation, const SceneView& seen);
     /// Reserves the words of an image's pixels, and clears leftovers of earlier frames that will not be overwritten.
     /// @param kept  words per pixel @param all  also clears pixels to be drawn: the device writes covered ones only
+    /// @param clears  false: the device writes all pixels
     void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept, bool all,
-                      const char* name) const;
+                      bool clears, const char* name) const;
     static void writeSeeds(ListedFrame& frame);
+    void uploadCalls(ListedFrame& frame, float small, std::uint64_t most) const;
+    const LargestPrimitives& largestPrimitives(const Representation& representation, const SceneView& seen);
     void upload(ListedFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
     void uploadEdges(ListedFrame& frame, graph::Extent image, const EdgePlaces* places) const;
 
@@ -108,6 +127,8 @@ private:
     std::vector<TileCall> spheres_, cylinders_, triangles_;  // scratch of one frame
     std::weak_ptr<const void> boxed_;                        // the scene of the boxes
     SphereBoxes boxes_;
+    std::weak_ptr<const void> measured_;  // the scene of `largest_`
+    LargestPrimitives largest_;
 };
 
 }  // namespace nacre::passes

@@ -69,6 +69,9 @@ public:
     /// Builds the lists; offsets(), tiles() and spans() are valid until the next call.
     void build(const TileView& view, const TileScenery& scenery);
 
+    /// All tiles of the picture, without entries: the device makes the lists.
+    void cover(const TileView& view);
+
     std::uint32_t across() const { return across_; }
     std::uint32_t down() const { return down_; }
     /// Begin of each bin's list, and the end of the last.
@@ -77,10 +80,10 @@ public:
     std::span<const Span> spans() const { return spans_; }
     /// Whether anything may be visible in a bin, counted row by row.
     bool holds(std::size_t bin) const {
-        return drawsBin(bin) && (offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin]));
+        return covers_ || (drawsBin(bin) && (offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin])));
     }
     /// Whether a tile is drawn if its bin holds anything.
-    bool draws(std::uint32_t x, std::uint32_t y) const { return !masked() || mask_.unwanted(x, y) != kAllUnwanted; }
+    bool draws(std::uint32_t x, std::uint32_t y) const { return covers_ || !masked() || mask_.unwanted(x, y) != kAllUnwanted; }
     bool masked() const { return !mask_.wanted.empty(); }
     /// Whether a bin may show a primitive smaller than TileView::small.
     bool showsSmall(std::size_t x, std::size_t y) const {
@@ -108,6 +111,8 @@ public:
     /// which is a valid number.
     std::size_t words() const { return tiles_.size() + offsets_.size() + 1 + entries(); }
     void write(std::uint32_t* to);
+    /// Writes the tiles alone, the beginning of that data.
+    void writeTiles(std::uint32_t* to) const;
 
 private:
     /// Triangles of one mesh with one transform: consecutive calls combined, because they share vertices.
@@ -159,6 +164,7 @@ private:
     std::vector<Span> spans_;
     std::vector<glm::vec4> corners_;  // pixel and Z of each vertex, transformed for a call
     bool seeded_ = false, drawsSpheres_ = false;
+    bool covers_ = false;  // all tiles are drawn
     std::vector<std::uint8_t> seeds_;  // per bin: some pixel has a seed
     std::vector<FrontTriangles::Run> runs_;
     TriangleLanes lanes_;

@@ -6,6 +6,7 @@
 
 #include "engine/occlusion/pipelines.h"
 #include "engine/passes/view_constants.h"
+#include "engine/software/splat_maps.h"
 #include "engine/software/tile_bindings.h"
 #include "engine/threads.h"
 #include "shaders.h"
@@ -45,12 +46,15 @@ gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylind
 std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device& device, const passes::SceneBuffers& scene,
                                        const Representation& representation, std::uint32_t pixels, double radius,
                                        std::uint32_t across, OccluderMeshes occluders) {
+    if (device.caps().tiles.lists) return std::make_unique<SplatMaps>(device, scene, pixels, radius, across);
     return std::make_unique<ListedMaps>(device, scene, representation, pixels, radius, across, std::move(occluders));
 }
 
-#define NACRE_QUESTIONS(of) \
-    (asTexels ? shaders::occlusionAccumulate##of##Texels : shaders::occlusionAccumulate##of##Storage)
-gpu::ShaderWords questionsToTileMaps(Texels texels, bool asTexels) {
+#define NACRE_QUESTIONS(of)                                         \
+    (caps.lists    ? shaders::occlusionAccumulate##of##Ordered      \
+     : caps.texels ? shaders::occlusionAccumulate##of##Texels       \
+                   : shaders::occlusionAccumulate##of##Storage)
+gpu::ShaderWords questionsToTileMaps(Texels texels, const graph::TileCaps& caps) {
     switch (texels) {
         case Texels::spheres:
             return NACRE_QUESTIONS(Sphere);

@@ -11,8 +11,9 @@ namespace {
 constexpr std::array kNearestTexels{kTexel, kTexel, kTexel, kStorage};
 constexpr auto kNearestStorage = asStorage(kNearestTexels);
 // With shading: also looks, atlas, effects and cells of the atlas, numbers next to the colours, and the shadow map.
-constexpr std::array kNearestShaded{kTexel, kTexel,   kTexel,  kStorage, kTexel, kSampled, Type::eUniformBuffer,
-                                    kTexel, kStorage, kSampled};
+constexpr std::array kShadedTexels{kTexel, kTexel,   kTexel,  kStorage, kTexel, kSampled, Type::eUniformBuffer,
+                                   kTexel, kStorage, kSampled};
+constexpr auto kShadedStorage = asStorage(kShadedTexels);
 // Atlas, effects, shadow map, numbers, shapes, rows of copies, looks.
 constexpr std::array kShadeTexels{kSampled, Type::eUniformBuffer, kSampled, kTexel, kTexel, kTexel, kTexel};
 constexpr auto kShadeStorage = asStorage(kShadeTexels);
@@ -22,8 +23,8 @@ constexpr vk::VertexInputBindingDescription kSpanBindings[] = {
 constexpr vk::VertexInputAttributeDescription kSpanAttributes[] = {{0, 0, vk::Format::eR32G32B32A32Sfloat, 0}};
 
 gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded, bool rims) {
-    if (shaded && rims) return NACRE_TILE_SCENE(tileRimmed, );
-    if (shaded) return NACRE_TILE_SCENE(tileShaded, );
+    if (shaded && rims) return NACRE_TILE_SHADER(tileRimmed);
+    if (shaded) return NACRE_TILE_SHADER(tileShaded);
     return NACRE_TILE_SHADER(tileNearest);
 }
 
@@ -46,9 +47,10 @@ Stage shadeShader(Output output, bool texels, TileScene scene, bool depth) {
 }
 
 const gpu::Layout& nearestLayout(gpu::PipelineContext& context, bool shades) {
-    const std::span<const Type> types = shades                               ? std::span<const Type>(kNearestShaded)
-                                        : context.device.caps().tiles.texels ? kNearestTexels
-                                                                             : kNearestStorage;
+    using Types = std::span<const Type>;
+    const bool texels = context.device.caps().tiles.texels;
+    const Types types =
+        shades ? Types(texels ? kShadedTexels : kShadedStorage) : Types(texels ? kNearestTexels : kNearestStorage);
     return context.pipelines.layout({"nearest primitive by tiles", types, kCompute, sizeof(layout::TileConstants)});
 }
 
@@ -69,6 +71,7 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
     }
     d.constants.set(layout::kNumberedId, f.edgeData.drawn && !f.edgeData.alone);
     d.constants.set(layout::kSeededId, f.lists.seeded());
+    d.constants.set(layout::kClearsId, f.byDevice != nullptr);
     d.constants.set(layout::kLanesId, caps.lanes);
     return d;
 }
@@ -127,7 +130,10 @@ void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles
         to.sample(*pass.atlas);
         to.uniform(*view.effectConstants);
         // Always written, even if the shader reads none: lavapipe accesses it.
-        to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
+        if (context.device.caps().tiles.texels)
+            to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
+        else
+            to.store(scene.looks);
         to.store(f.edgeData.drawn ? f.edgeData.numbers.buffer : f.numbers.buffer);
         to.sample(describeShadow(context, view, *pass.atlas));
     };

@@ -15,17 +15,7 @@ bool isWanted(uint tile, uint pixel) {
     return (tile >> 12 >> quarter & 1u) == 0u;
 }
 
-/// A disc on the plane z = 0 that contains the image of a sphere; in perspective, around the ellipse of
-/// common/outline.glsl.
-vec3 boundingDisc(vec3 center, float radius) {
-    float room = 0.05 * view.pixel;
-    if (!kPerspective) return vec3(center.xy, radius * 1.005 + room);
-    float D = view.origin - center.z;
-    float rho = length(center.xy);
-    float under = D * D - radius * radius;
-    float reach = view.origin * radius * sqrt(under + rho * rho) / under;
-    return vec3(center.xy * (view.origin * D / under), reach * 1.005 + room);
-}
+#include "bounding_disc.glsl"
 
 /// The lowest set bit; 0 if none.
 uint lowestBit(uint bits) { return bits == 0u ? 0u : (floatBitsToUint(float(bits & (0u - bits))) >> 23) - 127u; }

@@ -23,16 +23,41 @@ graph::Work edgeSamples(const Frame& f) {
     });
 }
 
+/// The device lists the primitives of each bin: it counts them, places the lists, writes and sorts them.
+void declareLists(Frame& f, const FrameShape& shape) {
+    const std::uint64_t bins =
+        TileBins::pixels(shape.extent.width, shape.extent.height) / (TileBins::kPixels * TileBins::kPixels);
+    f.entries = f.graph.importBuffer("primitives of bins", kWord * bins);
+    f.lists = f.graph.importBuffer("lists of tiles", kWord * bins);
+    f.graph.compute("primitives per bin").writes(*f.entries).record(records(f, passes::countPrimitivesOfBins));
+    f.graph.compute("places of lists")
+        .writes(*f.entries)
+        .writes(*f.lists)
+        .record(records(f, passes::placeListsOfBins));
+    f.graph.compute("entries of lists").writes(*f.entries).record(records(f, passes::writeListsOfBins));
+    f.graph.compute("lists near first")
+        .writes(*f.entries)
+        .writes(*f.lists)
+        .record(records(f, passes::sortListsOfBins));
+}
+
+/// A compute pass that draws from the lists.
+graph::PassBuilder fromLists(Frame& f, const char* name) {
+    graph::PassBuilder pass = f.graph.compute(name);
+    if (f.lists) pass.reads(*f.lists);
+    return pass;
+}
+
 /// Compute finds and shades in one pass. Colours go to a buffer, row by row, which the host reads: no image is made.
 void declareShadedByCompute(Frame& f, const FrameShape& shape) {
     const FrameChoice& choice = shape.choice;
     f.numbers = addPixels(f, shape, "colours of tiles", kWord);
     if (choice.drawsEdges()) f.edges = addPixels(f, shape, "primitive numbers", kWord);
     if (choice.edgePixels == EdgePixels::alone) {
-        f.graph.compute("nearest primitive").writes(*f.edges).record(nearestByTiles(f));
+        fromLists(f, "nearest primitive").writes(*f.edges).record(nearestByTiles(f));
     } else {
         graph::PassBuilder nearest =
-            f.graph.compute(choice.rims() ? "nearest primitive, lines and halos, shaded" : "nearest primitive, shaded");
+            fromLists(f, choice.rims() ? "nearest primitive, lines and halos, shaded" : "nearest primitive, shaded");
         f.lit(nearest).writes(f.numbers);
         if (f.edges) nearest.writes(*f.edges);
         nearest.record(draws(f, [atlas = f.atlas](const auto& c, const SceneView&) {
@@ -47,16 +72,18 @@ void declareShadedByCompute(Frame& f, const FrameShape& shape) {
             .reads(f.numbers)
             .writes(f.edgePixels)
             .record(records(f, passes::findEdgesByTiles));
-    f.lit(f.graph.compute("edge samples").reads(*f.edges).reads(f.edgePixels)).writes(f.numbers).record(edgeSamples(f));
+    graph::PassBuilder samples = fromLists(f, "edge samples");
+    f.lit(samples.reads(*f.edges).reads(f.edgePixels)).writes(f.numbers).record(edgeSamples(f));
 }
 
 }  // namespace
 
 void declareTiles(Frame& f, const FrameShape& shape) {
     const FrameChoice& choice = shape.choice;
+    if (choice.geometry == Geometry::deviceLists) declareLists(f, shape);
     if (choice.shadedByCompute()) return declareShadedByCompute(f, shape);
     f.numbers = addPixels(f, shape, "primitive numbers", kWord);
-    f.graph.compute("nearest primitive").writes(f.numbers).record(nearestByTiles(f));
+    fromLists(f, "nearest primitive").writes(f.numbers).record(nearestByTiles(f));
 
     if (choice.drawsEdges()) {
         f.edges = addPixels(f, shape, "edge colours", 2 * kWord);
@@ -66,7 +93,8 @@ void declareTiles(Frame& f, const FrameShape& shape) {
             .writes(f.edgePixels)
             .writes(*f.edges)
             .record(records(f, passes::findEdgesByTiles));
-        f.lit(f.graph.compute("edge samples").reads(f.numbers).reads(f.edgePixels))
+        graph::PassBuilder samples = fromLists(f, "edge samples");
+        f.lit(samples.reads(f.numbers).reads(f.edgePixels))
             .writes(*f.edges)
             .record(edgeSamples(f));
     }

@@ -1,0 +1,28 @@
+#pragma once
+// Lists of the `tiles` path that the device makes: three passes before the one that draws from them.
+
+#include <cstdint>
+#include <memory>
+
+#include "engine/gpu/execute.h"
+#include "engine/passes/scene_view.h"
+#include "engine/scene/build/representation.h"
+
+namespace nacre::passes {
+
+/// The largest primitives of a scene, Å.
+struct LargestPrimitives {
+    float sphere = 0;    ///< radius
+    float cylinder = 0;  ///< length with both ends, and half a wire's width as far as it is known
+    float triangle = 0;  ///< diagonal of its box
+};
+LargestPrimitives measureLargest(const Representation& representation);
+
+/// An upper bound of the entries of all lists.
+/// @param bins  of the picture
+std::uint64_t mostEntries(const SceneView& view, const LargestPrimitives& largest, std::uint64_t bins);
+
+/// Limit of mostEntries(): a frame with more is not listed by the device.
+constexpr std::uint64_t kMostEntries = std::uint64_t{1} << 25;
+
+}  // namespace nacre::passes

@@ -1,0 +1,56 @@
+#version 440
+// Places the list of each bin behind the one before: one workgroup per 256 bins, which first sums all bins before its
+// own.
+#extension GL_GOOGLE_include_directive : require
+#include "common/layout.h"
+#include "common/list_layout.glsl"
+
+layout(local_size_x = 256) in;
+layout(push_constant) uniform Push {
+    uint bins;
+    uint offsets;  // place of the bins' offsets in the lists
+};
+layout(set = 0, binding = 0, std430) buffer Work { uint work[]; };
+layout(set = 0, binding = 1, std430) buffer Lists { uint lists[]; };
+
+shared uint sums[256];
+
+uint countAt(uint bin) { return bin < bins ? work[bin] & ~kSmallBit : 0u; }
+
+/// Turns sums[] into running sums.
+void sumUp(uint lane) {
+    barrier();
+    for (uint step = 1u; step < 256u; step <<= 1) {
+        uint other = lane >= step ? sums[lane - step] : 0u;
+        barrier();
+        sums[lane] += other;
+        barrier();
+    }
+}
+
+void main() {
+    const uint tiles = uint(kTilesInBin * kTilesInBin);
+    uint lane = gl_LocalInvocationIndex, first = gl_WorkGroupID.x * 256u, bin = first + lane;
+    uint own = 0u;
+    for (uint other = lane; other < first; other += 256u) own += countAt(other);
+    sums[lane] = own;
+    sumUp(lane);
+    uint base = offsets + bins + 2u, before = base + sums[255], count = countAt(bin);
+    barrier();
+    sums[lane] = count;
+    sumUp(lane);
+    uint end = before + sums[lane];
+    if (bin < bins) {
+        work[bins + bin] = end - count - base;
+        lists[offsets + bin] = end - count;
+        uint smallBit = work[bin] & kSmallBit;
+        for (uint i = 0u; i < tiles; ++i) {
+            uint tile = tiles * bin + i;
+            lists[tile] = (lists[tile] & ~kSmallBit) | smallBit;
+        }
+    }
+    if (bin + 1u == bins) {
+        lists[offsets + bins] = end;
+        lists[offsets + bins + 1u] = 1u;  // read where a list is empty
+    }
+}
