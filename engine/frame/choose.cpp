@@ -731,7 +731,7 @@ FrameChoice choose(const FrameRequest& request, const SceneFacts& scene, const F
 std::vector<Decision> describe(const FrameChoice& choice) {
     constexpr const char* kShading[] = {"fragments", "compute"};
     constexpr const char* kGeometry[] = {"instanced", "fetched by fragments", "lists of the host",
-                                        "lists of the device"};
+                                         "lists of the device"};
     constexpr const char* kHost[] = {"nothing", "hidden spheres", "front spheres"};
     constexpr const char* kEndings[] = {"left on the device",
                                         "read back",

@@ -137,8 +137,8 @@ private:
 
 /// How primitives reach the device.
 enum class Geometry : std::uint8_t {
-    instanced,  ///< vertex streams; attributes go through varyings
-    fetched,    ///< fragments fetch attributes by the primitive's number
+    instanced,    ///< vertex streams; attributes go through varyings
+    fetched,      ///< fragments fetch attributes by the primitive's number
     hostLists,    ///< the host lists the primitives of each tile
     deviceLists,  ///< compute lists the primitives of each tile
 };

@@ -94,7 +94,8 @@ struct Frame {
     std::vector<graph::Image> layerDepths;      ///< their depth
     std::optional<graph::Buffer> layerNumbers;  ///< numbers where compute finds them, imported
     // Of `tiles`, imported:
-    std::optional<graph::Buffer> entries, lists;  ///< where the device makes the lists: entries in any order, and sorted
+    std::optional<graph::Buffer> entries,
+        lists;                           ///< where the device makes the lists: entries in any order, and sorted
     graph::Buffer numbers;               ///< of primitives, or their colours
     std::optional<graph::Buffer> edges;  ///< for edges: numbers if `numbers` are colours, else edge colours
     graph::Buffer edgePixels{};          ///< list of edge pixels

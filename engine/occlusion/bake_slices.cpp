@@ -34,7 +34,8 @@ void Bake::step(gpu::Executor& executor, std::uint32_t most) {
 /// Primitives that a slice draws.
 std::uint64_t Bake::mostInstances(const Allowance& allowance) const {
     const std::uint64_t most = maps_.mostInstances();
-    return maps_.tiles() && std::isfinite(allowance.units) ? std::min(most, kMostListed) : most;
+    const bool lists = maps_.tiles() && !device_.caps().tiles.lists;
+    return lists && std::isfinite(allowance.units) ? std::min(most, kMostListed) : most;
 }
 
 /// The next directions to start; their count is 0 if all have started.

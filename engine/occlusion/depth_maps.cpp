@@ -29,6 +29,9 @@ constexpr double kSmallest = 128, kLargest = 2048;
 constexpr std::uint64_t kMostBytesPerPixel = 4 + 8;  // encoded depth in RGBA16F, and the depth buffer
 // Primitives per draw of the tile path: their lists take about 30 bytes each on the host.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
+// Memory for the maps of a batch on GPUs with memory of their own, whatever the budget: a submission costs them as much
+// as drawing some maps.
+constexpr std::uint64_t kRoomOfDesktop = std::uint64_t{256} << 20;
 /// Render target states between the graphs of a direction drawn in parts.
 const graph::State kPartState = graph::verbState(graph::Verb::samples, graph::PassKind::compute);
 std::uint32_t bytesPerPixel(OcclusionMaps path, const graph::EncodedFormat& encoded) {
@@ -104,10 +107,11 @@ std::uint32_t DepthMapSizes::pixelsFor(const Representation& representation, std
 DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path,
                              std::uint32_t width, std::uint64_t room)
     : pixels(width) {
-    const bool tiles = path == OcclusionMaps::tiles;
+    const bool tiles = path == OcclusionMaps::tiles, lists = tiles && !caps.tiles.lists;
+    if (caps.kind == graph::DeviceKind::immediate) room = std::max(room, kRoomOfDesktop);
     const std::uint32_t each = bytesPerPixel(path, caps.encodedMaps);
     const auto countBytes = [&](std::uint32_t batch) {
-        return tiles ? 2 * TileMaps::bytesFor(pixels, mapsAcross(batch))
+        return tiles ? (lists ? 2 : 1) * TileMaps::bytesFor(pixels, mapsAcross(batch))
                      : std::uint64_t{each} * pixels * pixels * batch;
     };
     // The tile path numbers the primitives of a batch with 32 bits.
@@ -119,6 +123,8 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
             (!tiles || drawn * batch < 1ull << 31))
             perBatch = batch;
     bytes = countBytes(perBatch);
+    mostPrimitives = std::uint64_t{1} << 31;
+    if (!lists) return;
     mostPrimitives = std::clamp<std::uint64_t>(bytes / 2 / TileMaps::kBytesPerPrimitive, 1, kMostPrimitives);
     // Lists hold no triangles.
     mostPrimitives = mostPrimitives * std::max<std::uint64_t>(drawn, 1) / std::max<std::uint64_t>(listed, 1);

@@ -83,7 +83,8 @@ LargestPrimitives measureLargest(const Representation& r) {
     const auto addTriangles = [&](std::span<const Triangle> triangles) {
         for (const Triangle& t : triangles) {
             const float step = t.step();
-            const glm::vec3 a = decodePosition(r.meshVertices[t.a], step), b = decodePosition(r.meshVertices[t.b], step),
+            const glm::vec3 a = decodePosition(r.meshVertices[t.a], step),
+                            b = decodePosition(r.meshVertices[t.b], step),
                             c = decodePosition(r.meshVertices[t.c], step);
             const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
             largest.triangle = std::max(largest.triangle, glm::distance(low, high));

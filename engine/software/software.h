@@ -78,7 +78,7 @@ public:
     /// Where the device makes the lists: their entries in any order, and the lists.
     virtual const gpu::Buffer& entries() const = 0;
     virtual const gpu::Buffer& sortedEntries() const = 0;
-    virtual const gpu::Buffer& edges() const = 0;    ///< numbers if pixels() are colours, else edge colours
+    virtual const gpu::Buffer& edges() const = 0;  ///< numbers if pixels() are colours, else edge colours
     virtual const gpu::Buffer& edgePixels() const = 0;
 };
 

@@ -132,7 +132,8 @@ std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, 
     asked.mask = work.mask;
     frame.tooMany = false;
     if (work.byDevice) {
-        const std::uint64_t bins = TileBins::pixels(image.width, image.height) / (TileBins::kPixels * TileBins::kPixels);
+        const std::uint64_t bins =
+            TileBins::pixels(image.width, image.height) / (TileBins::kPixels * TileBins::kPixels);
         const std::uint64_t most = mostEntries(seen, largestPrimitives(r, seen), bins);
         frame.tooMany = most > kMostEntries;
         if (frame.tooMany) return free;
@@ -144,7 +145,8 @@ std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, 
         if (frame.lists.longest() > work.longestList) return free;
     }
     const std::uint32_t walks = seen.rims.any() ? 2 : 1;
-    frame.groups = work.byDevice ? static_cast<std::uint32_t>(frame.lists.tiles().size()) : groupsOfTiles(frame.lists, work.shaded, walks, device_.caps().tiles.longestList);
+    frame.groups = work.byDevice ? static_cast<std::uint32_t>(frame.lists.tiles().size())
+                                 : groupsOfTiles(frame.lists, work.shaded, walks, device_.caps().tiles.longestList);
     frame.copies = !r.copies.transforms.empty();
     frame.constants = makeConstants(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
@@ -234,8 +236,7 @@ void ListedFrames::writeSeeds(ListedFrame& f) {
 void ListedFrames::upload(ListedFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
     TileLists& lists = f.lists;
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
-    if (!f.byDevice)
-        reserve(device_, f.words, 4 * lists.words(), kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
+    if (!f.byDevice) reserve(device_, f.words, 4 * lists.words(), kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
     reserve(device_, f.rows, rowBytes, kReadByTiles, vk::Format::eR32G32B32A32Sfloat, "copies");
     prepareWords(f.numbers, lists, image, kept, f.cleared && !lists.seeded(), !f.byDevice, "primitive numbers");
     if (lists.seeded()) writeSeeds(f);

@@ -48,8 +48,8 @@ struct TileEdges {
 
 /// Data for lists that the device makes.
 struct ListsByDevice {
-    TileBuffer calls;  ///< as in shaders/tile_bins.comp
-    TileBuffer work;   ///< as in shaders/common/list_layout.glsl; counts are 0 between frames
+    TileBuffer calls;                    ///< as in shaders/tile_bins.comp
+    TileBuffer work;                     ///< as in shaders/common/list_layout.glsl; counts are 0 between frames
     std::uint32_t items = 0;             ///< primitives that may enter lists
     std::uint32_t across = 0, down = 0;  ///< bins of the tiles in `words`; 0: none are written
 };

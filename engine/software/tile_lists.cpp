@@ -354,8 +354,8 @@ void TileLists::cover(const TileView& view) {
     keptSpheres_ = longest_ = 0;
     offsets_.assign(std::size_t{across_} * down_ + 1, 0);
     for (std::uint32_t y = 0; y < down_; ++y) {
-        spans_.push_back({0, static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(across_),
-                          static_cast<std::uint16_t>(y + 1)});
+        spans_.push_back(
+            {0, static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(across_), static_cast<std::uint16_t>(y + 1)});
         for (std::uint32_t x = 0; x < across_; ++x)
             for (std::uint32_t i = 0; i < kTilesInBin * kTilesInBin; ++i)
                 tiles_.push_back({static_cast<std::uint16_t>(x * kTilesInBin + i / kTilesInBin),

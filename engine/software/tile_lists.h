@@ -83,7 +83,9 @@ public:
         return covers_ || (drawsBin(bin) && (offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin])));
     }
     /// Whether a tile is drawn if its bin holds anything.
-    bool draws(std::uint32_t x, std::uint32_t y) const { return covers_ || !masked() || mask_.unwanted(x, y) != kAllUnwanted; }
+    bool draws(std::uint32_t x, std::uint32_t y) const {
+        return covers_ || !masked() || mask_.unwanted(x, y) != kAllUnwanted;
+    }
     bool masked() const { return !mask_.wanted.empty(); }
     /// Whether a bin may show a primitive smaller than TileView::small.
     bool showsSmall(std::size_t x, std::size_t y) const {
@@ -164,7 +166,7 @@ private:
     std::vector<Span> spans_;
     std::vector<glm::vec4> corners_;  // pixel and Z of each vertex, transformed for a call
     bool seeded_ = false, drawsSpheres_ = false;
-    bool covers_ = false;  // all tiles are drawn
+    bool covers_ = false;              // all tiles are drawn
     std::vector<std::uint8_t> seeds_;  // per bin: some pixel has a seed
     std::vector<FrontTriangles::Run> runs_;
     TriangleLanes lanes_;

@@ -313,5 +313,32 @@ TEST(Choose, RefusesWhatTheDeviceCannotDraw) {
     EXPECT_THROW(choose(makeRequest(settings), translucent, caps), Error);
 }
 
+/// A GPU on which compute makes the lists: it shades where the device draws by tiles, and the host does nothing.
+TEST(Choose, ListsByDeviceWhereTheDeviceDrawsByTiles) {
+    FrameCaps caps = graph::capabilitySet("desktop");
+    caps.plan.tiles = caps.tiles.shade = caps.tiles.drawsEdges = caps.tiles.lists = true;
+    RenderSettings s;
+    s.supersample = 1;
+    SceneFacts facts;
+    facts.spheres = 1'000'000;
+    facts.boxed = true;
+    const FrameChoice usual = choose(makeRequest(s), facts, caps);
+    EXPECT_EQ(usual.path, Visibility::fragdepth);
+    EXPECT_EQ(usual.shading, Shading::fragments);
+    EXPECT_EQ(chooseOcclusionMaps(caps), OcclusionMaps::fragdepth);
+    caps.tested.visibility = Visibility::tiles;
+    const FrameChoice tested = choose(makeRequest(s), facts, caps);
+    EXPECT_EQ(tested.path, Visibility::tiles);
+    EXPECT_EQ(tested.geometry, Geometry::deviceLists);
+    EXPECT_EQ(tested.shading, Shading::compute);
+    EXPECT_EQ(tested.host, HostWork::none);
+    EXPECT_TRUE(tested.drawnByTiles());
+    EXPECT_EQ(chooseOcclusionMaps(caps), OcclusionMaps::tiles);
+    facts.hasTranslucent = true;
+    const FrameChoice layered = choose(makeRequest(s), facts, caps);
+    EXPECT_TRUE(layered.has(Effect::Kind::translucency));
+    EXPECT_FALSE(layered.has(Effect::Kind::tileTranslucency));
+}
+
 }  // namespace
 }  // namespace nacre::test

@@ -10,7 +10,8 @@ namespace nacre::test {
 namespace {
 
 constexpr OcclusionScene kScenes[] = {{"sample:dna", "sample:dna", Style::spacefill},
-                                      {"glucose", "sample:glucose", Style::ballAndStick}};
+                                      {"glucose", "sample:glucose", Style::ballAndStick},
+                                      {"cartoon", "sample:dna", Style::cartoon}};
 
 class OcclusionOfScene : public testing::TestWithParam<OcclusionScene> {
 protected:
@@ -25,6 +26,13 @@ protected:
         renderer->setScene(scene_);
         settings_.occlusion.maps = maps;
         return renderer->layers(settings_).occlusion;
+    }
+    /// By compute, an invocation per primitive: as on GPUs.
+    std::vector<float> byCompute() {
+        setenv("NACRE_DEVICE_LISTS", "1", 1);
+        std::vector<float> occlusion = baked(OcclusionMaps::tiles, ValidatedRenderer::fresh);
+        unsetenv("NACRE_DEVICE_LISTS");
+        return occlusion;
     }
     /// As on drivers that load uniforms for every invocation.
     std::vector<float> byPairs() {
@@ -44,6 +52,8 @@ TEST_P(OcclusionOfScene, IsTheSameByEveryPathOfTheDepthMaps) {
             ASSERT_NEAR(tiles[i], fragdepth[i], 1.01 / 255) << i;
             ASSERT_NEAR(tiles[i], encoded[i], 1.01 / 255) << i;
         }
+        const std::vector<float> compute = byCompute();
+        for (std::size_t i = 0; i < compute.size(); ++i) ASSERT_NEAR(compute[i], fragdepth[i], 1.01 / 255) << i;
         // With directions of fewer words, a row is found out by the shader.
         const std::vector<float> pairs = byPairs();
         for (std::size_t i = 0; i < pairs.size(); ++i) ASSERT_NEAR(pairs[i], fragdepth[i], 1.01 / 255) << i;

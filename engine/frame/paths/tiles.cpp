@@ -30,15 +30,9 @@ void declareLists(Frame& f, const FrameShape& shape) {
     f.entries = f.graph.importBuffer("primitives of bins", kWord * bins);
     f.lists = f.graph.importBuffer("lists of tiles", kWord * bins);
     f.graph.compute("primitives per bin").writes(*f.entries).record(records(f, passes::countPrimitivesOfBins));
-    f.graph.compute("places of lists")
-        .writes(*f.entries)
-        .writes(*f.lists)
-        .record(records(f, passes::placeListsOfBins));
+    f.graph.compute("places of lists").writes(*f.entries).writes(*f.lists).record(records(f, passes::placeListsOfBins));
     f.graph.compute("entries of lists").writes(*f.entries).record(records(f, passes::writeListsOfBins));
-    f.graph.compute("lists near first")
-        .writes(*f.entries)
-        .writes(*f.lists)
-        .record(records(f, passes::sortListsOfBins));
+    f.graph.compute("lists near first").writes(*f.entries).writes(*f.lists).record(records(f, passes::sortListsOfBins));
 }
 
 /// A compute pass that draws from the lists.
@@ -94,9 +88,7 @@ void declareTiles(Frame& f, const FrameShape& shape) {
             .writes(*f.edges)
             .record(records(f, passes::findEdgesByTiles));
         graph::PassBuilder samples = fromLists(f, "edge samples");
-        f.lit(samples.reads(f.numbers).reads(f.edgePixels))
-            .writes(*f.edges)
-            .record(edgeSamples(f));
+        f.lit(samples.reads(f.numbers).reads(f.edgePixels)).writes(*f.edges).record(edgeSamples(f));
     }
     const bool depth = choice.layers() > 0 || choice.has(Effect::Kind::volume);
     for (const ScreenTarget& target : shape.targets) {

@@ -1,0 +1,112 @@
+// Lists of tiles that the device makes show the same pixels as those of the host.
+
+#include <cstdlib>
+#include <functional>
+
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+enum class Lists { host, device };
+
+std::unique_ptr<ValidatedRenderer> byTiles(Lists lists) {
+    setenv("NACRE_DEVICE_LISTS", lists == Lists::device ? "1" : "0", 1);
+    auto renderer = std::make_unique<ValidatedRenderer>(Visibility::tiles, ValidatedRenderer::fresh);
+    unsetenv("NACRE_DEVICE_LISTS");
+    return renderer;
+}
+
+struct Case {
+    const char* name;
+    Style style;
+    Projection projection;
+    std::function<void(RenderSettings&)> change;
+};
+
+const Case kCases[] = {
+    {"Spheres", Style::spacefill, Projection::orthographic, [](RenderSettings&) {}},
+    {"Sticks", Style::licorice, Projection::orthographic, [](RenderSettings&) {}},
+    {"Ribbons", Style::cartoon, Projection::orthographic, [](RenderSettings&) {}},
+    {"SpheresInPerspective", Style::spacefill, Projection::perspective, [](RenderSettings&) {}},
+    {"SticksInPerspective", Style::ballAndStick, Projection::perspective, [](RenderSettings&) {}},
+    {"RibbonsInPerspective", Style::cartoon, Projection::perspective, [](RenderSettings&) {}},
+    {"Turned", Style::ballAndStick, Projection::orthographic, [](RenderSettings& s) { s.view.quarterTurns = 1; }},
+    {"Large", Style::spacefill, Projection::orthographic, [](RenderSettings& s) { s.view.pixelsPerAngstrom *= 12; }},
+    {"Panned", Style::spacefill, Projection::orthographic,
+     [](RenderSettings& s) {
+         s.view.pan = {9, -7};
+     }},
+    {"Outlined", Style::ballAndStick, Projection::orthographic,
+     [](RenderSettings& s) { s.effects.contours.width = 3; }},
+    {"WithHalos", Style::ballAndStick, Projection::orthographic, [](RenderSettings& s) { s.effects.halos.width = 5; }},
+    {"Empty", Style::spacefill, Projection::orthographic,
+     [](RenderSettings& s) {
+         s.view.pan = {900, 0};
+     }},
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+class DeviceLists : public testing::TestWithParam<Case> {
+protected:
+    static void SetUpTestSuite() {
+        host_ = byTiles(Lists::host);
+        device_ = byTiles(Lists::device);
+    }
+    static void TearDownTestSuite() { host_.reset(), device_.reset(); }
+    static std::string decision(Renderer& renderer, const char* what) {
+        for (const Decision& d : renderer.decisions())
+            if (d.what == what) return d.how;
+        return "none";
+    }
+    static inline std::unique_ptr<ValidatedRenderer> host_, device_;
+};
+
+TEST_P(DeviceLists, ShowTheSamePixels) {
+    const Representation r = scene("sample:dna", GetParam().style);
+    RenderSettings s = settings(r, 200, GetParam().projection);
+    GetParam().change(s);
+    (*host_)->setScene(r);
+    (*device_)->setScene(r);
+    const Picture expected = (*host_)->render(s), shown = (*device_)->render(s);
+    EXPECT_EQ(decision(*device_->operator->(), "geometry"), "lists of the device");
+    EXPECT_EQ(decision(*host_->operator->(), "geometry"), "lists of the host");
+    EXPECT_EQ(shown.rgba, expected.rgba);
+    const LayerPicture layers = (*host_)->layers(s), other = (*device_)->layers(s);
+    EXPECT_EQ(other.id, layers.id);
+    EXPECT_EQ(other.z, layers.z);
+    // Lists of a second frame begin empty again.
+    EXPECT_EQ((*device_)->render(s).rgba, expected.rgba);
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, DeviceLists, testing::ValuesIn(kCases), [](const auto& i) { return i.param.name; });
+
+/// The picture's size changes, and the scene has copies.
+TEST(DeviceListsOfCopies, ShowTheSamePixels) {
+    Molecule m = molecule("sample:dna");
+    addCopies(m, {glm::vec3(24, 0, 0), glm::vec3(3, 20, 4), glm::vec3(-20, 11, 7)});
+    RepresentationOptions options{Style::ballAndStick, ColorScheme::element};
+    options.assembly = "1";
+    const Representation r = represent(m, drawnAtoms(m), options);
+    const auto host = byTiles(Lists::host), device = byTiles(Lists::device);
+    (*host)->setScene(r);
+    (*device)->setScene(r);
+    for (const std::uint32_t side : {320u, 90u, 240u}) {
+        const RenderSettings s = settings(r, side, Projection::orthographic);
+        EXPECT_EQ((*device)->render(s).rgba, (*host)->render(s).rgba) << side;
+    }
+}
+
+/// Samples at edges, which search the lists.
+TEST(DeviceListsOfEdges, ShowTheSamePixels) {
+    const Representation r = scene("sample:dna", Style::ballAndStick);
+    RenderSettings s = settings(r, 200, Projection::orthographic);
+    s.supersample = RenderSettings::kEdges;
+    const auto host = byTiles(Lists::host), device = byTiles(Lists::device);
+    (*host)->setScene(r);
+    (*device)->setScene(r);
+    EXPECT_EQ((*device)->render(s).rgba, (*host)->render(s).rgba);
+}
+
+}  // namespace
+}  // namespace nacre::test
