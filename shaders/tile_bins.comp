@@ -1,6 +1,6 @@
 #version 440
-// Finds the bins that each primitive may touch, one primitive per invocation. Run twice: first counts the entries of
-// each bin, then writes them. Primitives that touch many bins are shared by the whole workgroup.
+// Finds the bins that each primitive may touch. Run twice: first counts the entries of each bin, then writes them. Several
+// invocations share the bins of a primitive, so that large ones do not take long.
 //   CYLINDERS, TRIANGLES   the scene has some
 //   WRITE                  writes entries; otherwise counts them
 #extension GL_GOOGLE_include_directive : require
@@ -23,9 +23,7 @@ struct Reach {
     uvec2 first, end;  // bins
     bool small;
 };
-const uint kWide = 16u;  // bins that an invocation visits by itself
-shared Reach wide[64];
-shared uint wideCount;
+const uint kShare = 16u;  // invocations per primitive (engine/software/device_lists.cpp)
 
 /// From the plane z = 0 to the image.
 vec2 toPixel(vec2 q) { return view.axisPixel + turned(vec2(q.x, -q.y) / view.pixel); }
@@ -107,24 +105,9 @@ void add(Reach r, uvec2 at) {
 
 void main() {
     view = push;
-    uint lane = gl_LocalInvocationIndex;
-    if (lane == 0u) wideCount = 0u;
-    barrier();
-    uint item = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + lane;
+    uint at = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationIndex;
     Reach r = Reach(0u, 0u, uvec2(0u), uvec2(0u), false);
-    if (item < items && findReach(item, r)) {
-        uvec2 size = r.end - r.first;
-        if (size.x * size.y > kWide) {
-            wide[atomicAdd(wideCount, 1u)] = r;
-        } else {
-            for (uint y = r.first.y; y < r.end.y; ++y)
-                for (uint x = r.first.x; x < r.end.x; ++x) add(r, uvec2(x, y));
-        }
-    }
-    barrier();
-    for (uint i = 0u; i < wideCount; ++i) {
-        Reach w = wide[i];
-        uvec2 size = w.end - w.first;
-        for (uint k = lane; k < size.x * size.y; k += 64u) add(w, w.first + uvec2(k % size.x, k / size.x));
-    }
+    if (at / kShare >= items || !findReach(at / kShare, r)) return;
+    uvec2 size = r.end - r.first;
+    for (uint k = at % kShare; k < size.x * size.y; k += kShare) add(r, r.first + uvec2(k % size.x, k / size.x));
 }

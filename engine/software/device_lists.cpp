@@ -47,7 +47,7 @@ gpu::ComputePipeline sortPipeline(gpu::PipelineContext& context, gpu::ShaderWord
 }
 
 void drawBins(gpu::PassContext& context, const SceneView& view, bool writes) {
-    constexpr std::uint32_t kGroup = 64;
+    constexpr std::uint32_t kItemsOfGroup = 64 / 16;  // shaders/tile_bins.comp
     const ListedFrame& f = listedFrame(view);
     layout::TileConstants constants = f.constants;
     constants.contourWidth = std::max(constants.contourWidth, view.rims.widest());
@@ -57,7 +57,7 @@ void drawBins(gpu::PassContext& context, const SceneView& view, bool writes) {
         to.store(f.byDevice->calls.buffer);
         to.store(f.byDevice->work.buffer);
     });
-    dispatchTiles(context, (std::uint64_t{f.byDevice->items} + kGroup - 1) / kGroup);
+    dispatchTiles(context, (std::uint64_t{f.byDevice->items} + kItemsOfGroup - 1) / kItemsOfGroup);
 }
 
 void sortBins(gpu::PassContext& context, const SceneView& view, gpu::ShaderWords code, std::size_t groups) {
