@@ -62,6 +62,12 @@ PassNotes describePass(const graph::PassDecl& pass, bool conservative) {
                 {},
                 {},
                 kPrecisionShade};
+    if (pass.name.starts_with("lists: "))
+        return {DepthTiming::none,
+                "the primitives of each square of 16 x 16 pixels, sorted from near to far",
+                kPositions,
+                {},
+                kPrecisionHit};
     if (pass.kind == graph::PassKind::compute && shades)
         return {DepthTiming::none,
                 "the nearest depths of an edge pixel's samples stay in registers; each primitive that they see is "

@@ -61,6 +61,7 @@ public:
         return tooMany ? std::numeric_limits<std::uint32_t>::max() : lists.longest();
     }
     TileCounts counts() const override {
+        if (byDevice) return {};  // the host knows none
         return {lists.tiles().size(), lists.kept(), lists.keptSpheres(), lists.entries(), lists.longest()};
     }
     std::optional<std::uint64_t> shownSpheres() const override { return lists.shownSpheres(); }

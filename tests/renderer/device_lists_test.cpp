@@ -1,4 +1,4 @@
-// Lists of tiles that the device makes show the same pixels as those of the host.
+// ListMaker of tiles that the device makes show the same pixels as those of the host.
 
 #include <cstdlib>
 #include <functional>
@@ -8,23 +8,23 @@
 namespace nacre::test {
 namespace {
 
-enum class Lists { host, device };
+enum class ListMaker { host, device };
 
-std::unique_ptr<ValidatedRenderer> byTiles(Lists lists) {
-    setenv("NACRE_DEVICE_LISTS", lists == Lists::device ? "1" : "0", 1);
+std::unique_ptr<ValidatedRenderer> byTiles(ListMaker lists) {
+    setenv("NACRE_DEVICE_LISTS", lists == ListMaker::device ? "1" : "0", 1);
     auto renderer = std::make_unique<ValidatedRenderer>(Visibility::tiles, ValidatedRenderer::fresh);
     unsetenv("NACRE_DEVICE_LISTS");
     return renderer;
 }
 
-struct Case {
+struct ListedView {
     const char* name;
     Style style;
     Projection projection;
     std::function<void(RenderSettings&)> change;
 };
 
-const Case kCases[] = {
+const ListedView kListedViews[] = {
     {"Spheres", Style::spacefill, Projection::orthographic, [](RenderSettings&) {}},
     {"Sticks", Style::licorice, Projection::orthographic, [](RenderSettings&) {}},
     {"Ribbons", Style::cartoon, Projection::orthographic, [](RenderSettings&) {}},
@@ -45,13 +45,13 @@ const Case kCases[] = {
          s.view.pan = {900, 0};
      }},
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const ListedView& c, std::ostream* out) { *out << c.name; }
 
-class DeviceLists : public testing::TestWithParam<Case> {
+class DeviceLists : public testing::TestWithParam<ListedView> {
 protected:
     static void SetUpTestSuite() {
-        host_ = byTiles(Lists::host);
-        device_ = byTiles(Lists::device);
+        host_ = byTiles(ListMaker::host);
+        device_ = byTiles(ListMaker::device);
     }
     static void TearDownTestSuite() { host_.reset(), device_.reset(); }
     static std::string decision(Renderer& renderer, const char* what) {
@@ -75,11 +75,12 @@ TEST_P(DeviceLists, ShowTheSamePixels) {
     const LayerPicture layers = (*host_)->layers(s), other = (*device_)->layers(s);
     EXPECT_EQ(other.id, layers.id);
     EXPECT_EQ(other.z, layers.z);
-    // Lists of a second frame begin empty again.
+    // ListMaker of a second frame begin empty again.
     EXPECT_EQ((*device_)->render(s).rgba, expected.rgba);
 }
 
-INSTANTIATE_TEST_SUITE_P(Views, DeviceLists, testing::ValuesIn(kCases), [](const auto& i) { return i.param.name; });
+INSTANTIATE_TEST_SUITE_P(Views, DeviceLists, testing::ValuesIn(kListedViews),
+                         [](const auto& i) { return i.param.name; });
 
 /// The picture's size changes, and the scene has copies.
 TEST(DeviceListsOfCopies, ShowTheSamePixels) {
@@ -88,7 +89,7 @@ TEST(DeviceListsOfCopies, ShowTheSamePixels) {
     RepresentationOptions options{Style::ballAndStick, ColorScheme::element};
     options.assembly = "1";
     const Representation r = represent(m, drawnAtoms(m), options);
-    const auto host = byTiles(Lists::host), device = byTiles(Lists::device);
+    const auto host = byTiles(ListMaker::host), device = byTiles(ListMaker::device);
     (*host)->setScene(r);
     (*device)->setScene(r);
     for (const std::uint32_t side : {320u, 90u, 240u}) {
@@ -102,7 +103,7 @@ TEST(DeviceListsOfEdges, ShowTheSamePixels) {
     const Representation r = scene("sample:dna", Style::ballAndStick);
     RenderSettings s = settings(r, 200, Projection::orthographic);
     s.supersample = RenderSettings::kEdges;
-    const auto host = byTiles(Lists::host), device = byTiles(Lists::device);
+    const auto host = byTiles(ListMaker::host), device = byTiles(ListMaker::device);
     (*host)->setScene(r);
     (*device)->setScene(r);
     EXPECT_EQ((*device)->render(s).rgba, (*host)->render(s).rgba);

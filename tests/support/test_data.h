@@ -34,7 +34,7 @@ inline std::string describeMissingData(std::vector<std::string> names) {
     const std::optional<std::filesystem::path> folder = dataFolder();
     if (names.empty()) names.emplace_back("expected.json");
     for (const std::string& name : names) {
-        if (name.starts_with("sample:")) continue;
+        if (name.rfind("sample:", 0) == 0) continue;
         if (!folder) return "no test data: neither NACRE_DATA nor ../shared/data beside the source tree holds it";
         if (!std::filesystem::exists(*folder / name)) return "the test data lack " + (*folder / name).string();
     }

@@ -29,10 +29,10 @@ void declareLists(Frame& f, const FrameShape& shape) {
         TileBins::pixels(shape.extent.width, shape.extent.height) / (TileBins::kPixels * TileBins::kPixels);
     f.entries = f.graph.importBuffer("primitives of bins", kWord * bins);
     f.lists = f.graph.importBuffer("lists of tiles", kWord * bins);
-    f.graph.compute("primitives per bin").writes(*f.entries).record(records(f, passes::countPrimitivesOfBins));
-    f.graph.compute("places of lists").writes(*f.entries).writes(*f.lists).record(records(f, passes::placeListsOfBins));
-    f.graph.compute("entries of lists").writes(*f.entries).record(records(f, passes::writeListsOfBins));
-    f.graph.compute("lists near first").writes(*f.entries).writes(*f.lists).record(records(f, passes::sortListsOfBins));
+    f.graph.compute("lists: count").writes(*f.entries).record(records(f, passes::countPrimitivesOfBins));
+    f.graph.compute("lists: place").writes(*f.entries).writes(*f.lists).record(records(f, passes::placeListsOfBins));
+    f.graph.compute("lists: write").writes(*f.entries).record(records(f, passes::writeListsOfBins));
+    f.graph.compute("lists: sort").writes(*f.entries).writes(*f.lists).record(records(f, passes::sortListsOfBins));
 }
 
 /// A compute pass that draws from the lists.
