@@ -72,10 +72,11 @@ void Bake::makeBuffers(OpenTexels& open) {
     wordCount_ = open.words.size();
     firstOfSphere_ = open.firstOfSphere;
     narrow_ = device_.caps().plan.loadsUniforms && !maps_.tiles() && allTurn(copies_.groups);
-    // Tiles list one batch at a time.
-    constexpr std::size_t kMostParts = 8, kMostSets = 128;  // of a submission
+    // The host lists one batch at a time.
+    // Of a submission. With eight parts an H200's maps differed between paths, for a reason that is not known: so one.
+    constexpr std::size_t kMostParts = 1, kMostSets = 128;
     regions_ =
-        maps_.tiles()
+        maps_.tiles() && !device_.caps().tiles.lists
             ? 1
             : static_cast<std::uint32_t>(std::clamp<std::size_t>(kMostSets / copies_.groups.size(), 1, kMostParts));
     batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size() * regions_,

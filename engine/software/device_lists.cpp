@@ -110,7 +110,8 @@ std::uint64_t mostEntries(const SceneView& view, const LargestPrimitives& larges
     return static_cast<std::uint64_t>(
         static_cast<double>(view.copies.sphereCount()) * binsIn(2 * std::sqrt(2.0) * largest.sphere * 1.005) +
         static_cast<double>(view.copies.cylinderCount()) * binsIn(1.005 * largest.cylinder + kWires * c.pixel) +
-        static_cast<double>(view.copies.triangleCount()) * binsIn(largest.triangle));
+        static_cast<double>(view.copies.triangleCount()) *
+            binsIn(std::sqrt(2.0) * largest.triangle));  // its box is as long as its longest edge, both ways
 }
 
 void countPrimitivesOfBins(gpu::PassContext& context, const SceneView& view) { drawBins(context, view, false); }

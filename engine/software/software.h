@@ -74,7 +74,7 @@ public:
     virtual std::uint32_t rowPixels() const = 0;                ///< pixels per row of the buffers
     /// Numbers of the nearest primitives from 1, or colours where compute shades; row by row of all bins.
     virtual const gpu::Buffer& pixels() const = 0;
-    virtual vk::BufferView pixelTexels() const = 0;  ///< pixels() as texels, where the device reads them so
+    virtual vk::BufferView pixelTexels() const = 0;  ///< pixels() as texels
     /// Where the device makes the lists: their entries in any order, and the lists.
     virtual const gpu::Buffer& entries() const = 0;
     virtual const gpu::Buffer& sortedEntries() const = 0;

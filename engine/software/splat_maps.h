@@ -1,6 +1,7 @@
 #pragma once
 // Depth maps of a bake by compute: an invocation per primitive and map.
 
+#include <array>
 #include <vector>
 
 #include "engine/gpu/resources.h"
@@ -23,15 +24,23 @@ public:
     std::uint32_t apart() const override { return apart_; }
 
 private:
-    void record(gpu::PassContext& context, std::uint64_t first, std::uint64_t end) const;
+    /// What a batch draws. Several batches may be in one submission.
+    struct Batch {
+        gpu::Buffer rows, calls;
+        std::uint32_t items = 0, copies = 1;  ///< copies per map
+    };
+    static constexpr std::size_t kMostBatches = 8;  ///< of a submission, as Bake::mostRecorded()
+    void record(gpu::PassContext& context, const Batch& batch, std::uint64_t first, std::uint64_t end) const;
 
     const gpu::Device& device_;
     const passes::SceneBuffers& scene_;
-    std::uint32_t pixels_, apart_, across_, copies_ = 1;
+    std::uint32_t pixels_, apart_, across_;
     double radius_;
-    gpu::Buffer heights_, rows_, calls_;
-    std::vector<glm::vec4> rowsOfMaps_;
-    std::vector<std::uint32_t> words_;  // of calls_
+    gpu::Buffer heights_;
+    std::array<Batch, kMostBatches> batches_;
+    std::size_t at_ = 0;                // the current batch
+    std::vector<glm::vec4> rows_;       // scratch
+    std::vector<std::uint32_t> words_;  // scratch
 };
 
 }  // namespace nacre::occlusion

@@ -178,10 +178,13 @@ void ListedFrames::prepareWords(PixelWords& words, const TileLists& lists, graph
     constexpr std::size_t kBin = TileLists::kBinPixels;
     const std::size_t bytes = 4 * kept * TileBins::pixels(image.width, image.height);
     const bool grows = words.buffer.size < bytes;
-    if (grows) words.quads = nullptr;
+    if (grows) words.quads = nullptr, words.picture = nullptr;
     reserve(device_, words, bytes, kReadByTiles | Usage::eTransferSrc, vk::Format::eR32Uint, name);
     if (grows && device_.caps().tiles.texels)
         words.quads = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32G32B32A32Uint, name);
+    // Where streams are storage buffers, passes that read the picture still read texels.
+    if (grows && !device_.caps().tiles.texels)
+        words.picture = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32Uint, name);
     if (!clears) return;
     if (grows || words.across != lists.across()) {
         words.written.clear();
@@ -261,14 +264,13 @@ void ListedFrames::uploadCalls(ListedFrame& f, float small, std::uint64_t most) 
     const std::size_t calls = spheres_.size() + cylinders_.size() + triangles_.size();
     reserve(device_, d.calls, 4 * (kHeader + 2 * calls), Usage::eStorageBuffer, vk::Format::eUndefined, "calls");
     const std::size_t workBytes = 4 * (2 * bins + 2 * most), listBytes = 4 * (f.lists.words() + most);
-    const vk::Buffer before = *f.words.buffer.handle;
+    const bool grows = f.words.buffer.size < listBytes;
     if (d.work.buffer.size < workBytes || d.across != f.lists.across() || d.down != f.lists.down()) {
         reserve(device_, d.work, workBytes, Usage::eStorageBuffer, vk::Format::eUndefined, "primitives of bins");
         std::memset(d.work.buffer.mapped, 0, 4 * bins);
     }
     reserve(device_, f.words, listBytes, kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
-    if (f.lists.masked() || before != *f.words.buffer.handle || d.across != f.lists.across() ||
-        d.down != f.lists.down())
+    if (f.lists.masked() || grows || d.across != f.lists.across() || d.down != f.lists.down())
         f.lists.writeTiles(reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped));
     d.across = f.lists.masked() ? 0 : f.lists.across();
     d.down = f.lists.down();

@@ -23,10 +23,11 @@ struct TileBuffer {
 
 /// One or more words per pixel, row by row of all bins; 0: no primitive.
 struct PixelWords : TileBuffer {
-    vk::raii::BufferView quads{nullptr};   ///< as four-word texels
-    std::vector<TileLists::Span> written;  ///< where it may hold words of earlier frames
-    std::uint32_t across = 0;              ///< bins per row of those
-    std::size_t cleared = 0;               ///< bytes cleared since then
+    vk::raii::BufferView quads{nullptr};    ///< as four-word texels
+    vk::raii::BufferView picture{nullptr};  ///< as texels, where the device reads streams from storage buffers
+    std::vector<TileLists::Span> written;   ///< where it may hold words of earlier frames
+    std::uint32_t across = 0;               ///< bins per row of those
+    std::size_t cleared = 0;                ///< bytes cleared since then
 };
 
 /// Enlarges a buffer if needed, with room to grow. @param format  of texels; undefined: no texel view
@@ -70,7 +71,7 @@ public:
     float farthest() const override { return constants.depthStart + 1 / constants.perRange; }
     std::uint32_t rowPixels() const override { return lists.across() * TileLists::kBinPixels; }
     const gpu::Buffer& pixels() const override { return numbers.buffer; }
-    vk::BufferView pixelTexels() const override { return *numbers.texels; }
+    vk::BufferView pixelTexels() const override { return *numbers.texels ? *numbers.texels : *numbers.picture; }
     const gpu::Buffer& entries() const override { return byDevice->work.buffer; }
     const gpu::Buffer& sortedEntries() const override { return words.buffer; }
     const gpu::Buffer& edges() const override { return (shaded ? edgeData.numbers : edgeData.colors).buffer; }
