@@ -284,7 +284,9 @@ Caps queryCaps(const vk::raii::PhysicalDevice& device, const DeviceOptions& opti
     caps.tiles = queryTileCaps(device);
     caps.plan.tiles = caps.tiles.lacks.empty();
     caps.tiles.lists = !identity.software;
-    caps.tiles.shade = properties.limits.maxPerStageDescriptorStorageBuffers >= 8;
+    constexpr std::uint32_t kPixels = 1u << 26;  // of a picture, which later passes read as texels
+    caps.tiles.shade = properties.limits.maxPerStageDescriptorStorageBuffers >= 8 &&
+                       properties.limits.maxTexelBufferElements >= kPixels;
     if (identity.software) {
         constexpr double kNever = std::numeric_limits<double>::infinity();
         caps.plan.geometry = {false, kNever, kNever, kNever};  // a triangle costs a hundred fragments

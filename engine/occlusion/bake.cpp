@@ -72,9 +72,9 @@ void Bake::makeBuffers(OpenTexels& open) {
     wordCount_ = open.words.size();
     firstOfSphere_ = open.firstOfSphere;
     narrow_ = device_.caps().plan.loadsUniforms && !maps_.tiles() && allTurn(copies_.groups);
-    // The host lists one batch at a time.
-    // Of a submission. With eight parts an H200's maps differed between paths, for a reason that is not known: so one.
+    // Parts of a submission. With eight, an NVIDIA H200 baked otherwise by `tiles` than by `fragdepth`; nobody knows why.
     constexpr std::size_t kMostParts = 1, kMostSets = 128;
+    // The host lists one batch at a time.
     regions_ =
         maps_.tiles() && !device_.caps().tiles.lists
             ? 1

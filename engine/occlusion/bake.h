@@ -66,6 +66,8 @@ public:
     std::uint32_t mapsOfNext(const Allowance& allowance) const;
     /// Parts of one submission.
     std::uint32_t mostRecorded() const { return regions_; }
+    /// Units of declareFinish().
+    double finishUnits() const { return static_cast<double>(wordCount_); }
     /// Units of the smallest remaining part.
     double leastUnits() const;
     /// Whether all started directions are added up.

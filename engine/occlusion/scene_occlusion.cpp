@@ -281,8 +281,8 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
     bake.sliceDone();
 }
 
-/// Runs as many parts as take kWaitedMilliseconds in one submission, and with the last one the atlas update: on a GPU
-/// each wait costs more than the work of a small molecule.
+/// Runs as many parts as take kWaitedMilliseconds in one submission, and the atlas update if there is time left for it:
+/// on a GPU each wait costs more than the work of a small molecule.
 void SceneOcclusion::runSlices(Baking& baking) {
     Bake& bake = *baking.bake;
     const auto start = Clock::now();
@@ -308,7 +308,7 @@ void SceneOcclusion::runSlices(Baking& baking) {
             follows = bake.sliceRecorded() && left.units >= units && parts + 1 < bake.mostRecorded() &&
                       bake.mapsOfNext(left) == maps;
         }
-        if (!bake.complete() || bake.readsSumsNext()) return;
+        if (!bake.complete() || bake.readsSumsNext() || left.units < bake.finishUnits()) return;
         graph::Graph g("occlusion finish");
         gpu::Imports imports;
         bake.declareFinish(g, imports);

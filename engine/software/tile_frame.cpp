@@ -183,7 +183,7 @@ void ListedFrames::prepareWords(PixelWords& words, const TileLists& lists, graph
     if (grows && device_.caps().tiles.texels)
         words.quads = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32G32B32A32Uint, name);
     // Where streams are storage buffers, passes that read the picture still read texels.
-    if (grows && !device_.caps().tiles.texels)
+    if (grows && device_.caps().tiles.shade && !device_.caps().tiles.texels)
         words.picture = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32Uint, name);
     if (!clears) return;
     if (grows || words.across != lists.across()) {
