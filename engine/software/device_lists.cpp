@@ -76,7 +76,10 @@ LargestPrimitives measureLargest(const Representation& r) {
     LargestPrimitives largest;
     for (const Sphere& s : r.spheres) largest.sphere = std::max(largest.sphere, s.radius);
     const auto add = [&](const Cylinder& c) {
-        largest.cylinder = std::max(largest.cylinder, glm::distance(c.a, c.b) + 2 * std::max(c.radius, 0.0f));
+        // Its box is wider than the axis by a radius at each side.
+        largest.cylinder =
+            std::max(largest.cylinder, glm::distance(c.a, c.b) + 2 * std::sqrt(2.0f) * std::max(c.radius, 0.0f));
+        largest.wire = std::max(largest.wire, -c.radius);
     };
     for (const Cylinder& c : r.cylinders) add(c);
     for (const Cylinder& c : r.wires) add(c);
@@ -97,19 +100,19 @@ LargestPrimitives measureLargest(const Representation& r) {
 
 std::uint64_t mostEntries(const SceneView& view, const LargestPrimitives& largest, std::uint64_t bins) {
     const layout::ViewConstants& c = view.constants;
-    // Perspective enlarges near parts. A primitive's image is at most this much longer than the primitive.
+    // Perspective enlarges near parts, most at the front of the scene.
     const double nearest = std::max<double>(c.depthStart, 1e-3 * c.origin);
-    const double scale = (view.perspective ? 1.1 * c.origin / nearest : 1.0) / c.pixel;
+    const double scale = (view.perspective ? 1.25 * c.origin / nearest : 1.0) / c.pixel;
     const double outline = 2.0 * std::max(c.contourWidth, view.rims.widest()) / c.pixel + 1;
     // A box with this diagonal covers the most bins if it is square.
     const auto binsIn = [&](double diagonal) {
         const double side = (diagonal * scale / std::sqrt(2.0) + outline) / TileBins::kPixels + 2;
         return std::min(std::ceil(side * side), static_cast<double>(bins));
     };
-    constexpr double kWires = 64;  // widest wire, pixels
+    const double wire = 2 * std::sqrt(2.0) * largest.wire * view.wireScale * c.pixel;
     return static_cast<std::uint64_t>(
         static_cast<double>(view.copies.sphereCount()) * binsIn(2 * std::sqrt(2.0) * largest.sphere * 1.005) +
-        static_cast<double>(view.copies.cylinderCount()) * binsIn(1.005 * largest.cylinder + kWires * c.pixel) +
+        static_cast<double>(view.copies.cylinderCount()) * binsIn(1.005 * largest.cylinder + wire) +
         static_cast<double>(view.copies.triangleCount()) *
             binsIn(std::sqrt(2.0) * largest.triangle));  // its box is as long as its longest edge, both ways
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Lists of the `tiles` path that the device makes: three passes before the one that draws from them.
+// Lists of the `tiles` path that the device makes: four passes before the one that draws from them.
 
 #include <cstdint>
 #include <memory>
@@ -13,7 +13,8 @@ namespace nacre::passes {
 /// The largest primitives of a scene, Å.
 struct LargestPrimitives {
     float sphere = 0;    ///< radius
-    float cylinder = 0;  ///< length with both ends, and half a wire's width as far as it is known
+    float cylinder = 0;  ///< diagonal of the largest box around its picture, without a wire's width
+    float wire = 0;      ///< half a width, pixels of the requested picture
     float triangle = 0;  ///< diagonal of its box
 };
 LargestPrimitives measureLargest(const Representation& representation);

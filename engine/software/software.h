@@ -1,8 +1,8 @@
 #pragma once
-// The interface of this folder, which only software devices need; the rest of the engine includes no other file of it.
-// The `tiles` path draws by compute, from lists of primitives that the host makes; bakes draw depth maps from the same
-// lists; hidden spheres are culled on the host. A build without NACRE_SOFTWARE compiles absent.cpp instead of the
-// folder: no device has the path then, and GPUs lose nothing.
+// The interface of this folder; the rest of the engine includes no other file of it. The `tiles` path draws by compute,
+// from lists of primitives that the host makes on software devices, and the device on GPUs. Bakes draw depth maps from
+// such lists, or by an invocation per primitive. Hidden spheres are culled on the host. A build without NACRE_SOFTWARE
+// compiles absent.cpp instead of the folder: no device has the path then.
 
 #include <cstdint>
 #include <memory>
@@ -148,7 +148,7 @@ namespace nacre::occlusion {
 
 enum class Texels : std::uint8_t;
 
-/// Depth maps of a batch by tiles: heights in a buffer, as texels. The host draws triangles on them.
+/// Depth maps of a batch by compute: heights in a buffer.
 class TileMaps {
 public:
     virtual ~TileMaps() = default;

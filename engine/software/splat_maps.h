@@ -24,12 +24,12 @@ public:
     std::uint32_t apart() const override { return apart_; }
 
 private:
-    /// What a batch draws. Several batches may be in one submission.
+    /// What a batch draws. A submission may have several.
     struct Batch {
         gpu::Buffer rows, calls;
         std::uint32_t items = 0, copies = 1;  ///< copies per map
     };
-    static constexpr std::size_t kMostBatches = 8;  ///< of a submission, as Bake::mostRecorded()
+    static constexpr std::size_t kMostBatches = 8;  ///< of a submission
     void record(gpu::PassContext& context, const Batch& batch, std::uint64_t first, std::uint64_t end) const;
 
     const gpu::Device& device_;

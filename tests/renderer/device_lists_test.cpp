@@ -1,4 +1,4 @@
-// ListMaker of tiles that the device makes show the same pixels as those of the host.
+// Lists of tiles that the device makes show the same pixels as those of the host.
 
 #include <cstdlib>
 #include <functional>
@@ -73,7 +73,7 @@ TEST_P(DeviceLists, ShowTheSamePixels) {
     const LayerPicture layers = (*host_)->layers(s), other = (*device_)->layers(s);
     EXPECT_EQ(other.id, layers.id);
     EXPECT_EQ(other.z, layers.z);
-    // ListMaker of a second frame begin empty again.
+    // Lists of a second frame begin empty again.
     EXPECT_EQ((*device_)->render(s).rgba, expected.rgba);
 }
 
