@@ -72,7 +72,8 @@ void Bake::makeBuffers(OpenTexels& open) {
     wordCount_ = open.words.size();
     firstOfSphere_ = open.firstOfSphere;
     narrow_ = device_.caps().plan.loadsUniforms && !maps_.tiles() && allTurn(copies_.groups);
-    // Parts of a submission. With eight, an NVIDIA H200 baked otherwise by `tiles` than by `fragdepth`; nobody knows why.
+    // Parts of a submission. With eight, an NVIDIA H200 baked differently by `tiles` and `fragdepth`; the cause is
+    // unknown.
     constexpr std::size_t kMostParts = 1, kMostSets = 128;
     // The host lists one batch at a time.
     regions_ =
