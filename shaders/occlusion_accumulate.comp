@@ -3,7 +3,7 @@
 // adds up the cosines of the maps where it is front-most. One read and one write of its sum.
 // CYLINDER, VERTEX: texels of cylinders, of meshes. WHOLE: one value per sphere, tested at its point facing the light.
 // HEIGHTS: the maps are a buffer of heights from tile_depth.comp; else an image of encoded depth.
-// ORDERED: with HEIGHTS, from map_heights.comp.
+// BITS: with HEIGHTS, from map_heights.comp.
 // TEXELS: these and the directions are read as texels.
 // NARROW: directions take few words (layout.h), for drivers that load them in every invocation.
 // PAIRS: an invocation tests two texels, and loads each direction once for both.
@@ -17,7 +17,7 @@
 #include "common/layout.h"
 #include "common/texel.glsl"
 #include "common/encoding.glsl"
-#ifdef ORDERED
+#ifdef BITS
 #include "common/ordered.glsl"
 #endif
 
@@ -31,7 +31,7 @@ layout(set = 0, binding = 3, std430) buffer Sums { vec2 sums[]; };  // accumulat
 #if defined(TEXELS)
 layout(set = 0, binding = 4) uniform samplerBuffer heightTexels;  // Å
 float heightAt(int i) { return texelFetch(heightTexels, i).x; }
-#elif defined(ORDERED)
+#elif defined(BITS)
 layout(set = 0, binding = 4, std430) readonly buffer Heights { uint heights[]; };
 float heightAt(int i) { return fromOrderedBits(heights[i]); }  // Å
 #elif defined(HEIGHTS)

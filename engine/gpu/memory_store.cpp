@@ -8,6 +8,7 @@ namespace nacre::gpu {
 namespace {
 
 constexpr vk::DeviceSize kMostKept = MemoryStore::kMostSpare / 4;  // larger memory is freed at once
+constexpr std::size_t kMostResources = 512;                        // whose memory is kept
 
 /// Sizes of allocations: four for each power of two, so that resources of about the same size share them.
 vk::DeviceSize sizeClass(vk::DeviceSize size) {
@@ -52,11 +53,13 @@ void MemoryStore::dropSpare(vk::DeviceSize most) {
 std::optional<HeldMemory> MemoryStore::take(const vk::MemoryRequirements& requirements,
                                             std::initializer_list<vk::MemoryPropertyFlags> choices) {
     const std::lock_guard lock(turn_);
+    spare_.reserve(kMostResources);
     for (const vk::MemoryPropertyFlags properties : choices)
         for (std::uint32_t type = 0; type < types_.memoryTypeCount; ++type) {
             const vk::MemoryPropertyFlags has = types_.memoryTypes[type].propertyFlags;
             if (!(requirements.memoryTypeBits & (1u << type)) || (has & properties) != properties) continue;
-            const vk::DeviceSize size = sizeClass(requirements.size);
+            const bool lazy = static_cast<bool>(has & vk::MemoryPropertyFlagBits::eLazilyAllocated);
+            const vk::DeviceSize size = lazy ? requirements.size : sizeClass(requirements.size);
             std::optional<HeldMemory> held = takeSpare(type, size);
             if (!held) {
                 held = HeldMemory{nullptr, type, has, size};
@@ -77,7 +80,8 @@ std::optional<HeldMemory> MemoryStore::take(const vk::MemoryRequirements& requir
 void MemoryStore::giveBack(HeldMemory&& held) {
     const std::lock_guard lock(turn_);
     bytes_ -= held.used;
-    if (!isKept(held)) {
+    // Destructors call this: it must not allocate.
+    if (!isKept(held) || spare_.size() == spare_.capacity()) {
         held.memory.clear();
         return;
     }

@@ -51,7 +51,7 @@ std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device& device, const passes::
 }
 
 #define NACRE_QUESTIONS(of)                                    \
-    (caps.lists    ? shaders::occlusionAccumulate##of##Ordered \
+    (caps.lists    ? shaders::occlusionAccumulate##of##Bits \
      : caps.texels ? shaders::occlusionAccumulate##of##Texels  \
                    : shaders::occlusionAccumulate##of##Storage)
 gpu::ShaderWords questionsToTileMaps(Texels texels, const graph::TileCaps& caps) {

@@ -68,7 +68,7 @@ class Metal(unittest.TestCase):
         for name in names:
             for platform, options in PLATFORMS.items():
                 # Subgroups hand values round from Metal 2.2 on, or iOS 13; before, MoltenVK does not say that they do.
-                handing = ("tileNearest", "tileShaded", "tileEdge", "tileDepth", "tileLayers")
+                handing = ("tileNearest", "tileShaded", "tileRimmed", "tileEdge", "tileDepth", "tileLayers")
                 if name.startswith(handing) and platform == "iOS 12":
                     continue
                 status, text, complaint = to_metal(SHADERS / f"{name}.spv", options)

@@ -10,8 +10,7 @@ namespace nacre::test {
 namespace {
 
 constexpr OcclusionScene kScenes[] = {{"sample:dna", "sample:dna", Style::spacefill},
-                                      {"glucose", "sample:glucose", Style::ballAndStick},
-                                      {"cartoon", "sample:dna", Style::cartoon}};
+                                      {"glucose", "sample:glucose", Style::ballAndStick}};
 
 class OcclusionOfScene : public testing::TestWithParam<OcclusionScene> {
 protected:

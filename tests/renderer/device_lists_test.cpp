@@ -67,8 +67,12 @@ TEST_P(DeviceLists, ShowTheSamePixels) {
     (*host_)->setScene(r);
     (*device_)->setScene(r);
     const Picture expected = (*host_)->render(s), shown = (*device_)->render(s);
-    EXPECT_EQ(decision(*device_->operator->(), "geometry"), "lists of the device");
-    EXPECT_EQ(decision(*host_->operator->(), "geometry"), "lists of the host");
+    if (decision(*host_->operator->(), "path") == "tiles") {
+        EXPECT_EQ(decision(*device_->operator->(), "geometry"), "lists of the device");
+        EXPECT_EQ(decision(*host_->operator->(), "geometry"), "lists of the host");
+    } else {  // rims, where compute does not shade
+        EXPECT_TRUE(s.effects.rims());
+    }
     EXPECT_EQ(shown.rgba, expected.rgba);
     const LayerPicture layers = (*host_)->layers(s), other = (*device_)->layers(s);
     EXPECT_EQ(other.id, layers.id);
