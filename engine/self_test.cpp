@@ -18,6 +18,7 @@ namespace {
 /// The last one is a path of every device.
 constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder, Visibility::tiles,
                                  Visibility::deferred};
+constexpr Visibility kByCompute = Visibility::tiles;
 constexpr const char* kOutcomes[] = {"right", "wrong", "failed", "unfinished"};
 constexpr const char* kHeading = "nacre self-test 5";
 constexpr std::uint32_t kPixels = 128, kTimedPixels = 720;
@@ -147,7 +148,7 @@ PathResult tested(const DeviceOptions& options, Visibility path, const std::atom
         for (const TestScene& scene : selfTestScenes()) {
             check(stop);
             // Tiles have passes of their own for edges.
-            if (!draws(renderer, scene, path == Visibility::tiles)) result.outcome = PathResult::Outcome::wrong;
+            if (!draws(renderer, scene, path == kByCompute)) result.outcome = PathResult::Outcome::wrong;
         }
         if (result.outcome == PathResult::Outcome::right) {
             const std::vector<TimedScene> scenes = timedScenes();
@@ -170,7 +171,7 @@ SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, const
     for (const Visibility path : kPaths) {
         if (!hasPath(path, device.rasterOrder, device.tiles)) continue;
         // Nobody has measured compute on GPUs that share their memory: there it is drawn by on request alone.
-        if (path == Visibility::tiles && device.type != "discrete" && device.type != "software") continue;
+        if (path == kByCompute && device.type != "discrete" && device.type != "software") continue;
         auto it = std::find_if(test.begin(), test.end(), [&](const PathResult& r) { return r.visibility == path; });
         if (it == test.end()) it = test.insert(it, {path, PathResult::Outcome::unfinished});
         if (it->known()) continue;

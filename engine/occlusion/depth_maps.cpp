@@ -29,9 +29,9 @@ constexpr double kSmallest = 128, kLargest = 2048;
 constexpr std::uint64_t kMostBytesPerPixel = 4 + 8;  // encoded depth in RGBA16F, and the depth buffer
 // Primitives per draw of the tile path: their lists take about 30 bytes each on the host.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
-// Memory for the maps of a batch on GPUs with memory of their own, whatever the budget: a submission costs them as much
-// as drawing some maps.
-constexpr std::uint64_t kRoomOfDesktop = std::uint64_t{256} << 20;
+// Memory for the maps of a batch on graphics cards, which have memory of their own, whatever the budget: a submission
+// costs them as much as drawing some maps.
+constexpr std::uint64_t kRoomOfCards = std::uint64_t{256} << 20;
 /// Render target states between the graphs of a direction drawn in parts.
 const graph::State kPartState = graph::verbState(graph::Verb::samples, graph::PassKind::compute);
 std::uint32_t bytesPerPixel(OcclusionMaps path, const graph::EncodedFormat& encoded) {
@@ -108,7 +108,7 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
                              std::uint32_t width, std::uint64_t room)
     : pixels(width) {
     const bool tiles = path == OcclusionMaps::tiles, lists = tiles && !caps.tiles.lists;
-    if (caps.kind == graph::DeviceKind::immediate) room = std::max(room, kRoomOfDesktop);
+    if (caps.apartMemory) room = std::max(room, kRoomOfCards);
     const std::uint32_t each = bytesPerPixel(path, caps.encodedMaps);
     const auto countBytes = [&](std::uint32_t batch) {
         return tiles ? (lists ? 2 : 1) * TileMaps::bytesFor(pixels, mapsAcross(batch))
