@@ -50,9 +50,9 @@ std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device& device, const passes::
     return std::make_unique<ListedMaps>(device, scene, representation, pixels, radius, across, std::move(occluders));
 }
 
-#define NACRE_QUESTIONS(of)                                    \
-    (caps.lists    ? shaders::occlusionAccumulate##of##Bits \
-     : caps.texels ? shaders::occlusionAccumulate##of##Texels  \
+#define NACRE_QUESTIONS(of)                                   \
+    (caps.lists    ? shaders::occlusionAccumulate##of##Bits   \
+     : caps.texels ? shaders::occlusionAccumulate##of##Texels \
                    : shaders::occlusionAccumulate##of##Storage)
 gpu::ShaderWords questionsToTileMaps(Texels texels, const graph::TileCaps& caps) {
     switch (texels) {

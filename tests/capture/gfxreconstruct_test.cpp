@@ -52,8 +52,8 @@ TEST(Gfxreconstruct, ARenderReplaysAndEachFrameIsOneSubmission) {
     for (const char* word : {"ERROR", "WARNING", "FATAL", "Validation"})
         EXPECT_EQ(replay.find(word), std::string::npos) << replay;
     const auto submissions = listSubmissions(captureOutput(folder, "gfxrecon-convert --output stdout a.gfxr"));
-    EXPECT_EQ(submissions, (std::vector<std::string>{"white", "occlusion finish", "occlusion", "occlusion", "occlusion",
-                                                     "occlusion finish", "screen", "screen"}));
+    EXPECT_EQ(submissions, (std::vector<std::string>{"white", "occlusion", "occlusion", "occlusion", "occlusion finish",
+                                                     "screen", "screen"}));
 }
 
 }  // namespace

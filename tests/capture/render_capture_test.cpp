@@ -35,8 +35,7 @@ std::vector<std::uint8_t> readPixels(const std::string& path) {
 
 /// The bake's submissions, then the screen's.
 void expectBakeAndScreen(const nlohmann::json& submissions, const Names& screen) {
-    EXPECT_EQ(listNames(submissions),
-              (Names{"occlusion", "occlusion", "occlusion", "occlusion finish", "screen"}));
+    EXPECT_EQ(listNames(submissions), (Names{"occlusion", "occlusion", "occlusion", "occlusion finish", "screen"}));
     for (const nlohmann::json& submission : submissions)
         if (submission["name"] == "occlusion") {
             EXPECT_EQ(listNames(submission["steps"]), (Names{"depth maps by tiles", "occlusion accumulation"}));

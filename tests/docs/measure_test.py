@@ -86,7 +86,8 @@ class Measure(unittest.TestCase):
             data.mkdir(), build.mkdir(parents=True)
             (data / "1bna.pdb").symlink_to(test_data.folder() / "1bna.pdb")
             (build / "nacre").symlink_to(BUILD / "bin/nacre")
-            env = dict(os.environ, NACRE_NO_BUILD="1", NACRE_DATA=str(data))
+            env = dict(os.environ, NACRE_NO_BUILD="1")
+            env["NACRE_DATA"] = str(data)
             done = subprocess.run([SOURCE / "tools/measure", "gpu", "--build", build.parent, "--rounds", "1"], env=env,
                                   capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
