@@ -49,6 +49,7 @@ gpu::ComputePipeline sortPipeline(gpu::PipelineContext& context, gpu::ShaderWord
 void drawBins(gpu::PassContext& context, const SceneView& view, bool writes) {
     constexpr std::uint32_t kItemsOfGroup = 64 / 16;  // shaders/tile_bins.comp
     const ListedFrame& f = listedFrame(view);
+    if (!f.byDevice) return;
     layout::TileConstants constants = f.constants;
     constants.contourWidth = std::max(constants.contourWidth, view.rims.widest());
     bindTiles(context, binLayout(context), binPipeline(context, view, writes), constants, [&](TileBindings& to) {
@@ -62,6 +63,7 @@ void drawBins(gpu::PassContext& context, const SceneView& view, bool writes) {
 
 void sortBins(gpu::PassContext& context, const SceneView& view, gpu::ShaderWords code, std::size_t groups) {
     const ListedFrame& f = listedFrame(view);
+    if (!f.byDevice) return;
     const SortConstants constants{countBins(f), f.constants.offsets};
     bindTiles(context, sortLayout(context), sortPipeline(context, code), constants, [&](TileBindings& to) {
         to.store(f.byDevice->work.buffer);

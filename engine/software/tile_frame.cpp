@@ -131,6 +131,8 @@ std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, 
     asked.small = work.edges ? static_cast<float>(kSmallPixels) : 0.0f;
     asked.mask = work.mask;
     frame.tooMany = false;
+    // An empty scene has no buffers to list from.
+    if (spheres_.empty() && cylinders_.empty() && triangles_.empty()) work.byDevice = false;
     if (work.byDevice) {
         const std::uint64_t bins =
             TileBins::pixels(image.width, image.height) / (TileBins::kPixels * TileBins::kPixels);

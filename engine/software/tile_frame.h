@@ -72,7 +72,7 @@ public:
     std::uint32_t rowPixels() const override { return lists.across() * TileLists::kBinPixels; }
     const gpu::Buffer& pixels() const override { return numbers.buffer; }
     vk::BufferView pixelTexels() const override { return *numbers.texels ? *numbers.texels : *numbers.picture; }
-    const gpu::Buffer& entries() const override { return byDevice->work.buffer; }
+    const gpu::Buffer& entries() const override { return byDevice ? byDevice->work.buffer : words.buffer; }
     const gpu::Buffer& sortedEntries() const override { return words.buffer; }
     const gpu::Buffer& edges() const override { return (shaded ? edgeData.numbers : edgeData.colors).buffer; }
     const gpu::Buffer& edgePixels() const override { return edgeData.pixels.buffer; }
