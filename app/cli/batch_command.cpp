@@ -67,10 +67,16 @@ public:
 private:
     std::unique_ptr<Canvas> take() {
         std::unique_lock lock(turn_);
-        idles_.wait(lock, [&] { return !idle_.empty() || atWork_ < most_; });
-        if (idle_.empty()) {
-            idle_.push_back(make());
-            most_ = isSoftware(*idle_.back()) ? threads_ : std::min(threads_, kMostOfGpu);
+        while (idle_.empty()) {
+            idles_.wait(lock, [&] { return !idle_.empty() || atWork_ < most_; });
+            if (!idle_.empty()) break;
+            try {
+                idle_.push_back(make());
+                most_ = isSoftware(*idle_.back()) ? threads_ : std::min(threads_, kMostOfGpu);
+            } catch (const NoDevice&) {
+                if (atWork_ == 0) throw;
+                most_ = atWork_;  // the renderers that there are go on
+            }
         }
         std::unique_ptr<Canvas> canvas = std::move(idle_.back());
         idle_.pop_back();
@@ -107,7 +113,8 @@ private:
     std::unique_ptr<Canvas> make() {
         try {
             if (shared_) return std::make_unique<Canvas>(shared_);
-        } catch (const Error&) {
+        } catch (const Error& error) {
+            if (atWork_ > 0) throw NoDevice(error.what());
             shared_.reset();  // lost, perhaps
         }
         try {
