@@ -94,11 +94,11 @@ struct Frame {
     std::vector<graph::Image> layerDepths;      ///< their depth
     std::optional<graph::Buffer> layerNumbers;  ///< numbers where compute finds them, imported
     // Of `tiles`, imported:
-    std::optional<graph::Buffer> entries,
-        lists;                           ///< where the device makes the lists: entries in any order, and sorted
-    graph::Buffer numbers;               ///< of primitives, or their colours
-    std::optional<graph::Buffer> edges;  ///< for edges: numbers if `numbers` are colours, else edge colours
-    graph::Buffer edgePixels{};          ///< list of edge pixels
+    std::optional<graph::Buffer> entries;  ///< where the device makes the lists: their entries in any order
+    std::optional<graph::Buffer> lists;    ///< and the lists
+    graph::Buffer numbers;                 ///< of primitives, or their colours
+    std::optional<graph::Buffer> edges;    ///< for edges: numbers if `numbers` are colours, else edge colours
+    graph::Buffer edgePixels{};            ///< list of edge pixels
     // Of the ending:
     std::vector<graph::Buffer> pixels;    ///< imported, of targets that the host reads
     std::optional<graph::Image> picture;  ///< imported: the image that the picture ends in

@@ -103,7 +103,7 @@ private:
         CommandBuffer commands;
         vk::raii::Fence done{nullptr};
     };
-    /// What threads use in turn.
+    /// State that several threads change, under its locks.
     struct Shared {
         std::mutex queue, singles;
         std::vector<Single> kept;

@@ -72,15 +72,7 @@ void Bake::makeBuffers(OpenTexels& open) {
     wordCount_ = open.words.size();
     firstOfSphere_ = open.firstOfSphere;
     narrow_ = device_.caps().plan.loadsUniforms && !maps_.tiles() && allTurn(copies_.groups);
-    // Parts of a submission. With eight, an NVIDIA H200 baked differently by `tiles` and `fragdepth`; the cause is
-    // unknown.
-    constexpr std::size_t kMostParts = 1, kMostSets = 128;
-    // The host lists one batch at a time.
-    regions_ =
-        maps_.tiles() && !device_.caps().tiles.lists
-            ? 1
-            : static_cast<std::uint32_t>(std::clamp<std::size_t>(kMostSets / copies_.groups.size(), 1, kMostParts));
-    batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size() * regions_,
+    batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size(),
                                        Usage::eUniformBuffer | Usage::eUniformTexelBuffer, gpu::Access::upload,
                                        "occlusion directions");
     if (maps_.tiles() && maps_.tiles()->texels())

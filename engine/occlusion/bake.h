@@ -55,17 +55,11 @@ public:
     double declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance);
     /// Call when the declared part has run.
     void sliceDone();
-    /// Call instead if more parts are to follow in the same submission. @returns whether one may: it may not after the
-    /// last part, or if the host reads the sums next. Then call submissionDone() when all have run.
+    /// Call instead when the part is recorded, and submissionDone() when it has run.
+    /// @returns whether declareFinish() may follow in the same submission: it was the last part, and the host need not
+    /// read the sums first
     bool sliceRecorded();
     void submissionDone();
-    /// Whether the host reads the sums in submissionDone(), and changes what declareFinish() reads.
-    bool readsSumsNext() const { return deepTexelsDue_; }
-    /// Maps of the next part; 0: it draws or tests a part of one. A submission has parts of one number of maps: another
-    /// replaces the images.
-    std::uint32_t mapsOfNext(const Allowance& allowance) const;
-    /// Parts of one submission.
-    std::uint32_t mostRecorded() const { return regions_; }
     /// Units of declareFinish().
     double finishUnits() const { return static_cast<double>(wordCount_); }
     /// Units of the smallest remaining part.
@@ -116,7 +110,6 @@ private:
         std::size_t texels = 0, asked = 0;
         std::uint64_t drawnThen = 0;  ///< `drawn` after the slice has run
         std::size_t askedThen = 0;
-        std::uint32_t region = 0;  ///< of the directions' buffer
 
         bool ends() const { return drawnThen == instances && askedThen == texels; }
     };
@@ -144,9 +137,8 @@ private:
     /// @param maps  null: the heights of the tile path
     void recordAccumulation(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t batch,
                             const Work& work);
-    vk::DescriptorSet accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t group,
-                                      std::uint32_t region);
-    void writeDirections(std::span<const glm::dmat3> frames, const Work& work);
+    vk::DescriptorSet accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t group);
+    void writeDirections(std::span<const glm::dmat3> frames, int first);
     std::size_t countTexels(std::uint32_t model) const;
 
     const gpu::Device& device_;
@@ -161,7 +153,6 @@ private:
     std::vector<int> doneOf_;  // directions per model
     std::uint64_t asked_ = 0;
     std::optional<Work> work_;
-    std::uint32_t regions_ = 1, region_ = 0;  // of batchDirections_: one for each part of a submission
     gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
     // Where memory that the host reads fast is not the device's own, the device has list, words and sums in its own,
     // and the host reads copies.

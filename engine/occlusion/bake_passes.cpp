@@ -107,7 +107,7 @@ void Bake::wantPipelines(gpu::Executor& executor, const Allowance& least, const 
 }
 
 vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps,
-                                        std::uint32_t group, std::uint32_t region) {
+                                        std::uint32_t group) {
     const vk::DescriptorSet set =
         context.descriptors.allocate(accumulationLayout(context, !maps).set, "occlusion accumulation");
     bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
@@ -120,8 +120,7 @@ vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, std::optional
         device_->updateDescriptorSets(writes, {});
         return set;
     }
-    bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle,
-         (region * copies_.groups.size() + group) * kGroupBytes, kGroupBytes);
+    bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle, group * kGroupBytes, kGroupBytes);
     if (!maps) {
         bind(device_, set, 4, Type::eStorageBuffer, *maps_.tiles()->buffer().handle);
         return set;
@@ -145,7 +144,7 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
         const std::size_t to = std::clamp(work.askedThen, at, at + run.count) - at;
         at += run.count;
         if (from == to) continue;
-        if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group, work.region);
+        if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
         c.firstDirection = run.group * static_cast<std::uint32_t>(kGroupBytes / sizeof(glm::vec4));
         c.firstEntry = static_cast<std::uint32_t>(run.first + from);
         c.entries = static_cast<std::uint32_t>(to - from);
@@ -163,14 +162,15 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
 
 /// Writes the directions of a batch for each group of copies. Each direction first moves the tested copy to its
 /// position. Missing directions are zero. Units: map pixels; rows run downwards.
-void Bake::writeDirections(std::span<const glm::dmat3> frames, const Work& work) {
-    auto* group = batchDirections_.mapped + work.region * copies_.groups.size() * kGroupBytes;
+/// @param first  index of the batch's first direction
+void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
+    auto* group = batchDirections_.mapped;
     const double scale = maps_.view(glm::dmat3(1)).pixelsPerAngstrom, middle = maps_.pixels() / 2.0;
     const glm::dmat3 toPixels(scale, 0, 0, 0, -scale, 0, 0, 0, scale);
     for (const std::vector<glm::dmat4x3>& places : copies_.groups) {
         std::array<layout::Direction, DepthMaps::kMostPerBatch> directions{};
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            const glm::dmat4x3& place = places[(static_cast<std::size_t>(work.first) + i) / 2 % places.size()];
+            const glm::dmat4x3& place = places[(static_cast<std::size_t>(first) + i) / 2 % places.size()];
             const glm::dmat3 frame = toPixels * frames[i];
             const glm::dmat3 rows = glm::transpose(frame * glm::dmat3(place[0], place[1], place[2]));
             const glm::dvec3 shift = frame * place[3] + glm::dvec3(middle, middle, 0);

@@ -70,20 +70,12 @@ bool Bake::drawnAtOnce(const Work& work, const Allowance& allowance) const {
     return work.count > 1 || (countUnits(work) <= allowance.units && work.instances <= mostInstances(allowance));
 }
 
-std::uint32_t Bake::mapsOfNext(const Allowance& allowance) const {
-    if (work_) return 0;
-    const Work next = nextWork(allowance);
-    return drawnAtOnce(next, allowance) ? batchFor(next.count) : 0;
-}
-
 double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance) {
     if (!work_) {
         const Work next = nextWork(allowance);
         if (next.count == 0) return 0;
         work_ = next;
-        work_->region = region_;
-        region_ = (region_ + 1) % regions_;
-        writeDirections(std::span(directions_.data() + next.first, next.count), *work_);
+        writeDirections(std::span(directions_.data() + next.first, next.count), next.first);
     }
     Work& w = *work_;
     const std::uint32_t batch = batchFor(w.count);
@@ -160,7 +152,7 @@ void Bake::sliceDone() {
 
 bool Bake::sliceRecorded() {
     deepTexelsDue_ = advance();
-    return !deepTexelsDue_ && !complete();
+    return complete() && !deepTexelsDue_;
 }
 
 void Bake::submissionDone() {

@@ -281,42 +281,33 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
     bake.sliceDone();
 }
 
-/// Runs as many parts as take kWaitedMilliseconds in one submission, and the atlas update if there is time left for it:
-/// on a GPU each wait costs more than the work of a small molecule.
-void SceneOcclusion::runSlices(Baking& baking) {
+/// Runs a part that takes kWaitedMilliseconds, and in the same submission the atlas update, if it was the last and time
+/// is left: on a GPU each wait costs more than the work of a small molecule.
+void SceneOcclusion::runWaited(Baking& baking) {
     Bake& bake = *baking.bake;
     const auto start = Clock::now();
     if (!timer_) timer_ = std::make_unique<gpu::Timer>(device_);
     if (!sets_) sets_ = std::make_unique<gpu::DescriptorPool>(device_);
     sets_->reset();  // a failed recording may have left some
-    double timed = 0;
-    Allowance left = allowed(kWaitedMilliseconds);
-    const std::uint32_t maps = bake.mapsOfNext(left);
+    const Allowance allowance = allowed(kWaitedMilliseconds);
+    double units = 0;
     device_.submitAndWait([&](gpu::CommandBuffer& commands) {
         const auto record = [&](const graph::Graph& g, const gpu::Imports& imports, gpu::Timer* timer) {
             executor_.record(commands, g, graph::compile(g, device_.caps().plan), imports, *sets_, timer);
         };
-        double units = 0;
-        std::uint32_t parts = 0;
-        for (bool follows = true; follows; ++parts) {
-            graph::Graph g("occlusion");
-            gpu::Imports imports;
-            units = bake.declareSlice(g, imports, left);
-            record(g, imports, parts == 0 ? timer_.get() : nullptr);
-            if (parts == 0) timed = units;
-            left.units -= units;
-            follows = bake.sliceRecorded() && left.units >= units && parts + 1 < bake.mostRecorded() &&
-                      bake.mapsOfNext(left) == maps;
-        }
-        if (!bake.complete() || bake.readsSumsNext() || left.units < bake.finishUnits()) return;
-        graph::Graph g("occlusion finish");
+        graph::Graph g("occlusion");
         gpu::Imports imports;
-        bake.declareFinish(g, imports);
-        record(g, imports, nullptr);
+        units = bake.declareSlice(g, imports, allowance);
+        record(g, imports, timer_.get());
+        if (!bake.sliceRecorded() || allowance.units < units + bake.finishUnits()) return;
+        graph::Graph finish("occlusion finish");
+        gpu::Imports finished;
+        bake.declareFinish(finish, finished);
+        record(finish, finished, nullptr);
         baking.atlasWritten = true;
     });
     sets_->reset();
-    learn(timed, timer_->milliseconds().value_or(millisecondsSince(start)));
+    learn(units, timer_->milliseconds().value_or(millisecondsSince(start)));
     bake.submissionDone();
 }
 
@@ -347,7 +338,7 @@ void SceneOcclusion::finish(const OcclusionSettings& settings, const std::option
             const auto start = Clock::now();
             while (!baking->bake->complete()) {
                 if (device_.caps().asynchronous)
-                    runSlices(*baking);
+                    runWaited(*baking);
                 else
                     runSlice(*baking->bake, Allowance());
                 if (settings.onProgress && baking->bake->betweenSteps()) settings.onProgress(share());

@@ -143,7 +143,7 @@ private:
     /// Takes over the prepared bake. @param least, most  work per submission
     void make(const Allowance& least, const Allowance& most);
     void runSlice(Bake& bake, const Allowance& allowance);
-    void runSlices(Baking& baking);
+    void runWaited(Baking& baking);
     void start(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection);
     void submit(Baking& baking, const OcclusionPace& pace);
     void finishFlight();
@@ -179,7 +179,7 @@ private:
     double unitsPerMillisecond_;                   // recent speed of the device
     std::unique_ptr<gpu::Submission> submission_;  // beside frames
     std::unique_ptr<gpu::Timer> timer_;            // for submissions that are waited for
-    std::unique_ptr<gpu::DescriptorPool> sets_;    // likewise, of several parts
+    std::unique_ptr<gpu::DescriptorPool> sets_;    // likewise, of a part and the atlas
 };
 
 }  // namespace nacre::occlusion

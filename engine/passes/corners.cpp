@@ -24,7 +24,7 @@ void addOctagon(glm::vec3*& at, float reach) {
 }
 void addPyramid(glm::vec3*& at) {
     const float rim = std::sqrt(1 - kLean * kLean);
-    *at++ = {0, 0, 1 / rim + 2e-3f};  // shaders/sphere.vert has it, too
+    *at++ = {0, 0, 1 / rim + 2e-3f};  // the same number as in shaders/sphere.vert
     for (int i = 0; i < 8; ++i) {
         const float angle = (static_cast<float>(i) + 0.5f) * std::numbers::pi_v<float> / 4;
         *at++ = {std::cos(angle) / kOctagonInset, std::sin(angle) / kOctagonInset, (1 - kLean) / rim + 2e-3f};

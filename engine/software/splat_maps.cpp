@@ -61,18 +61,16 @@ SplatMaps::SplatMaps(const gpu::Device& device, const passes::SceneBuffers& scen
 
 void SplatMaps::begin(std::span<const passes::PlacedCopies> maps) {
     constexpr std::size_t kHeader = 4;
-    at_ = (at_ + 1) % kMostBatches;
-    Batch& batch = batches_[at_];
-    rows_.clear();
+    rowsOfMaps_.clear();
     words_.assign(kHeader, 0);
-    batch.copies = maps.empty() ? 1 : static_cast<std::uint32_t>(maps[0].rows.size() / 3);
+    copies_ = maps.empty() ? 1 : static_cast<std::uint32_t>(maps[0].rows.size() / 3);
     std::uint32_t items = 0, calls = 0;
     for (std::uint32_t i = 0; i < maps.size(); ++i) {
-        rows_.insert(rows_.end(), maps[i].rows.begin(), maps[i].rows.end());
+        rowsOfMaps_.insert(rowsOfMaps_.end(), maps[i].rows.begin(), maps[i].rows.end());
         const auto add = [&](const std::vector<passes::PlacedCopies::Call>& ofKind, std::uint32_t before) {
             for (const passes::PlacedCopies::Call& c : ofKind) {
                 words_.push_back(items);
-                words_.push_back((i * batch.copies + c.copy) * scene_.primitives() + before + c.first + 1);
+                words_.push_back((i * copies_ + c.copy) * scene_.primitives() + before + c.first + 1);
                 items += c.count;
                 ++calls;
             }
@@ -82,9 +80,9 @@ void SplatMaps::begin(std::span<const passes::PlacedCopies> maps) {
         add(maps[i].triangles, scene_.sphereCount + scene_.cylinderCount);
     }
     words_[0] = calls;
-    words_[1] = batch.items = items;
-    put(device_, batch.calls, words_, "calls of depth maps");
-    put(device_, batch.rows, rows_, "copies on depth maps");
+    words_[1] = items_ = items;
+    put(device_, calls_, words_, "calls of depth maps");
+    put(device_, rows_, rowsOfMaps_, "copies on depth maps");
 }
 
 void SplatMaps::wantPipelines(gpu::PipelineContext& context) const {
@@ -103,15 +101,13 @@ graph::Buffer SplatMaps::declare(graph::Graph& g, gpu::Imports& imports, std::ui
         g.transfer("empty depth maps").copiesTo(maps).record([this](gpu::PassContext& c) {
             c.commands.fillBuffer(*heights_.handle, 0, VK_WHOLE_SIZE, kEmpty);
         });
-    g.compute("depth maps by compute").writes(maps).record([=, this, &batch = batches_[at_]](gpu::PassContext& c) {
-        record(c, batch, first, end);
-    });
+    g.compute("depth maps by compute").writes(maps).record([=, this](gpu::PassContext& c) { record(c, first, end); });
     return maps;
 }
 
-void SplatMaps::record(gpu::PassContext& context, const Batch& batch, std::uint64_t first, std::uint64_t end) const {
+void SplatMaps::record(gpu::PassContext& context, std::uint64_t first, std::uint64_t end) const {
     constexpr std::uint64_t kGroup = 64;
-    const std::uint64_t last = std::min<std::uint64_t>(end, batch.items);
+    const std::uint64_t last = std::min<std::uint64_t>(end, items_);
     if (first >= last) return;
     MapHeightConstants c;
     c.origin = static_cast<float>(radius_);
@@ -124,13 +120,13 @@ void SplatMaps::record(gpu::PassContext& context, const Batch& batch, std::uint6
     c.apart = apart_;
     c.pitch = pitch();
     c.across = across_;
-    c.copies = batch.copies;
+    c.copies = copies_;
     c.first = static_cast<std::uint32_t>(first);
     c.end = static_cast<std::uint32_t>(last);
     passes::bindTiles(context, splatLayout(context), splatPipeline(context, scene_), c, [&](passes::TileBindings& to) {
         to.store(scene_.shapes);
-        to.store(batch.rows);
-        to.store(batch.calls);
+        to.store(rows_);
+        to.store(calls_);
         to.store(heights_);
     });
     passes::dispatchTiles(context, (last - first + kGroup - 1) / kGroup);

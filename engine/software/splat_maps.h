@@ -1,7 +1,6 @@
 #pragma once
 // Depth maps of a bake by compute: an invocation per primitive and map.
 
-#include <array>
 #include <vector>
 
 #include "engine/gpu/resources.h"
@@ -24,23 +23,16 @@ public:
     std::uint32_t apart() const override { return apart_; }
 
 private:
-    /// What a batch draws. A submission may have several.
-    struct Batch {
-        gpu::Buffer rows, calls;
-        std::uint32_t items = 0, copies = 1;  ///< copies per map
-    };
-    static constexpr std::size_t kMostBatches = 8;  ///< of a submission
-    void record(gpu::PassContext& context, const Batch& batch, std::uint64_t first, std::uint64_t end) const;
+    void record(gpu::PassContext& context, std::uint64_t first, std::uint64_t end) const;
 
     const gpu::Device& device_;
     const passes::SceneBuffers& scene_;
     std::uint32_t pixels_, apart_, across_;
     double radius_;
-    gpu::Buffer heights_;
-    std::array<Batch, kMostBatches> batches_;
-    std::size_t at_ = 0;                // the current batch
-    std::vector<glm::vec4> rows_;       // scratch
-    std::vector<std::uint32_t> words_;  // scratch
+    gpu::Buffer heights_, rows_, calls_;
+    std::uint32_t items_ = 0, copies_ = 1;  // of the batch; copies per map
+    std::vector<glm::vec4> rowsOfMaps_;     // scratch
+    std::vector<std::uint32_t> words_;      // scratch
 };
 
 }  // namespace nacre::occlusion

@@ -1,6 +1,6 @@
 // A Vulkan layer that makes a software driver look like a desktop GPU: a discrete device without raster order, and
-// without memory that the host reads fast. Frames and bakes then have the passes that they have on a GPU, so that tests
-// which expect others fail here, too.
+// without memory that the host reads fast. Frames and bakes then have the passes of a GPU. A test that expects those of
+// a software device fails under this layer, as it would on a GPU.
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
