@@ -18,7 +18,6 @@ namespace {
 /// The last one is a path of every device.
 constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder, Visibility::tiles,
                                  Visibility::deferred};
-constexpr Visibility kByCompute = Visibility::tiles;
 constexpr const char* kOutcomes[] = {"right", "wrong", "failed", "unfinished"};
 constexpr const char* kHeading = "nacre self-test 5";
 constexpr std::uint32_t kPixels = 128, kTimedPixels = 720;
@@ -147,8 +146,8 @@ PathResult tested(const DeviceOptions& options, Visibility path, const std::atom
         result.outcome = PathResult::Outcome::right;
         for (const TestScene& scene : selfTestScenes()) {
             check(stop);
-            // Tiles have passes of their own for edges.
-            if (!draws(renderer, scene, path == kByCompute)) result.outcome = PathResult::Outcome::wrong;
+            // Compute draws edges in passes of its own.
+            if (!draws(renderer, scene, drawsByCompute(path))) result.outcome = PathResult::Outcome::wrong;
         }
         if (result.outcome == PathResult::Outcome::right) {
             const std::vector<TimedScene> scenes = timedScenes();
@@ -170,8 +169,8 @@ SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, const
     SelfTest test = read(options.selfTests, key);
     for (const Visibility path : kPaths) {
         if (!hasPath(path, device.rasterOrder, device.tiles)) continue;
-        // Nobody has measured compute on GPUs that share their memory: there it is drawn by on request alone.
-        if (path == kByCompute && device.type != "discrete" && device.type != "software") continue;
+        // Compute was measured on a GPU with its own memory. Others draw by it on request only.
+        if (drawsByCompute(path) && device.type != "discrete" && device.type != "software") continue;
         auto it = std::find_if(test.begin(), test.end(), [&](const PathResult& r) { return r.visibility == path; });
         if (it == test.end()) it = test.insert(it, {path, PathResult::Outcome::unfinished});
         if (it->known()) continue;

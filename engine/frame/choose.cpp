@@ -408,10 +408,10 @@ void Chooser::chooseGeometry() {
     choice_.geometry = tiles ? (device_.tiles.lists ? Geometry::deviceLists : Geometry::hostLists)
                        : device_.plan.geometry.storesVaryings && !request_.counted ? Geometry::fetched
                                                                                    : Geometry::instanced;
-    const bool lists = choice_.geometry == Geometry::hostLists;
-    if (!debugs() && (lists || !tiles)) choice_.host = tiles ? hostWorkOfTiles() : chooseHostWork(choice_.path);
+    const bool hostLists = choice_.geometry == Geometry::hostLists;
+    if (!debugs() && (hostLists || !tiles)) choice_.host = tiles ? hostWorkOfTiles() : chooseHostWork(choice_.path);
     // A volume between layers needs their depth.
-    if (lists && !scene_.hasTranslucentAtoms && !choice_.has(Kind::volume))
+    if (hostLists && !scene_.hasTranslucentAtoms && !choice_.has(Kind::volume))
         choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
     if (request_.part == Part::edges && choice_.shadedByCompute()) {
         // The number of a sphere is enough if nothing cuts or outlines it.
@@ -847,6 +847,8 @@ OcclusionMaps chooseOcclusionMaps(const FrameCaps& device) {
 }
 
 graph::TestedPath plainestPath(const char* why) { return {Visibility::fragdepth, why}; }
+
+bool drawsByCompute(Visibility path) { return path == Visibility::tiles; }
 
 bool hasPath(Visibility path, bool rasterOrder, bool tiles) {
     return path == Visibility::rasterOrder ? rasterOrder : path != Visibility::tiles || tiles;

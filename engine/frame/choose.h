@@ -290,6 +290,9 @@ graph::TestedPath plainestPath(const char* why);
 /// Whether a device with these abilities has a path at all.
 bool hasPath(Visibility path, bool rasterOrder, bool tiles);
 
+/// Whether a path draws by compute, instead of by triangles.
+bool drawsByCompute(Visibility path);
+
 /// Whether plates in the hardware depth buffer reject fragments on a path. Where impostors write depth themselves, that
 /// needs a depth test before the fragment shader.
 bool platesReject(Visibility path, const graph::PlanCaps& caps);

@@ -116,7 +116,7 @@ std::uint64_t mostEntries(const SceneView& view, const LargestPrimitives& larges
         static_cast<double>(view.copies.sphereCount()) * binsIn(2 * std::sqrt(2.0) * largest.sphere * 1.005) +
         static_cast<double>(view.copies.cylinderCount()) * binsIn(1.005 * largest.cylinder + wire) +
         static_cast<double>(view.copies.triangleCount()) *
-            binsIn(std::sqrt(2.0) * largest.triangle));  // its box is as long as its longest edge, both ways
+            binsIn(std::sqrt(2.0) * largest.triangle));  // each side of the box may be as long as an edge
 }
 
 void countPrimitivesOfBins(gpu::PassContext& context, const SceneView& view) { drawBins(context, view, false); }
