@@ -34,7 +34,7 @@ std::uint32_t nearestTexel(const glm::vec2& uv, const glm::uvec2& size) {
 class Seer {
 public:
     Seer(const Representation& r, const BakedOcclusion& baked, const LightSpots& spots)
-        : r_(r), baked_(baked), spots_(spots), surfaces_(r) {
+        : r_(r), baked_(baked), spots_(spots), surfaces_(r), spheresAlone_(r.cylinders.empty() && r.triangles.empty()) {
         for (const glm::dmat3& frame : occlusionDirections(directionsFor(spots.count())))
             directions_.emplace_back(glm::transpose(frame)[2]);
         for (std::uint32_t k = 0; k < spots.ofSphere.x * spots.ofSphere.y; ++k)
@@ -49,12 +49,19 @@ public:
         const Sphere& s = r_.spheres[i];
         if (ofSphere_.size() == 1) all(i, s, seen), ends.push_back(static_cast<std::uint32_t>(seen.size()));
         if (ofSphere_.size() == 1) return;
+        const NearSpheres near = surfaces_.nearOf(i);
         std::vector<glm::vec3> open;
         for (const glm::vec3& normal : ofSphere_)
-            if (!surfaces_.buries(i, s.center + s.radius * normal)) open.push_back(normal);
+            if (!near.bury(s.center + s.radius * normal)) open.push_back(normal);
         for (const glm::vec3& normal : ofSphere_) {
-            if (const std::optional<glm::vec3> there = outside(i, normal, open))
-                from(i, s.center + s.radius * *there, *there, seen);
+            if (const std::optional<glm::vec3> there = outside(s, normal, open, near)) {
+                const glm::vec3 point = s.center + s.radius * *there;
+                if (spheresAlone_)
+                    each(
+                        *there, [&](const glm::vec3& d) { return surfaces_.from(i, point, d, near); }, seen);
+                else
+                    from(i, point, *there, seen);
+            }
             ends.push_back(static_cast<std::uint32_t>(seen.size()));
         }
     }
@@ -86,8 +93,8 @@ private:
 
     /// The normal where a texel of a sphere looks from: its own or, where that is inside of another sphere, one at the
     /// crease on the way to the next open texel. @param open  normals of the sphere's open texels
-    std::optional<glm::vec3> outside(std::uint32_t i, const glm::vec3& normal,
-                                     const std::vector<glm::vec3>& open) const {
+    std::optional<glm::vec3> outside(const Sphere& s, const glm::vec3& normal, const std::vector<glm::vec3>& open,
+                                     const NearSpheres& near) const {
         constexpr float kNear = 0.5f;  // cosine of the angle to a texel next to this one
         constexpr int kHalvings = 5;   // to a 32nd of that angle
         const glm::vec3* next = nullptr;
@@ -99,16 +106,22 @@ private:
         glm::vec3 inside = normal, out = *next;
         for (int k = 0; k < kHalvings; ++k) {
             const glm::vec3 middle = glm::normalize(inside + out);
-            (surfaces_.buries(i, r_.spheres[i].center + r_.spheres[i].radius * middle) ? inside : out) = middle;
+            (near.bury(s.center + s.radius * middle) ? inside : out) = middle;
         }
         return out;
     }
 
     void from(std::uint32_t self, const glm::vec3& point, const glm::vec3& normal, std::vector<SeenSpot>& seen) const {
+        each(
+            normal, [&](const glm::vec3& direction) { return surfaces_.from(self, point, direction); }, seen);
+    }
+    /// Adds what ray(direction) meets in each direction above a surface.
+    template <typename Ray>
+    void each(const glm::vec3& normal, const Ray& ray, std::vector<SeenSpot>& seen) const {
         for (const glm::vec3& direction : directions_) {
             const float cosine = glm::dot(direction, normal);
             if (cosine <= 0) continue;
-            if (const auto met = surfaces_.from(self, point, direction)) seen.push_back(spotAt(*met, cosine));
+            if (const auto met = ray(direction)) seen.push_back(spotAt(*met, cosine));
         }
     }
     /// Of a sphere that has one value.
@@ -120,7 +133,7 @@ private:
         }
     }
 
-    SeenSpot spotAt(const SurfacePoint& p, float cosine) const {
+    SeenSpot spotAt(const SurfaceHit& p, float cosine) const {
         const auto spheres = static_cast<std::uint32_t>(r_.spheres.size());
         const auto solids = spheres + static_cast<std::uint32_t>(r_.cylinders.size());
         const std::uint16_t weight = fraction(cosine);
@@ -146,6 +159,7 @@ private:
     const BakedOcclusion& baked_;
     const LightSpots& spots_;
     NearestSurface surfaces_;
+    bool spheresAlone_;
     std::vector<glm::vec3> directions_;
     std::vector<glm::vec3> ofSphere_;          // normals of a sphere's texels
     std::vector<std::uint32_t> itemOfVertex_;  // one of its triangles, as NearestSurface counts

@@ -1,25 +1,30 @@
 #include "engine/occlusion/nearest_surface.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "engine/scene/build/translucency.h"
+#include "engine/simd/lanes.h"
 
 namespace nacre {
 namespace {
 
-std::optional<SurfacePoint> meetSphere(const Sphere& s, const glm::vec3& start, const glm::vec3& direction) {
+constexpr float kWithin = 1e-3f;  // Å: coinciding surfaces stay open
+
+std::optional<SurfaceHit> meetSphere(const Sphere& s, const glm::vec3& start, const glm::vec3& direction) {
     const glm::vec3 d = start - s.center;
     const float middle = -glm::dot(d, direction), square = middle * middle - glm::dot(d, d) + s.radius * s.radius;
     if (!(square >= 0)) return {};
     const float distance = middle - std::sqrt(square);
     if (!(distance > 0)) return {};
-    return SurfacePoint{.distance = distance, .normal = (d + direction * distance) / s.radius};
+    return SurfaceHit{.distance = distance, .normal = (d + direction * distance) / s.radius};
 }
 
 /// With flat ends.
-std::optional<SurfacePoint> meetCylinder(const Cylinder& c, const glm::vec3& start, const glm::vec3& direction) {
+std::optional<SurfaceHit> meetCylinder(const Cylinder& c, const glm::vec3& start, const glm::vec3& direction) {
     const glm::vec3 span = c.b - c.a, d = start - c.a;
     const float length = glm::length(span);
     if (!(length > 0)) return {};
@@ -31,7 +36,7 @@ std::optional<SurfacePoint> meetCylinder(const Cylinder& c, const glm::vec3& sta
     if (square >= 0 && a > 0) {
         const float distance = (-b - std::sqrt(square)) / a, at = height + lean * distance;
         if (distance > 0 && at >= 0 && at <= length)
-            return SurfacePoint{
+            return SurfaceHit{
                 .distance = distance, .normal = (away + across * distance) / c.radius, .share = at / length};
     }
     if (lean == 0) return {};
@@ -42,12 +47,12 @@ std::optional<SurfacePoint> meetCylinder(const Cylinder& c, const glm::vec3& sta
     const float off = glm::length(there);
     const glm::vec3 any = std::abs(axis.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
     const glm::vec3 side = off > 0 ? there / off : glm::normalize(glm::cross(axis, any));
-    return SurfacePoint{.distance = distance, .normal = side, .share = end / length};
+    return SurfaceHit{.distance = distance, .normal = side, .share = end / length};
 }
 
 /// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997).
-std::optional<SurfacePoint> meetTriangle(const Representation& r, const Triangle& t, const glm::vec3& start,
-                                         const glm::vec3& direction) {
+std::optional<SurfaceHit> meetTriangle(const Representation& r, const Triangle& t, const glm::vec3& start,
+                                       const glm::vec3& direction) {
     const glm::vec3 a = decodePosition(r.meshVertices[t.a], t.step());
     const glm::vec3 ab = decodePosition(r.meshVertices[t.b], t.step()) - a,
                     ac = decodePosition(r.meshVertices[t.c], t.step()) - a;
@@ -58,7 +63,7 @@ std::optional<SurfacePoint> meetTriangle(const Representation& r, const Triangle
     const float u = glm::dot(d, p) / determinant, v = glm::dot(direction, q) / determinant;
     const float distance = glm::dot(ac, q) / determinant;
     if (!(u >= 0 && v >= 0 && u + v <= 1 && distance > 0)) return {};
-    return SurfacePoint{.distance = distance, .shares = {1 - u - v, u, v}, .inner = determinant < 0};
+    return SurfaceHit{.distance = distance, .shares = {1 - u - v, u, v}, .inner = determinant < 0};
 }
 
 }  // namespace
@@ -80,39 +85,91 @@ NearestSurface::NearestSurface(const Representation& r) : r_(r), tree_(r, Primit
     mark(solids, parts.triangles);
 }
 
+bool NearSpheres::bury(const glm::vec3& point) const {
+    for (std::size_t i = 0; i < x.size(); i += kLanes) {
+        const Lanes dx = loadLanes(&x[i]) - point.x, dy = loadLanes(&y[i]) - point.y, dz = loadLanes(&z[i]) - point.z;
+        if (any(dx * dx + dy * dy + dz * dz < loadLanes(&squareWithin[i]))) return true;
+    }
+    return false;
+}
+
+NearSpheres NearestSurface::nearOf(std::uint32_t sphere) const {
+    NearSpheres near;
+    const auto visit = [&](std::uint32_t item) {
+        if (item >= r_.spheres.size() || !isOpaque(item)) return true;
+        const Sphere& s = r_.spheres[item];
+        near.items.push_back(item);
+        near.x.push_back(s.center.x), near.y.push_back(s.center.y), near.z.push_back(s.center.z);
+        near.square.push_back(s.radius * s.radius);
+        near.squareWithin.push_back((s.radius - kWithin) * (s.radius - kWithin));
+        return true;
+    };
+    tree_.near(sphere, visit, NearSpheres::kReach);
+    const std::size_t whole = (near.items.size() + kLanes - 1) / kLanes * kLanes;
+    for (auto* const list : {&near.x, &near.y, &near.z}) list->resize(whole);
+    constexpr float kMeetsNothing = -std::numeric_limits<float>::infinity();
+    for (auto* const list : {&near.square, &near.squareWithin}) list->resize(whole, kMeetsNothing);
+    return near;
+}
+
 bool NearestSurface::buries(std::uint32_t self, const glm::vec3& point) const {
     bool buried = false;
     tree_.near(self, [&](std::uint32_t item) {
         if (!isOpaque(item) || item >= r_.spheres.size()) return true;
-        constexpr float kDeep = 1e-3f;  // coinciding surfaces stay open
         const glm::vec3 d = point - r_.spheres[item].center;
-        const float radius = r_.spheres[item].radius - kDeep;
+        const float radius = r_.spheres[item].radius - kWithin;
         buried = glm::dot(d, d) < radius * radius;
         return !buried;
     });
     return buried;
 }
 
-std::optional<SurfacePoint> NearestSurface::meet(std::uint32_t item, const glm::vec3& start,
-                                                 const glm::vec3& direction) const {
+std::optional<SurfaceHit> NearestSurface::meet(std::uint32_t item, const glm::vec3& start,
+                                               const glm::vec3& direction) const {
     const std::size_t spheres = r_.spheres.size(), solids = spheres + r_.cylinders.size();
     if (item < spheres) return meetSphere(r_.spheres[item], start, direction);
     if (item < solids) return meetCylinder(r_.cylinders[item - spheres], start, direction);
     return meetTriangle(r_, r_.triangles[item - solids], start, direction);
 }
 
-std::optional<SurfacePoint> NearestSurface::from(std::uint32_t self, const glm::vec3& start,
-                                                 const glm::vec3& direction) const {
-    std::optional<SurfacePoint> nearest;
-    tree_.along(self, start, direction, [&](std::uint32_t item, float far) {
+std::optional<SurfaceHit> NearestSurface::from(std::uint32_t self, const glm::vec3& start,
+                                               const glm::vec3& direction) const {
+    return nearest(self, start, direction, {});
+}
+
+std::optional<SurfaceHit> NearestSurface::from(std::uint32_t self, const glm::vec3& start, const glm::vec3& direction,
+                                               const NearSpheres& near) const {
+    std::optional<SurfaceHit> found;
+    for (std::size_t i = 0; i < near.x.size(); i += kLanes) {
+        const Lanes dx = loadLanes(&near.x[i]) - start.x, dy = loadLanes(&near.y[i]) - start.y,
+                    dz = loadLanes(&near.z[i]) - start.z;
+        const Lanes middle = dx * direction.x + dy * direction.y + dz * direction.z;
+        const Mask meets = (dx * dx + dy * dy + dz * dz - middle * middle < loadLanes(&near.square[i])) & (middle > 0);
+        for (std::uint32_t bits = packSigns(meets); bits != 0; bits &= bits - 1) {
+            const std::uint32_t item = near.items[i + static_cast<std::uint32_t>(std::countr_zero(bits))];
+            std::optional<SurfaceHit> met = meetSphere(r_.spheres[item], start, direction);
+            if (!met || (found && met->distance >= found->distance)) continue;
+            found = met;
+            found->item = item;
+        }
+    }
+    if (found && found->distance <= NearSpheres::kReach) return found;
+    return nearest(self, start, direction, found);
+}
+
+/// @param found  on primitives that were tried before
+std::optional<SurfaceHit> NearestSurface::nearest(std::uint32_t self, const glm::vec3& start,
+                                                  const glm::vec3& direction, std::optional<SurfaceHit> found) const {
+    const auto visit = [&](std::uint32_t item, float far) {
         if (item == self || !isOpaque(item)) return far;
-        std::optional<SurfacePoint> met = meet(item, start, direction);
+        std::optional<SurfaceHit> met = meet(item, start, direction);
         if (!met || met->distance >= far) return far;
-        nearest = met;
-        nearest->item = item;
+        found = met;
+        found->item = item;
         return met->distance;
-    });
-    return nearest;
+    };
+    tree_.along(self, start, direction, visit, found ? found->distance : std::numeric_limits<float>::infinity());
+    return found;
 }
 
 }  // namespace nacre

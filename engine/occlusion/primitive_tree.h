@@ -24,10 +24,11 @@ public:
     explicit PrimitiveTree(const Representation& r, Of of = Of::solids);
 
     /// Calls visit(primitive) for each other primitive whose bounding sphere meets that of `self`, until it returns
-    /// false.
+    /// false. @param reach  Å, added to the radius of `self`
     template <typename Visit>
-    void near(std::uint32_t self, Visit&& visit) const {
-        const Ball mine = balls_[self];
+    void near(std::uint32_t self, Visit&& visit, float reach = 0) const {
+        Ball mine = balls_[self];
+        mine.radius += reach;
         std::array<std::uint32_t, 64> waiting;  // a tree of 2^32 balls is 30 levels deep
         std::size_t count = 0;
         waiting[count++] = roots_.empty() ? 0 : roots_[self];
@@ -52,9 +53,9 @@ public:
     /// Calls visit(primitive, far) for each primitive whose bounding sphere a ray from `self` may meet before `far`;
     /// that returns where to stop from then on. @param direction  unit length
     template <typename Visit>
-    void along(std::uint32_t self, const glm::vec3& start, const glm::vec3& direction, Visit&& visit) const {
+    void along(std::uint32_t self, const glm::vec3& start, const glm::vec3& direction, Visit&& visit,
+               float far = std::numeric_limits<float>::infinity()) const {
         const glm::vec3 inverse = 1.0f / direction;  // infinite where a direction lies in a plane of the boxes
-        float far = std::numeric_limits<float>::infinity();
         std::array<std::pair<std::uint32_t, float>, 64> waiting;  // and where the ray enters
         std::size_t count = 0;
         waiting[count++] = {roots_.empty() ? 0 : roots_[self], 0.0f};
