@@ -224,6 +224,9 @@ private:
     }
 
     void chooseSamples();
+    bool hasFrontSpheres() const;
+    bool hasSmallSpheres() const;
+    bool isCrowd() const;
     const char* blind() const;
     void refine();
     void chooseEffects();
@@ -274,6 +277,10 @@ void Chooser::chooseSamples() {
             return because("samples", "layers, picks, distances and refined samples have one per pixel");
     }
     if (wantsEdges(settings_)) {
+        if (isCrowd()) {
+            choice_.refinement = Refinement::everywhere;
+            return because("samples", "many small spheres: nearly every pixel has an edge");
+        }
         if (!canDrawEdges(false)) return refine();
         samples = {Where::edges, RenderSettings::kEdgeSamples};
         return because("samples", "compute draws the samples of edge pixels from the tiles' lists");
@@ -285,6 +292,29 @@ void Chooser::chooseSamples() {
         samples = {Where::resolved, kMultisamples};
     }
     because("samples", n == 0 ? "debug views show single samples" : kAskedFor);
+}
+
+/// Whether the host can find the nearest sphere of each pixel: it tests pixel centres only, without clipping planes and
+/// rims.
+bool Chooser::hasFrontSpheres() const {
+    const Effects& effects = settings_.effects;
+    return settings_.tuning.cull && settings_.view.projection == Projection::orthographic && !effects.clip.on() &&
+           effects.contours.width <= 0 && effects.halos.width <= 0 && scene_.triangles == 0 && scene_.boxed &&
+           !scene_.hasTranslucentAtoms;
+}
+
+/// Whether lists of spheres would take longer than finding the nearest one of each pixel.
+bool Chooser::hasSmallSpheres() const {
+    constexpr double kSmallPixels = 2.5;  // a radius
+    constexpr std::uint64_t kManySpheres = 100'000;
+    const double samples = choice_.part == Part::block ? RenderSettings::kBlockSamples : 1;
+    return scene_.spheres >= kManySpheres && scene_.radiusPixels <= kSmallPixels * samples;
+}
+
+/// Whether nearly every pixel of a picture has an edge, and the host finds the spheres of all samples.
+bool Chooser::isCrowd() const {
+    return mayCompute() && !device_.tiles.lists && hasFrontSpheres() && hasSmallSpheres() && !scene_.leveled &&
+           !scene_.blends() && request_.quarterTurns == 0;
 }
 
 /// Why a picture with one sample per pixel may miss places that need more; null: it finds them all.
@@ -380,19 +410,9 @@ HostWork Chooser::chooseHostWork(Visibility path) const {
 }
 
 HostWork Chooser::hostWorkOfTiles() const {
-    constexpr double kSmallPixels = 2.5;  // a radius below which lists and tiles take longer
-    constexpr std::uint64_t kManySpheres = 100'000;
-    const Effects& effects = settings_.effects;
-    // The host tests pixel centres only, without clipping planes and rims.
-    const bool plain = settings_.view.projection == Projection::orthographic && !effects.clip.on() &&
-                       effects.contours.width <= 0 && effects.halos.width <= 0;
-    const bool meshless = scene_.triangles == 0;
     const bool many = settings_.tuning.cull && scene_.spheres >= settings_.tuning.hideFrom;
-    const bool small = settings_.tuning.cull && scene_.radiusPixels <= kSmallPixels && scene_.spheres >= kManySpheres;
-    if ((small || many) && meshless && plain && scene_.boxed && !scene_.hasTranslucentAtoms && !choice_.drawsEdges())
-        return HostWork::frontSpheres;
-    if (many) return HostWork::hiddenSpheres;
-    return HostWork::none;
+    if ((many || hasSmallSpheres()) && hasFrontSpheres() && !choice_.drawsEdges()) return HostWork::frontSpheres;
+    return many ? HostWork::hiddenSpheres : HostWork::none;
 }
 
 bool Chooser::needsPrepass(Visibility path, PlateShape plates) const {

@@ -46,6 +46,39 @@ std::pair<View, PictureRect> withRim(const View& whole, const PictureRect& part,
             {part.x - left, part.y - top, part.width, part.height}};
 }
 
+/// As measureRim(), of blocks: a sample looks at its neighbours for lines and halos only.
+std::uint32_t rimOfBlocks(const RenderSettings& settings) {
+    const bool looksAround = settings.effects.contours.width > 0 || settings.effects.halos.width > 0;
+    return looksAround ? measureRim(settings) : 0;
+}
+
+/// The parts of a block that show anything, each in a band of rows. One empty part: none does.
+/// @param spans  of the block's frame @param rect  of the picture @param inner  the same in the frame
+std::vector<PictureRect> findShown(std::span<const TileBins::Span> spans, const PictureRect& rect,
+                                   const PictureRect& inner) {
+    constexpr std::uint32_t kBin = TileBins::kPixels / RenderSettings::kBlockSamples, kRows = 2 * PictureRect::kStep;
+    static_assert(kRows % kBin == 0 && PictureRect::kStep % kBin == 0);  // no bin is in two bands
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> reach((rect.height + kRows - 1) / kRows, {rect.width, 0});
+    for (const TileBins::Span& s : spans) {
+        const std::uint32_t left = std::max(s.x * kBin, inner.x), right = std::min(s.endX * kBin, inner.x + rect.width);
+        for (std::uint32_t y = std::max(s.y * kBin, inner.y); y < std::min(s.endY * kBin, inner.y + rect.height);
+             y += kBin) {
+            if (right <= left) break;
+            auto& [from, to] = reach[(y - inner.y) / kRows];
+            from = std::min(from, left - inner.x);
+            to = std::max(to, right - inner.x);
+        }
+    }
+    std::vector<PictureRect> parts;
+    for (std::uint32_t band = 0; band < reach.size(); ++band) {
+        const auto [from, to] = reach[band];
+        const std::uint32_t y = band * kRows;
+        if (from < to) parts.push_back({rect.x + from, rect.y + y, to - from, std::min(kRows, rect.height - y)});
+    }
+    if (parts.empty()) parts.push_back({rect.x, rect.y, 0, 0});
+    return parts;
+}
+
 PictureRect wholeRect(graph::Extent image) { return {0, 0, image.width, image.height}; }
 
 }  // namespace
@@ -153,7 +186,7 @@ void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atl
             if (rect.width == 0) continue;
             Wanted block{wanted.view, rect};
             if (rect.width < all.width || rect.height < all.height)
-                std::tie(block.view, block.inner) = withRim(wanted.view, rect, measureRim(settings));
+                std::tie(block.view, block.inner) = withRim(wanted.view, rect, rimOfBlocks(settings));
             TileMask mask;
             if (places)
                 mask = places->findTiles(
@@ -167,6 +200,8 @@ void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atl
             prepared.shape.picture.first = first;
             prepared.shape.picture.masked = places != nullptr;
             picture_.place = {rect, static_cast<std::int32_t>(block.inner.x), static_cast<std::int32_t>(block.inner.y)};
+            if (!places && prepared.choice().shadedByCompute())
+                picture_.place.parts = findShown(prepared.view->tiles->spans(), rect, block.inner);
             run(std::move(prepared), settings);
             first = false;
             drew();

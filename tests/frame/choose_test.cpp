@@ -218,6 +218,7 @@ TEST(Choose, HasTheHostFindWhatIsInFrontWhereThatCostsLess) {
     EXPECT_EQ(but([](auto&, auto& f) { f.boxed = false; }), HostWork::none);
     EXPECT_EQ(but([](auto&, auto& f) { f.radiusPixels = 3; }), HostWork::none);
     settings.supersample = RenderSettings::kEdges;
+    facts.radiusPixels = 3;
     EXPECT_EQ(host(), HostWork::none);
     facts.spheres = settings.tuning.hideFrom;
     EXPECT_EQ(host(), HostWork::hiddenSpheres);
@@ -230,6 +231,39 @@ TEST(Choose, HasTheHostFindWhatIsInFrontWhereThatCostsLess) {
     EXPECT_EQ(choose(makeRequest(settings), facts, late).host, HostWork::hiddenSpheres);
     late.visibility = Visibility::encoded;
     EXPECT_EQ(choose(makeRequest(settings), facts, late).host, HostWork::none);
+}
+
+TEST(Choose, DrawsAllSamplesOfManySmallSpheres) {
+    const FrameCaps caps = software(true);
+    RenderSettings settings;
+    settings.view.width = settings.view.height = 640;
+    settings.supersample = RenderSettings::kEdges;
+    SceneFacts facts;
+    facts.boxed = true;
+    facts.radiusPixels = 2.5;
+    facts.spheres = 100'000;
+    const auto but = [&](auto change) {
+        FrameRequest request = makeRequest(settings);
+        SceneFacts scene = facts;
+        change(request, scene);
+        return choose(request, scene, caps).refinement;
+    };
+    EXPECT_EQ(but([](auto&, auto&) {}), Refinement::everywhere);
+    EXPECT_EQ(but([](auto&, auto& f) { f.radiusPixels = 2.6; }), Refinement::none);
+    EXPECT_EQ(but([](auto&, auto& f) { f.spheres = 99'999; }), Refinement::none);
+    EXPECT_EQ(but([](auto&, auto& f) { f.leveled = true; }), Refinement::none);
+    EXPECT_EQ(but([](auto&, auto& f) { f.triangles = 1; }), Refinement::none);
+    EXPECT_NE(but([](auto& r, auto&) { r.quarterTurns = 1; }), Refinement::everywhere);
+    // A block's pixels are samples, so spheres are four times as large.
+    FrameRequest block = makeRequest(settings);
+    block.part = Part::block;
+    facts.radiusPixels = 10;
+    EXPECT_EQ(choose(block, facts, caps).host, HostWork::frontSpheres);
+    // Where the device lists primitives, the host finds none.
+    FrameCaps device = caps;
+    device.tiles.lists = true;
+    facts.radiusPixels = 2;
+    EXPECT_EQ(choose(makeRequest(settings), facts, device).refinement, Refinement::none);
 }
 
 TEST(Choose, ExplainsEveryDecision) {

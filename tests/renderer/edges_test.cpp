@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "engine/frame/finer_places.h"
 #include "tests/renderer/scenes.h"
@@ -211,6 +212,35 @@ TEST(EdgesOf, ListsThatAreTooLongHaveSamplesEverywhere) {
     EXPECT_GT(likeness(renderer->render(s), truth), 45);
     EXPECT_EQ(renderer->stats().frames, 2u);
     EXPECT_EQ(renderer->stats().samples, 16u);
+}
+
+/// So many small spheres that nearly every pixel has an edge, in several blocks of which parts are empty.
+TEST(EdgesOf, CrowdsHaveSamplesEverywhere) {
+    Representation r;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(-1, 1);
+    while (r.spheres.size() < 100'000) {
+        const glm::vec3 p(place(random), place(random), place(random));
+        if (glm::length(p) > 1) continue;
+        r.spheres.push_back({p * 60.0f, 1});
+        const auto color = static_cast<std::uint32_t>(0xff000000u | random() % 0x1000000u);
+        r.sphereLooks.push_back({color, static_cast<std::uint32_t>(r.spheres.size())});
+    }
+    r.radius = 61;
+    ValidatedRenderer renderer(Visibility::tiles);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 64, Projection::orthographic);
+    Camera camera;
+    camera.pan = {-2.5, 0.2};
+    s.view = makeView(camera, r.radius, 500, 120);
+    s.supersample = 4;
+    const Picture truth = renderer->render(s);
+    s.supersample = RenderSettings::kEdges;
+    EXPECT_GT(likeness(renderer->render(s), truth), 55);
+    EXPECT_EQ(renderer->stats().samples, 16u);
+    if (!addsByCompute()) return;
+    EXPECT_EQ(renderer->stats().frames, 2u);
+    EXPECT_EQ(renderer->planText().find("edge samples"), std::string::npos);
 }
 
 /// Halos wider than a bin, over the borders of blocks and of parts.
