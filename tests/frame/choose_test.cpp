@@ -240,7 +240,7 @@ TEST(Choose, DrawsAllSamplesOfManySmallSpheres) {
     settings.supersample = RenderSettings::kEdges;
     SceneFacts facts;
     facts.boxed = true;
-    facts.radiusPixels = 2.5;
+    facts.radiusPixels = 1.75;
     facts.spheres = 100'000;
     const auto but = [&](auto change) {
         FrameRequest request = makeRequest(settings);
@@ -249,7 +249,7 @@ TEST(Choose, DrawsAllSamplesOfManySmallSpheres) {
         return choose(request, scene, caps).refinement;
     };
     EXPECT_EQ(but([](auto&, auto&) {}), Refinement::everywhere);
-    EXPECT_EQ(but([](auto&, auto& f) { f.radiusPixels = 2.6; }), Refinement::none);
+    EXPECT_EQ(but([](auto&, auto& f) { f.radiusPixels = 1.8; }), Refinement::none);
     EXPECT_EQ(but([](auto&, auto& f) { f.spheres = 99'999; }), Refinement::none);
     EXPECT_EQ(but([](auto&, auto& f) { f.leveled = true; }), Refinement::none);
     EXPECT_EQ(but([](auto&, auto& f) { f.triangles = 1; }), Refinement::none);
@@ -262,7 +262,7 @@ TEST(Choose, DrawsAllSamplesOfManySmallSpheres) {
     // Where the device lists primitives, the host finds none.
     FrameCaps device = caps;
     device.tiles.lists = true;
-    facts.radiusPixels = 2;
+    facts.radiusPixels = 1;
     EXPECT_EQ(choose(makeRequest(settings), facts, device).refinement, Refinement::none);
 }
 
