@@ -23,7 +23,7 @@ struct Reach {
     uvec2 first, end;  // bins
     bool small;
 };
-const uint kShare = 16u;  // invocations per primitive (engine/software/device_lists.cpp)
+layout(constant_id = kShareId) const uint kShare = 16u;
 
 /// From the plane z = 0 to the image.
 vec2 toPixel(vec2 q) { return view.axisPixel + turned(vec2(q.x, -q.y) / view.pixel); }
@@ -94,7 +94,8 @@ bool findReach(uint item, inout Reach r) {
 void add(Reach r, uvec2 at) {
     uint bin = at.y * view.across + at.x;
 #ifdef WRITE
-    uint bins = view.across * down, entry = 2u * (bins + atomicAdd(work[bins + bin], 1u));
+    uint bins = view.across * down, place = atomicAdd(work[bins + bin], 1u), entry = 2u * (bins + place);
+    if (place >= kNoRoom) return;
     work[entry] = r.step;
     work[entry + 1u] = r.number;
 #else

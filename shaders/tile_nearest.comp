@@ -361,6 +361,9 @@ void drawTile(uint index, bool last) {
 #endif
 }
 
+/// Whether a tile is drawn in this round of the device's lists.
+bool drawsTile(uint index) { return !kClears || (listAt(index) & kOtherRoundBit) == 0u; }
+
 void main() {
     view = push;
     // If rows of workgroups are uneven, the last tile is drawn again.
@@ -377,10 +380,11 @@ void main() {
     do {
         view.contourWidth = width;
         view.contourDepth = depth;
-        drawTile(at, at + 1u == end);
+        if (drawsTile(at)) drawTile(at, at + 1u == end);
         ++at;
     } while (at < end);
 #else
-    drawTile(min(group, view.offsets - 1u), true);
+    uint index = min(group, view.offsets - 1u);
+    if (drawsTile(index)) drawTile(index, true);
 #endif
 }

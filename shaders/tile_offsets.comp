@@ -1,6 +1,6 @@
 #version 440
 // Places the list of each bin behind the one before: one workgroup per 256 bins, which first sums all bins before its
-// own.
+// own. A round has the bins whose lists begin within its share of all entries.
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 #include "common/list_layout.glsl"
@@ -9,6 +9,7 @@ layout(local_size_x = 256) in;
 layout(push_constant) uniform Push {
     uint bins;
     uint offsets;  // place of the bins' offsets in the lists
+    uint earlier, share;  // entries of earlier rounds; of this one
 };
 layout(set = 0, binding = 0, std430) buffer Work { uint work[]; };
 layout(set = 0, binding = 1, std430) buffer Lists { uint lists[]; };
@@ -35,22 +36,23 @@ void main() {
     for (uint other = lane; other < first; other += 256u) own += countAt(other);
     sums[lane] = own;
     sumUp(lane);
-    uint base = offsets + bins + 2u, before = base + sums[255], count = countAt(bin);
+    uint base = offsets + bins + 2u, before = sums[255], count = countAt(bin);
     barrier();
     sums[lane] = count;
     sumUp(lane);
-    uint end = before + sums[lane];
+    uint end = before + sums[lane] - earlier, begin = end - count;
     if (bin < bins) {
-        work[bins + bin] = end - count - base;
-        lists[offsets + bin] = end - count;
-        uint smallBit = work[bin] & kSmallBit;
+        bool drawn = begin < share;
+        work[bins + bin] = drawn ? begin : kNoRoom;
+        lists[offsets + bin] = base + begin;
+        uint bits = (work[bin] & kSmallBit) | (drawn ? 0u : kOtherRoundBit);
         for (uint i = 0u; i < tiles; ++i) {
             uint tile = tiles * bin + i;
-            lists[tile] = (lists[tile] & ~kSmallBit) | smallBit;
+            lists[tile] = (lists[tile] & ~(kSmallBit | kOtherRoundBit)) | bits;
         }
     }
     if (bin + 1u == bins) {
-        lists[offsets + bins] = end;
+        lists[offsets + bins] = base + end;
         lists[offsets + bins + 1u] = 1u;  // read where a list is empty
     }
 }

@@ -9,6 +9,7 @@ layout(local_size_x = 128) in;
 layout(push_constant) uniform Push {
     uint bins;
     uint offsets;  // place of the bins' offsets in the lists
+    uint last;     // 1: the last round
 };
 layout(set = 0, binding = 0, std430) buffer Work { uint work[]; };
 layout(set = 0, binding = 1, std430) buffer Lists { uint lists[]; };
@@ -68,9 +69,10 @@ void sortLong(uint first, uint count, uint to, uint lane) {
 void main() {
     uint lane = gl_LocalInvocationIndex, bin = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     if (bin >= bins) return;
+    if (last != 0u && lane == 0u) work[bin] = 0u;  // for the next frame
+    if ((lists[uint(kTilesInBin * kTilesInBin) * bin] & kOtherRoundBit) != 0u) return;
     uint begin = lists[offsets + bin], count = lists[offsets + bin + 1u] - begin;
     uint first = 2u * (bins + begin - (offsets + bins + 2u));
     if (count > 0u && count <= kShort) sortShort(first, count, begin, lane);
     if (count > kShort) sortLong(first, count, begin, lane);
-    if (lane == 0u) work[bin] = 0u;  // for the next frame
 }

@@ -34,9 +34,10 @@ auto tieMembers(const ScreenTarget& t) {
     return std::tuple(std::string_view(image), format, output, std::string_view(pass), clear, lent);
 }
 auto tieMembers(const FrameShape& s) {
-    const auto& [choice, extent, atlas, targets, name, picture, window, density, overlay, eye, merge, transient] = s;
+    const auto& [choice, extent, atlas, targets, name, picture, window, density, overlay, eye, rounds, merge,
+                 transient] = s;
     return std::tuple(choice, extent, atlas, targets.size(), std::string_view(name), picture, window, density, overlay,
-                      eye, merge, transient);
+                      eye, rounds, merge, transient);
 }
 
 }  // namespace

@@ -56,12 +56,13 @@ struct FrameShape {
     graph::Extent extent;
     graph::ImageDesc atlas{VK_FORMAT_R8_UNORM, {1, 1}};
     std::span<const ScreenTarget> targets;
-    const char* name = "screen";  ///< key of its kept images: frames of several sizes need several names
-    PictureEnd picture{};         ///< for endings in a picture's image, and through the lens
-    graph::Extent window{};       ///< its image's size, for endings in a window
-    graph::ImageDesc density{};   ///< of a foveated frame's map
-    bool overlay = false;         ///< the window has an overlay
-    bool eye = false;             ///< it draws one of two eyes that the window's sum shows
+    const char* name = "screen";   ///< key of its kept images: frames of several sizes need several names
+    PictureEnd picture{};          ///< for endings in a picture's image, and through the lens
+    graph::Extent window{};        ///< its image's size, for endings in a window
+    graph::ImageDesc density{};    ///< of a foveated frame's map
+    bool overlay = false;          ///< the window has an overlay
+    bool eye = false;              ///< it draws one of two eyes that the window's sum shows
+    std::uint32_t listRounds = 1;  ///< in which tiles are drawn, where the device lists their primitives
     bool merge = true, transient = true;
 
     /// Whether the frame's target is the picture's image itself.

@@ -90,6 +90,7 @@ void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request,
         return;
     }
     view.tiles = tiles;
+    prepared.shape.listRounds = tiles->rounds();
     if (!choice.has(Effect::Kind::tileTranslucency)) return;
     passes::TileWork work;
     work.kept = kTranslucentLayers;

@@ -90,7 +90,8 @@ bool set(const char* variable) {
 ///   NACRE_NO_FOVEATION=1  headsets get a fragment for each pixel, whatever the device supports
 ///   NACRE_BAKE_BY_PAIRS=1  the bake tests two texels at a time, as for drivers that load uniforms one by one
 ///   NACRE_MULTIVIEW=1     lavapipe draws both eyes in one frame: right where nothing is far beyond the picture's edge
-///   NACRE_DEVICE_LISTS=0, 1  the host or the device lists the primitives of tiles, whatever is faster
+///   NACRE_DEVICE_LISTS=0, 1, N  the host or the device lists the primitives of tiles, whatever is faster; N: entries
+///                            of a round
 ///   NACRE_NO_TRANSIENT=1  every attachment has memory and is stored, so that a capture shows it
 void applyEnvironment(graph::PlanCaps& plan) {
     if (set("NACRE_NO_MERGE")) plan.merge = false;
@@ -295,7 +296,11 @@ Caps queryCaps(const vk::raii::PhysicalDevice& device, const DeviceOptions& opti
         caps.fastPowers = caps.asynchronous = false;
     }
     caps.apartMemory = caps.type == "discrete" && keepsMemoryApart(device);
-    if (const char* lists = std::getenv("NACRE_DEVICE_LISTS")) caps.tiles.lists = std::string_view(lists) == "1";
+    if (const char* lists = std::getenv("NACRE_DEVICE_LISTS")) {
+        const unsigned long entries = std::strtoul(lists, nullptr, 10);
+        caps.tiles.lists = entries > 0;
+        if (entries > 1) caps.tiles.entries = static_cast<std::uint32_t>(entries);
+    }
     caps.visibility = options.visibility;
     caps.multisampling = options.multisampling;
     caps.lacksRasterOrder = options.capture

@@ -20,11 +20,12 @@ enum class DeviceKind : std::uint8_t {
 
 /// For the tile path.
 struct TileCaps {
-    bool texels = false;      ///< texel buffers can hold whole streams
-    std::uint32_t lanes = 0;  ///< per subgroup
-    bool lists = false;       ///< compute makes the lists of tiles faster than the host
-    bool shade = false;       ///< compute shading is faster than drawing fragments
-    bool drawsEdges = false;  ///< draws edges from the tile lists
+    bool texels = false;               ///< texel buffers can hold whole streams
+    std::uint32_t lanes = 0;           ///< per subgroup
+    bool lists = false;                ///< compute makes the lists of tiles faster than the host
+    std::uint32_t entries = 1u << 25;  ///< memory for such lists: of 12 bytes each; more are drawn in several rounds
+    bool shade = false;                ///< compute shading is faster than drawing fragments
+    bool drawsEdges = false;           ///< draws edges from the tile lists
     /// Most entries of a tile's list. lavapipe 22.3 allows an invocation 65,535 loop iterations in total, then ends its
     /// loops silently. Entries take one iteration each, and chunks as many again.
     std::uint32_t longestList = 28000;

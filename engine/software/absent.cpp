@@ -17,9 +17,9 @@ namespace passes {
 std::unique_ptr<TileFrames> makeTileFrames(const gpu::Device&) { return nullptr; }
 std::unique_ptr<HiddenSpheres> makeHiddenSpheres() { return nullptr; }
 void countPrimitivesOfBins(gpu::PassContext&, const SceneView&) { refuse(); }
-void placeListsOfBins(gpu::PassContext&, const SceneView&) { refuse(); }
+void placeListsOfBins(gpu::PassContext&, const SceneView&, std::uint32_t) { refuse(); }
 void writeListsOfBins(gpu::PassContext&, const SceneView&) { refuse(); }
-void sortListsOfBins(gpu::PassContext&, const SceneView&) { refuse(); }
+void sortListsOfBins(gpu::PassContext&, const SceneView&, std::uint32_t) { refuse(); }
 void draw(gpu::PassContext&, const SceneView&, const NearestByTiles&) { refuse(); }
 void want(gpu::PipelineContext&, const SceneView&, const NearestByTiles&) { refuse(); }
 void draw(gpu::PassContext&, const SceneView&, const TileShading&) { refuse(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <limits>
 
 #include "engine/software/software.h"
 #include "engine/software/tile_bindings.h"
@@ -16,9 +17,13 @@ constexpr std::array kBinTypes{kStorage, kStorage, kStorage, kStorage};
 // Work, lists.
 constexpr std::array kSortTypes{kStorage, kStorage};
 
-/// Push constants of tile_offsets.comp and tile_sort.comp.
+/// Push constants of tile_offsets.comp.
+struct PlaceConstants {
+    std::uint32_t bins, offsets, earlier, share;
+};
+/// Push constants of tile_sort.comp.
 struct SortConstants {
-    std::uint32_t bins = 0, offsets = 0;
+    std::uint32_t bins, offsets, last;
 };
 
 std::uint32_t countBins(const ListedFrame& f) { return f.lists.across() * f.lists.down(); }
@@ -27,7 +32,7 @@ const gpu::Layout& binLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"primitives of bins", kBinTypes, kCompute, sizeof(layout::TileConstants)});
 }
 const gpu::Layout& sortLayout(gpu::PipelineContext& context) {
-    return context.pipelines.layout({"lists of bins", kSortTypes, kCompute, sizeof(SortConstants)});
+    return context.pipelines.layout({"lists of bins", kSortTypes, kCompute, sizeof(PlaceConstants)});
 }
 
 gpu::ComputePipeline binPipeline(gpu::PipelineContext& context, const SceneView& view, bool writes) {
@@ -37,6 +42,7 @@ gpu::ComputePipeline binPipeline(gpu::PipelineContext& context, const SceneView&
                            {},
                            *binLayout(context).pipeline};
     setTileView(d.constants, view, view.rims.widest());
+    d.constants.set(layout::kShareId, listedFrame(view).byDevice->share);
     return d;
 }
 
@@ -47,7 +53,7 @@ gpu::ComputePipeline sortPipeline(gpu::PipelineContext& context, gpu::ShaderWord
 }
 
 void drawBins(gpu::PassContext& context, const SceneView& view, bool writes) {
-    constexpr std::uint32_t kItemsOfGroup = 64 / 16;  // shaders/tile_bins.comp
+    constexpr std::uint32_t kGroup = 64;  // shaders/tile_bins.comp
     const ListedFrame& f = listedFrame(view);
     if (!f.byDevice) return;
     layout::TileConstants constants = f.constants;
@@ -58,13 +64,13 @@ void drawBins(gpu::PassContext& context, const SceneView& view, bool writes) {
         to.store(f.byDevice->calls.buffer);
         to.store(f.byDevice->work.buffer);
     });
-    dispatchTiles(context, (std::uint64_t{f.byDevice->items} + kItemsOfGroup - 1) / kItemsOfGroup);
+    dispatchTiles(context, (std::uint64_t{f.byDevice->items} * f.byDevice->share + kGroup - 1) / kGroup);
 }
 
-void sortBins(gpu::PassContext& context, const SceneView& view, gpu::ShaderWords code, std::size_t groups) {
+template <typename Constants>
+void sortBins(gpu::PassContext& context, const SceneView& view, gpu::ShaderWords code, std::size_t groups,
+              const Constants& constants) {
     const ListedFrame& f = listedFrame(view);
-    if (!f.byDevice) return;
-    const SortConstants constants{countBins(f), f.constants.offsets};
     bindTiles(context, sortLayout(context), sortPipeline(context, code), constants, [&](TileBindings& to) {
         to.store(f.byDevice->work.buffer);
         to.store(f.words.buffer);
@@ -74,33 +80,45 @@ void sortBins(gpu::PassContext& context, const SceneView& view, gpu::ShaderWords
 
 }  // namespace
 
-LargestPrimitives measureLargest(const Representation& r) {
-    LargestPrimitives largest;
-    for (const Sphere& s : r.spheres) largest.sphere = std::max(largest.sphere, s.radius);
-    const auto add = [&](const Cylinder& c) {
-        // Its box is wider than the axis by a radius at each side.
-        largest.cylinder =
-            std::max(largest.cylinder, glm::distance(c.a, c.b) + 2 * std::sqrt(2.0f) * std::max(c.radius, 0.0f));
-        largest.wire = std::max(largest.wire, -c.radius);
+MeasuredPrimitives measurePrimitives(const Representation& r) {
+    MeasuredPrimitives sizes;
+    const auto measure = [](float PrimitiveSizes::*kind, MeasuredPrimitives& to, auto size, const auto&... all) {
+        double sum = 0;
+        std::size_t count = 0;
+        const auto add = [&](const auto& primitives) {
+            for (const auto& p : primitives) {
+                const float s = size(p);
+                to.largest.*kind = std::max(to.largest.*kind, s);
+                sum += static_cast<double>(s);
+            }
+            count += primitives.size();
+        };
+        (add(all), ...);
+        to.mean.*kind = static_cast<float>(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
     };
-    for (const Cylinder& c : r.cylinders) add(c);
-    for (const Cylinder& c : r.wires) add(c);
-    const auto addTriangles = [&](std::span<const Triangle> triangles) {
-        for (const Triangle& t : triangles) {
+    measure(
+        &PrimitiveSizes::sphere, sizes, [](const Sphere& s) { return s.radius; }, r.spheres);
+    // The box of a cylinder is wider than its axis by a radius at each side.
+    measure(
+        &PrimitiveSizes::cylinder, sizes,
+        [](const Cylinder& c) { return glm::distance(c.a, c.b) + 2 * std::sqrt(2.0f) * std::max(c.radius, 0.0f); },
+        r.cylinders, r.wires);
+    measure(
+        &PrimitiveSizes::wire, sizes, [](const Cylinder& c) { return -c.radius; }, r.wires);
+    measure(
+        &PrimitiveSizes::triangle, sizes,
+        [&](const Triangle& t) {
             const float step = t.step();
             const glm::vec3 a = decodePosition(r.meshVertices[t.a], step),
                             b = decodePosition(r.meshVertices[t.b], step),
                             c = decodePosition(r.meshVertices[t.c], step);
-            const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
-            largest.triangle = std::max(largest.triangle, glm::distance(low, high));
-        }
-    };
-    addTriangles(r.triangles);
-    addTriangles(r.coarseTriangles);
-    return largest;
+            return glm::distance(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)));
+        },
+        r.triangles, r.coarseTriangles);
+    return sizes;
 }
 
-std::uint64_t mostEntries(const SceneView& view, const LargestPrimitives& largest, std::uint64_t bins) {
+std::uint64_t boundEntries(const SceneView& view, const PrimitiveSizes& sizes, std::uint64_t bins) {
     const layout::ViewConstants& c = view.constants;
     // Perspective enlarges near parts, most at the front of the scene.
     const double nearest = std::max<double>(c.depthStart, 1e-3 * c.origin);
@@ -111,22 +129,45 @@ std::uint64_t mostEntries(const SceneView& view, const LargestPrimitives& larges
         const double side = (diagonal * scale / std::sqrt(2.0) + outline) / TileBins::kPixels + 2;
         return std::min(std::ceil(side * side), static_cast<double>(bins));
     };
-    const double wire = 2 * std::sqrt(2.0) * largest.wire * view.wireScale * c.pixel;
+    const double wire = 2 * std::sqrt(2.0) * sizes.wire * view.wireScale * c.pixel;
     return static_cast<std::uint64_t>(
-        static_cast<double>(view.copies.sphereCount()) * binsIn(2 * std::sqrt(2.0) * largest.sphere * 1.005) +
-        static_cast<double>(view.copies.cylinderCount()) * binsIn(1.005 * largest.cylinder + wire) +
+        static_cast<double>(view.copies.sphereCount()) * binsIn(2 * std::sqrt(2.0) * sizes.sphere * 1.005) +
+        static_cast<double>(view.copies.cylinderCount()) * binsIn(1.005 * sizes.cylinder + wire) +
         static_cast<double>(view.copies.triangleCount()) *
-            binsIn(std::sqrt(2.0) * largest.triangle));  // each side of the box may be as long as an edge
+            binsIn(std::sqrt(2.0) * sizes.triangle));  // each side of the box may be as long as an edge
+}
+
+std::uint32_t chooseShare(std::uint64_t entries, std::uint64_t primitives) {
+    const std::uint64_t bins = entries / std::max<std::uint64_t>(primitives, 1);
+    return bins >= 40 ? 16 : bins >= 12 ? 4 : 1;  // a bound counts two bins per side too many
+}
+
+ListRounds planRounds(std::uint64_t most, std::uint64_t longest, std::uint32_t room) {
+    constexpr std::uint64_t kMostRounds = 32;
+    if (most <= room) return {1, std::numeric_limits<std::uint32_t>::max()};
+    if (2 * longest > room) return {};
+    // The last list may be empty, and begin where all entries end.
+    const std::uint64_t share = room - longest, count = most / share + 1;
+    if (count > kMostRounds) return {};
+    return {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(share)};
 }
 
 void countPrimitivesOfBins(gpu::PassContext& context, const SceneView& view) { drawBins(context, view, false); }
-void placeListsOfBins(gpu::PassContext& context, const SceneView& view) {
+void placeListsOfBins(gpu::PassContext& context, const SceneView& view, std::uint32_t round) {
     constexpr std::uint32_t kBinsOfGroup = 256;
-    sortBins(context, view, shaders::tileOffsets, (countBins(listedFrame(view)) + kBinsOfGroup - 1) / kBinsOfGroup);
+    const ListedFrame& f = listedFrame(view);
+    if (!f.byDevice) return;
+    const std::uint32_t bins = countBins(f), share = f.byDevice->rounds.share;
+    sortBins(context, view, shaders::tileOffsets, (bins + kBinsOfGroup - 1) / kBinsOfGroup,
+             PlaceConstants{bins, f.constants.offsets, round * share, share});
 }
 void writeListsOfBins(gpu::PassContext& context, const SceneView& view) { drawBins(context, view, true); }
-void sortListsOfBins(gpu::PassContext& context, const SceneView& view) {
-    sortBins(context, view, shaders::tileSort, countBins(listedFrame(view)));
+void sortListsOfBins(gpu::PassContext& context, const SceneView& view, std::uint32_t round) {
+    const ListedFrame& f = listedFrame(view);
+    if (!f.byDevice) return;
+    const std::uint32_t bins = countBins(f);
+    sortBins(context, view, shaders::tileSort, bins,
+             SortConstants{bins, f.constants.offsets, round + 1 == f.byDevice->rounds.count ? 1u : 0u});
 }
 
 }  // namespace nacre::passes

@@ -10,20 +10,31 @@
 
 namespace nacre::passes {
 
-/// The largest primitives of a scene, Å.
-struct LargestPrimitives {
+/// Sizes of a scene's primitives, Å.
+struct PrimitiveSizes {
     float sphere = 0;    ///< radius
-    float cylinder = 0;  ///< diagonal of the largest box around its picture, without a wire's width
+    float cylinder = 0;  ///< diagonal of the box around its picture, without a wire's width
     float wire = 0;      ///< half a width, pixels of the requested picture
     float triangle = 0;  ///< diagonal of its box
 };
-LargestPrimitives measureLargest(const Representation& representation);
+struct MeasuredPrimitives {
+    PrimitiveSizes largest, mean;
+};
+MeasuredPrimitives measurePrimitives(const Representation& representation);
 
-/// An upper bound of the entries of all lists.
+/// An upper bound of the entries of all lists, if no primitive is larger than `sizes`.
 /// @param bins  of the picture
-std::uint64_t mostEntries(const SceneView& view, const LargestPrimitives& largest, std::uint64_t bins);
+std::uint64_t boundEntries(const SceneView& view, const PrimitiveSizes& sizes, std::uint64_t bins);
+/// Invocations that find the bins of a primitive together. @param entries  of all lists, about
+std::uint32_t chooseShare(std::uint64_t entries, std::uint64_t primitives);
 
-/// Limit of mostEntries(): a frame with more is not listed by the device.
-constexpr std::uint64_t kMostEntries = std::uint64_t{1} << 25;
+/// How a frame's entries fit the memory of its lists. Each round lists and draws the bins of a share of the entries;
+/// empty rounds cost little.
+struct ListRounds {
+    std::uint32_t count = 0;  ///< 0: a list may be too long, or the rounds too many
+    std::uint32_t share = 0;  ///< a bin belongs to the round of its first entry
+};
+/// @param most  boundEntries() @param longest  entries of a list, at most @param room  for entries
+ListRounds planRounds(std::uint64_t most, std::uint64_t longest, std::uint32_t room);
 
 }  // namespace nacre::passes

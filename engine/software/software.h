@@ -65,6 +65,8 @@ class TileFrame {
 public:
     virtual ~TileFrame() = default;
     virtual std::uint32_t longestList() const = 0;  ///< entries
+    /// Where the device makes the lists: rounds in which it draws the tiles.
+    virtual std::uint32_t rounds() const = 0;
     virtual TileCounts counts() const = 0;
     /// Number of spheres that the host found to be visible; empty: it did not test them.
     virtual std::optional<std::uint64_t> shownSpheres() const = 0;
@@ -104,11 +106,11 @@ public:
 /// @returns null in a build without the path: devices then draw hidden spheres
 std::unique_ptr<HiddenSpheres> makeHiddenSpheres();
 
-// Compute: make the lists of a frame whose TileWork says so, in this order.
+// Compute: make the lists of a frame whose TileWork says so. The first counts for all rounds; the others run in each.
 void countPrimitivesOfBins(gpu::PassContext& context, const SceneView& view);
-void placeListsOfBins(gpu::PassContext& context, const SceneView& view);
+void placeListsOfBins(gpu::PassContext& context, const SceneView& view, std::uint32_t round);
 void writeListsOfBins(gpu::PassContext& context, const SceneView& view);
-void sortListsOfBins(gpu::PassContext& context, const SceneView& view);
+void sortListsOfBins(gpu::PassContext& context, const SceneView& view, std::uint32_t round);
 
 /// Compute: writes TileFrame::pixels() of the view's non-empty tiles, one workgroup each.
 struct NearestByTiles {

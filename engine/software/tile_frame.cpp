@@ -106,12 +106,12 @@ const SphereBoxes& ListedFrames::sceneBoxes(const Representation& r, const Scene
     return boxes_;
 }
 
-const LargestPrimitives& ListedFrames::largestPrimitives(const Representation& r, const SceneView& seen) {
+const MeasuredPrimitives& ListedFrames::measuredPrimitives(const Representation& r, const SceneView& seen) {
     if (!seen.owner || measured_.lock() != seen.owner) {
-        largest_ = measureLargest(r);
+        sizes_ = measurePrimitives(r);
         measured_ = seen.owner;
     }
-    return largest_;
+    return sizes_;
 }
 
 std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, const SceneView& seen, const View& view,
@@ -136,11 +136,19 @@ std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, 
     if (work.byDevice) {
         const std::uint64_t bins =
             TileBins::pixels(image.width, image.height) / (TileBins::kPixels * TileBins::kPixels);
-        const std::uint64_t most = mostEntries(seen, largestPrimitives(r, seen), bins);
-        frame.tooMany = most > kMostEntries;
+        const MeasuredPrimitives& sizes = measuredPrimitives(r, seen);
+        const std::uint64_t most = boundEntries(seen, sizes.largest, bins);
+        const std::uint64_t primitives =
+            seen.copies.sphereCount() + seen.copies.cylinderCount() + seen.copies.triangleCount();
+        const std::uint32_t room = device_.caps().tiles.entries;
+        const ListRounds rounds = planRounds(most, std::min(most, primitives), room);
+        // Samples of edges look at the lists of all bins.
+        frame.tooMany = rounds.count == 0 || (rounds.count > 1 && work.edges);
         if (frame.tooMany) return free;
         frame.lists.cover(asked);
-        uploadCalls(frame, asked.small, most);
+        uploadCalls(frame, asked.small, std::min<std::uint64_t>(most, room));
+        frame.byDevice->rounds = rounds;
+        frame.byDevice->share = chooseShare(boundEntries(seen, sizes.mean, bins), primitives);
     } else {
         frame.byDevice = nullptr;
         frame.lists.build(asked, scenery);
@@ -257,15 +265,15 @@ void ListedFrames::upload(ListedFrame& f, const PlacedCopies& copies, graph::Ext
 }
 
 /// Uploads what the device lists: the calls, and the tiles if they are not the last frame's.
-/// @param small  as in TileView @param most  entries of all lists
-void ListedFrames::uploadCalls(ListedFrame& f, float small, std::uint64_t most) const {
+/// @param small  as in TileView @param room  for entries
+void ListedFrames::uploadCalls(ListedFrame& f, float small, std::uint64_t room) const {
     constexpr std::size_t kHeader = 4;
     if (!f.byDevice) f.byDevice = std::make_unique<ListsByDevice>();
     ListsByDevice& d = *f.byDevice;
     const std::size_t bins = std::size_t{f.lists.across()} * f.lists.down();
     const std::size_t calls = spheres_.size() + cylinders_.size() + triangles_.size();
     reserve(device_, d.calls, 4 * (kHeader + 2 * calls), Usage::eStorageBuffer, vk::Format::eUndefined, "calls");
-    const std::size_t workBytes = 4 * (2 * bins + 2 * most), listBytes = 4 * (f.lists.words() + most);
+    const std::size_t workBytes = 4 * (2 * bins + 2 * room), listBytes = 4 * (f.lists.words() + room);
     const bool grows = f.words.buffer.size < listBytes;
     if (d.work.buffer.size < workBytes || d.across != f.lists.across() || d.down != f.lists.down()) {
         reserve(device_, d.work, workBytes, Usage::eStorageBuffer, vk::Format::eUndefined, "primitives of bins");

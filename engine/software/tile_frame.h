@@ -53,6 +53,8 @@ struct ListsByDevice {
     TileBuffer work;                     ///< as in shaders/common/list_layout.glsl; counts are 0 between frames
     std::uint32_t items = 0;             ///< primitives that may enter lists
     std::uint32_t across = 0, down = 0;  ///< bins of the tiles in `words`; 0: none are written
+    ListRounds rounds;
+    std::uint32_t share = 1;  ///< chooseShare()
 };
 
 /// A frame's lists and buffers.
@@ -61,6 +63,7 @@ public:
     std::uint32_t longestList() const override {
         return tooMany ? std::numeric_limits<std::uint32_t>::max() : lists.longest();
     }
+    std::uint32_t rounds() const override { return byDevice ? byDevice->rounds.count : 1; }
     TileCounts counts() const override {
         if (byDevice) return {};  // the host knows none
         return {lists.tiles().size(), lists.kept(), lists.keptSpheres(), lists.entries(), lists.longest()};
@@ -80,7 +83,7 @@ public:
     TileLists lists;
     layout::TileConstants constants{};
     std::uint32_t groups = 0;  ///< workgroups that draw its tiles
-    bool tooMany = false;      ///< more entries than the device lists
+    bool tooMany = false;      ///< more entries than the device lists in its rounds
     bool copies = false;       ///< primitives have the transforms of copies
     bool shaded = false;       ///< `numbers` are colours
     bool cleared = false;      ///< the device writes covered pixels only; the others are cleared
@@ -119,8 +122,8 @@ private:
     void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept, bool all,
                       bool clears, const char* name) const;
     static void writeSeeds(ListedFrame& frame);
-    void uploadCalls(ListedFrame& frame, float small, std::uint64_t most) const;
-    const LargestPrimitives& largestPrimitives(const Representation& representation, const SceneView& seen);
+    void uploadCalls(ListedFrame& frame, float small, std::uint64_t room) const;
+    const MeasuredPrimitives& measuredPrimitives(const Representation& representation, const SceneView& seen);
     void upload(ListedFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
     void uploadEdges(ListedFrame& frame, graph::Extent image, const EdgePlaces* places) const;
 
@@ -129,8 +132,8 @@ private:
     std::vector<TileCall> spheres_, cylinders_, triangles_;  // scratch of one frame
     std::weak_ptr<const void> boxed_;                        // the scene of the boxes
     SphereBoxes boxes_;
-    std::weak_ptr<const void> measured_;  // the scene of `largest_`
-    LargestPrimitives largest_;
+    std::weak_ptr<const void> measured_;  // the scene of `sizes_`
+    MeasuredPrimitives sizes_;
 };
 
 }  // namespace nacre::passes

@@ -66,6 +66,7 @@ const int kEverywhereId = 54;  // bool: draw every pixel as an edge, where a bin
 const int kListedId = 55;      // bool: samples of an edge search lists, not only neighbours
 const int kRowsId = 56;        // bool: edges are coded words among the other pixels
 const int kLayerId = 57;       // of translucent triangles: 0 the nearest
+const int kShareId = 59;       // invocations that find the bins of a primitive together
 const int kClearsId = 58;      // bool: compute also writes pixels that show nothing
 // Density maps between translucent layers.
 const int kBehindLayerId = 70;  // bool: only parts behind a layer
@@ -80,6 +81,7 @@ const int kSpreadId = 63;      // float: distance of the taps, pixels
 constexpr float kNoPlane = 1e30f;
 /// Steps of encoded depth: the resolution of the order in the lists of tiles.
 const uint kListSteps = 2048u;
+const uint kOtherRoundBit = 1u << 28;  // of a tile in a list: another round draws it
 /// Rows of the samples of an edge pixel, 0..15, four bits each; sample i is in column i. Found by search: the order
 /// with the least error of a straight edge's coverage.
 const uint kSampleRowsLow = 0x04BF851Cu;

@@ -10,8 +10,9 @@ namespace {
 
 enum class ListMaker { host, device };
 
-std::unique_ptr<ValidatedRenderer> byTiles(ListMaker lists) {
-    setenv("NACRE_DEVICE_LISTS", lists == ListMaker::device ? "1" : "0", 1);
+/// @param room  for entries of the device's lists; 1: as usual
+std::unique_ptr<ValidatedRenderer> byTiles(ListMaker lists, std::size_t room = 1) {
+    setenv("NACRE_DEVICE_LISTS", lists == ListMaker::device ? std::to_string(room).c_str() : "0", 1);
     auto renderer = std::make_unique<ValidatedRenderer>(Visibility::tiles, ValidatedRenderer::fresh);
     unsetenv("NACRE_DEVICE_LISTS");
     return renderer;
@@ -121,6 +122,29 @@ TEST(DeviceListsOfEdges, ShowTheSamePixels) {
     (*host)->setScene(r);
     (*device)->setScene(r);
     EXPECT_EQ((*device)->render(s).rgba, (*host)->render(s).rgba);
+}
+
+/// Lists that do not fit their memory are made and drawn in several rounds.
+TEST(DeviceListsInRounds, ShowTheSamePixels) {
+    const auto host = byTiles(ListMaker::host);
+    for (const Style style : {Style::spacefill, Style::ballAndStick, Style::cartoon}) {
+        const Representation r = scene("sample:dna", style);
+        const auto device =
+            byTiles(ListMaker::device, 2 * (r.spheres.size() + r.cylinders.size() + r.triangles.size()));
+        const RenderSettings s = settings(r, 200, Projection::orthographic);
+        (*host)->setScene(r);
+        (*device)->setScene(r);
+        for (int frame = 0; frame < 2; ++frame) {
+            EXPECT_EQ((*device)->render(s).rgba, (*host)->render(s).rgba);
+            const std::string& plan = (*device)->planText();
+            const std::size_t first = plan.find("lists: sort");
+            ASSERT_NE(first, std::string::npos);
+            EXPECT_NE(plan.find("lists: sort", first + 1), std::string::npos) << "one round";
+        }
+        const LayerPicture layers = (*host)->layers(s), other = (*device)->layers(s);
+        EXPECT_EQ(other.id, layers.id);
+        EXPECT_EQ(other.z, layers.z);
+    }
 }
 
 }  // namespace

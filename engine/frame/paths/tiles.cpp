@@ -23,16 +23,24 @@ graph::Work edgeSamples(const Frame& f) {
     });
 }
 
-/// The device lists the primitives of each bin: it counts them, places the lists, writes and sorts them.
-void declareLists(Frame& f, const FrameShape& shape) {
+/// Calls `nearest`, which declares the pass that draws tiles. Where the device lists the primitives of each bin, it
+/// first counts them; then each round places, writes and sorts the lists of its bins, and draws their tiles.
+template <typename Nearest>
+void declareNearest(Frame& f, const FrameShape& shape, const Nearest& nearest) {
+    if (shape.choice.geometry != Geometry::deviceLists) return nearest();
     const std::uint64_t bins =
         TileBins::pixels(shape.extent.width, shape.extent.height) / (TileBins::kPixels * TileBins::kPixels);
     f.entries = f.graph.importBuffer("primitives of bins", kWord * bins);
     f.lists = f.graph.importBuffer("lists of tiles", kWord * bins);
     f.graph.compute("lists: count").writes(*f.entries).record(records(f, passes::countPrimitivesOfBins));
-    f.graph.compute("lists: place").writes(*f.entries).writes(*f.lists).record(records(f, passes::placeListsOfBins));
-    f.graph.compute("lists: write").writes(*f.entries).record(records(f, passes::writeListsOfBins));
-    f.graph.compute("lists: sort").writes(*f.entries).writes(*f.lists).record(records(f, passes::sortListsOfBins));
+    for (std::uint32_t round = 0; round < shape.listRounds; ++round) {
+        const auto place = [round](gpu::PassContext& c, const SceneView& v) { placeListsOfBins(c, v, round); };
+        const auto sort = [round](gpu::PassContext& c, const SceneView& v) { sortListsOfBins(c, v, round); };
+        f.graph.compute("lists: place").writes(*f.entries).writes(*f.lists).record(records(f, place));
+        f.graph.compute("lists: write").writes(*f.entries).record(records(f, passes::writeListsOfBins));
+        f.graph.compute("lists: sort").writes(*f.entries).writes(*f.lists).record(records(f, sort));
+        nearest();
+    }
 }
 
 /// A compute pass that draws from the lists.
@@ -47,9 +55,9 @@ void declareShadedByCompute(Frame& f, const FrameShape& shape) {
     const FrameChoice& choice = shape.choice;
     f.numbers = addPixels(f, shape, "colours of tiles", kWord);
     if (choice.drawsEdges()) f.edges = addPixels(f, shape, "primitive numbers", kWord);
-    if (choice.edgePixels == EdgePixels::alone) {
-        fromLists(f, "nearest primitive").writes(*f.edges).record(nearestByTiles(f));
-    } else {
+    declareNearest(f, shape, [&] {
+        if (choice.edgePixels == EdgePixels::alone)
+            return void(fromLists(f, "nearest primitive").writes(*f.edges).record(nearestByTiles(f)));
         graph::PassBuilder nearest =
             fromLists(f, choice.rims() ? "nearest primitive, lines and halos, shaded" : "nearest primitive, shaded");
         f.lit(nearest).writes(f.numbers);
@@ -57,7 +65,7 @@ void declareShadedByCompute(Frame& f, const FrameShape& shape) {
         nearest.record(draws(f, [atlas = f.atlas](const auto& c, const SceneView&) {
             return passes::NearestByTiles{viewIn(c, atlas)};
         }));
-    }
+    });
     if (!f.edges) return;
     f.edgePixels = addPixels(f, shape, "edge pixels", kWord);
     if (choice.edgePixels == EdgePixels::found)
@@ -74,10 +82,9 @@ void declareShadedByCompute(Frame& f, const FrameShape& shape) {
 
 void declareTiles(Frame& f, const FrameShape& shape) {
     const FrameChoice& choice = shape.choice;
-    if (choice.geometry == Geometry::deviceLists) declareLists(f, shape);
     if (choice.shadedByCompute()) return declareShadedByCompute(f, shape);
     f.numbers = addPixels(f, shape, "primitive numbers", kWord);
-    fromLists(f, "nearest primitive").writes(f.numbers).record(nearestByTiles(f));
+    declareNearest(f, shape, [&] { fromLists(f, "nearest primitive").writes(f.numbers).record(nearestByTiles(f)); });
 
     if (choice.drawsEdges()) {
         f.edges = addPixels(f, shape, "edge colours", 2 * kWord);
