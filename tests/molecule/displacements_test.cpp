@@ -163,6 +163,62 @@ TEST(Displacements, OfMmcifFollowTheNumbersOfAtoms) {
     expectTensor(m.displacements[1], {0.1, 0.2, 0.3, 0.01, 0, -0.01}, "B");
 }
 
+/// Small molecules as above: their tensors as columns of _atom_site, as U and as beta = 2 pi^2 a*_i a*_j U_ij.
+TEST(Displacements, OfTheTableOfAtomsAreThoseOfTheirOwnTable) {
+    const std::string cell =
+        "data_x\n_cell_length_a 5.1\n_cell_length_b 7.3\n_cell_length_c 9.9\n_cell_angle_alpha 81\n"
+        "_cell_angle_beta 103\n_cell_angle_gamma 117\nloop_\n_atom_site_label\n_atom_site_fract_x\n"
+        "_atom_site_fract_y\n_atom_site_fract_z\n";
+    const auto tags = [](const std::string& kind) {
+        std::string names;
+        for (const char* which : {"11", "22", "33", "12", "13", "23"})
+            names += "_atom_site_aniso_" + kind + "_" + which + "\n";
+        return names;
+    };
+    gemmi::UnitCell unit;
+    unit.set(5.1, 7.3, 9.9, 81, 103, 117);
+    const double u[6] = {0.021, 0.034, 0.055, -0.004, 0.011, 0.007}, lengths[3] = {unit.ar, unit.br, unit.cr};
+    const int axes[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+    std::string ofU, ofBeta;
+    for (int i = 0; i < 6; ++i) {
+        ofU += " " + std::to_string(u[i]);
+        char text[32];
+        std::snprintf(text, sizeof text, " %.9f", 19.7392088 * lengths[axes[i][0]] * lengths[axes[i][1]] * u[i]);
+        ofBeta += text;
+    }
+    const Molecule own =
+        readMolecule("a.cif", cell + "C1 0.1 0.2 0.3\nC2 0.5 0.5 0.5\nloop_\n_atom_site_aniso_label\n" + tags("U") +
+                                  "C1" + ofU + "\n");
+    ASSERT_EQ(statedIn(own), 1u);
+    const Displacement& expected = own.displacements[0];
+    for (const auto& [kind, numbers] : {std::pair(std::string("U"), ofU), {"beta", ofBeta}}) {
+        const Molecule m =
+            readMolecule("a.cif", cell + tags(kind) + "C1 0.1 0.2 0.3" + numbers + "\nC2 0.5 0.5 0.5 ? ? ? ? ? ?\n");
+        ASSERT_EQ(m.displacements.size(), 2u) << kind;
+        expectTensor(m.displacements[0],
+                     {expected.u11, expected.u22, expected.u33, expected.u12, expected.u13, expected.u23}, kind);
+        EXPECT_FALSE(m.displacements[1].stated());
+        EXPECT_TRUE(
+            std::ranges::none_of(m.notes, [](const ReadNote& n) { return n.what == "anisotropic displacements"; }));
+    }
+}
+
+TEST(Displacements, OfMmcifMayStandInTheTableOfAtoms) {
+    const std::string text =
+        "data_x\nloop_\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+        "_atom_site.Cartn_z\n_atom_site.aniso_U[1][1]\n_atom_site.aniso_U[2][2]\n_atom_site.aniso_U[3][3]\n"
+        "_atom_site.aniso_U[1][2]\n_atom_site.aniso_U[1][3]\n_atom_site.aniso_U[2][3]\n"
+        "6 C 0 0 0 ? ? ? ? ? ?\n7 C 1.5 0 0 0.1 0.2 0.3 0.01 0 -0.01\n8 O 3 0 0 0.1 0.2 0.3 0.01 0 ?\n";
+    const Molecule m = readMolecule("a.cif", text);
+    ASSERT_EQ(m.displacements.size(), 3u);
+    EXPECT_FALSE(m.displacements[0].stated() || m.displacements[2].stated());
+    expectTensor(m.displacements[1], {0.1, 0.2, 0.3, 0.01, 0, -0.01}, "U");
+    const auto note =
+        std::ranges::find_if(m.notes, [](const ReadNote& n) { return n.what == "anisotropic displacements"; });
+    ASSERT_NE(note, m.notes.end());
+    EXPECT_EQ(note->count, 1);
+}
+
 TEST(Displacements, OfPdbBelongToTheAtomBefore) {
     const auto atom = [](int serial, const char* name, const char* x) {
         char line[128];

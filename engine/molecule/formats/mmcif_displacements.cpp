@@ -4,26 +4,37 @@
 #include "engine/molecule/displacement.h"
 #include "engine/molecule/formats/id_index.h"
 #include "engine/molecule/formats/mmcif_model.h"
+#include "engine/molecule/text.h"
 
 namespace nacre {
 namespace {
 
-constexpr std::array<const char*, 7> kOfU = {"id", "u[1][1]", "u[2][2]", "u[3][3]", "u[1][2]", "u[1][3]", "u[2][3]"};
-constexpr std::array<const char*, 7> kOfB = {"id", "b[1][1]", "b[2][2]", "b[3][3]", "b[1][2]", "b[1][3]", "b[2][3]"};
+constexpr std::array<std::string_view, 7> kOfU = {"id",      "u[1][1]", "u[2][2]", "u[3][3]",
+                                                  "u[1][2]", "u[1][3]", "u[2][3]"};
+constexpr std::array<std::string_view, 7> kOfB = {"id",      "b[1][1]", "b[2][2]", "b[3][3]",
+                                                  "b[1][2]", "b[1][3]", "b[2][3]"};
+
+/// A column's name in _atom_site_anisotrop; in _atom_site it has "aniso_" in front.
+std::string_view ownName(MmcifDisplacements::Table table, std::string_view column) {
+    constexpr std::string_view kPrefix = "aniso_";
+    if (table == MmcifDisplacements::Table::own || column == "id") return column;
+    return startsWith(column, kPrefix) ? column.substr(kPrefix.size()) : std::string_view();
+}
 
 }  // namespace
 
-bool MmcifDisplacements::isKept(std::string_view column) {
-    const auto is = [&](const char* name) { return column == name; };
+bool MmcifDisplacements::isKept(Table table, std::string_view column) {
+    const auto is = [name = ownName(table, column)](std::string_view other) { return name == other; };
     return std::any_of(kOfU.begin(), kOfU.end(), is) || std::any_of(kOfB.begin(), kOfB.end(), is);
 }
 
-void MmcifDisplacements::begin(const std::vector<std::string>& columns) {
-    const auto find = [&](const std::array<const char*, 7>& names, std::array<int, 7>& places) {
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const auto found = std::find(columns.begin(), columns.end(), names[i]);
-            places[i] = found == columns.end() ? -1 : static_cast<int>(found - columns.begin());
-        }
+void MmcifDisplacements::begin(Table table, const std::vector<std::string>& columns) {
+    table_ = table;
+    const auto find = [&](const std::array<std::string_view, 7>& names, std::array<int, 7>& places) {
+        places.fill(-1);
+        for (std::size_t column = 0; column < columns.size(); ++column)
+            for (std::size_t i = 0; i < names.size(); ++i)
+                if (places[i] < 0 && ownName(table, columns[column]) == names[i]) places[i] = static_cast<int>(column);
     };
     find(kOfU, ofU_);
     find(kOfB, ofB_);
@@ -31,6 +42,10 @@ void MmcifDisplacements::begin(const std::vector<std::string>& columns) {
 
 /// wwPDB's files state U in the Cartesian axes of the positions, like ANISOU.
 void MmcifDisplacements::addRow(const MmcifCell* cells) {
+    const auto isStated = [&](int place) { return place >= 0 && !cells[place].missing(); };
+    if (table_ == Table::ofAtoms && std::none_of(ofU_.begin() + 1, ofU_.end(), isStated) &&
+        std::none_of(ofB_.begin() + 1, ofB_.end(), isStated))
+        return;
     const auto read = [&](const std::array<int, 7>& places, double unit) -> std::optional<Displacement> {
         std::array<float, 6> u{};
         for (std::size_t i = 0; i < u.size(); ++i) {

@@ -144,8 +144,10 @@ bool MmcifModel::isKept(std::string_view category) {
 }
 
 bool MmcifModel::isKept(std::string_view category, std::string_view column) {
-    if (category == "atom_site") return MmcifAtoms::isKept(column);
-    if (category == "atom_site_anisotrop") return MmcifDisplacements::isKept(column);
+    using Table = MmcifDisplacements::Table;
+    if (category == "atom_site")
+        return MmcifAtoms::isKept(column) || MmcifDisplacements::isKept(Table::ofAtoms, column);
+    if (category == "atom_site_anisotrop") return MmcifDisplacements::isKept(Table::own, column);
     return isKept(category);
 }
 
@@ -178,12 +180,13 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
         sawAtomSite_ = sawAtomSite_ || !grains;
         if (!atoms_) atoms_ = std::make_unique<MmcifAtoms>(builders_, options_, lastModel_, together_);
         atoms_->begin(category, columns);
+        displacements_.begin(MmcifDisplacements::Table::ofAtoms, columns);
         rows_ = Rows::atoms;
         return true;
     }
     if (!isKept(category)) return false;
     if (category == "atom_site_anisotrop") {
-        displacements_.begin(columns);
+        displacements_.begin(MmcifDisplacements::Table::own, columns);
         rows_ = Rows::displacements;
         return true;
     }
@@ -201,7 +204,10 @@ void MmcifModel::expectRows(std::size_t rows, std::size_t columns) const {
 }
 
 void MmcifModel::addRow(const std::vector<MmcifCell>& cells, std::uint64_t line) {
-    if (rows_ == Rows::atoms) return atoms_->addRow(cells.data(), line);
+    if (rows_ == Rows::atoms) {
+        displacements_.addRow(cells.data());
+        return atoms_->addRow(cells.data(), line);
+    }
     if (rows_ == Rows::displacements) return displacements_.addRow(cells.data());
     cells_ += cells.size();
     if (cells_ > mostCells_) cannotRead(builders_.front().name(), "a category is too long", line);

@@ -142,16 +142,19 @@ private:
     std::vector<std::string> entityNames_;
 };
 
-/// Collects rows of _atom_site_anisotrop. They may come before those of the atoms.
+/// Collects rows of _atom_site_anisotrop, which may come before those of the atoms, and tensors of _atom_site.
 class MmcifDisplacements {
 public:
-    static bool isKept(std::string_view column);
-    void begin(const std::vector<std::string>& columns);
+    enum class Table : std::uint8_t { own, ofAtoms };
+    static bool isKept(Table table, std::string_view column);
+    void begin(Table table, const std::vector<std::string>& columns);
+    /// @param cells  as in columns; of atoms, may be without a tensor
     void addRow(const MmcifCell* cells);
     /// Stores them in the atoms with their numbers.
     void apply(MoleculeBuilder& builder) const;
 
 private:
+    Table table_ = Table::own;
     std::array<int, 7> ofU_{}, ofB_{};  ///< columns: the atom's number, then the tensor; -1: missing
     std::vector<std::pair<std::int64_t, Displacement>> rows_;
     std::int64_t unusable_ = 0;

@@ -253,25 +253,37 @@ void separateSharedSites(MoleculeBuilder& builder) {
     }
 }
 
+/// Names of a tensor's columns: of _atom_site_aniso, with "aniso_" in front in _atom_site.
+struct TensorColumns {
+    int i, j;
+    const char *u, *matrixU, *anisoU, *b, *matrixB, *anisoB, *beta, *anisoBeta;
+};
+constexpr TensorColumns kTensorColumns[6] = {
+    {0, 0, "u_11", "matrix_u_11", "aniso_u_11", "b_11", "matrix_b_11", "aniso_b_11", "beta_11", "aniso_beta_11"},
+    {1, 1, "u_22", "matrix_u_22", "aniso_u_22", "b_22", "matrix_b_22", "aniso_b_22", "beta_22", "aniso_beta_22"},
+    {2, 2, "u_33", "matrix_u_33", "aniso_u_33", "b_33", "matrix_b_33", "aniso_b_33", "beta_33", "aniso_beta_33"},
+    {0, 1, "u_12", "matrix_u_12", "aniso_u_12", "b_12", "matrix_b_12", "aniso_b_12", "beta_12", "aniso_beta_12"},
+    {0, 2, "u_13", "matrix_u_13", "aniso_u_13", "b_13", "matrix_b_13", "aniso_b_13", "beta_13", "aniso_beta_13"},
+    {1, 2, "u_23", "matrix_u_23", "aniso_u_23", "b_23", "matrix_b_23", "aniso_b_23", "beta_23", "aniso_beta_23"}};
+
 /// The tensor in Cartesian axes of U_ij (or B_ij = 8 pi^2 U_ij) in units of the reciprocal axes, by which the file
-/// scales them (R. W. Grosse-Kunstleve and P. D. Adams, J. Appl. Cryst. 35 (2002) 477). Empty without six numbers.
+/// scales them, or of beta_ij = 2 pi^2 a*_i a*_j U_ij (R. W. Grosse-Kunstleve and P. D. Adams, J. Appl. Cryst. 35
+/// (2002) 477). Empty without six numbers.
 std::optional<Displacement> readDisplacement(const gemmi::UnitCell& cell, const MmcifTable& table, std::size_t row) {
-    static constexpr const char* kColumns[6][4] = {
-        {"u_11", "matrix_u_11", "b_11", "matrix_b_11"}, {"u_22", "matrix_u_22", "b_22", "matrix_b_22"},
-        {"u_33", "matrix_u_33", "b_33", "matrix_b_33"}, {"u_12", "matrix_u_12", "b_12", "matrix_b_12"},
-        {"u_13", "matrix_u_13", "b_13", "matrix_b_13"}, {"u_23", "matrix_u_23", "b_23", "matrix_b_23"}};
-    std::array<double, 6> u{};
-    for (std::size_t i = 0; i < u.size(); ++i) {
-        const auto& names = kColumns[i];
-        if (const auto own = number(table, row, {names[0], names[1]}))
-            u[i] = *own;
-        else if (const auto b = number(table, row, {names[2], names[3]}))
-            u[i] = *b / kEightPiSquared;
+    const double reciprocal[3] = {cell.ar, cell.br, cell.cr};
+    glm::dmat3 ofAxes(0.0);
+    for (const TensorColumns& c : kTensorColumns) {
+        double u = 0;
+        if (const auto own = number(table, row, {c.u, c.matrixU, c.anisoU}))
+            u = *own;
+        else if (const auto b = number(table, row, {c.b, c.matrixB, c.anisoB}))
+            u = *b / kEightPiSquared;
+        else if (const auto beta = number(table, row, {c.beta, c.anisoBeta}))
+            u = *beta * 4 / (kEightPiSquared * reciprocal[c.i] * reciprocal[c.j]);
         else
             return std::nullopt;
+        ofAxes[c.i][c.j] = ofAxes[c.j][c.i] = u;
     }
-    const glm::dmat3 ofAxes(u[0], u[3], u[4], u[3], u[1], u[5], u[4], u[5], u[2]);
-    const double reciprocal[3] = {cell.ar, cell.br, cell.cr};
     glm::dmat3 turn(0.0);  // columns: cell edge times its reciprocal length
     for (int row3 = 0; row3 < 3; ++row3)
         for (int column = 0; column < 3; ++column)
@@ -279,11 +291,21 @@ std::optional<Displacement> readDisplacement(const gemmi::UnitCell& cell, const 
     return toDisplacement(turn * ofAxes * glm::transpose(turn));
 }
 
+/// Whether any of a row's numbers is stated.
+bool statesDisplacement(const MmcifTable& table, std::size_t row) {
+    return std::ranges::any_of(kTensorColumns, [&](const TensorColumns& c) {
+        return table.get(row, {c.u, c.matrixU, c.anisoU, c.b, c.matrixB, c.anisoB, c.beta, c.anisoBeta}).has_value();
+    });
+}
+
+enum class Tensors : std::uint8_t { ofEachRow, ofSomeRows };  ///< what a table is expected to state
+
 /// @param sites  atoms by their labels
-void addDisplacements(MoleculeBuilder& builder, const gemmi::UnitCell& cell, const MmcifTable& table,
+void addDisplacements(MoleculeBuilder& builder, const gemmi::UnitCell& cell, const MmcifTable& table, Tensors tensors,
                       const std::map<std::string, std::uint32_t, std::less<>>& sites) {
     std::vector<Displacement>& all = builder.molecule().displacements;
     for (std::size_t row = 0; row < table.rows(); ++row) {
+        if (tensors == Tensors::ofSomeRows && !statesDisplacement(table, row)) continue;
         const auto site = sites.find(table.get(row, {"label"}).value_or(""));
         const auto u = readDisplacement(cell, table, row);
         if (!u || site == sites.end()) {
@@ -331,7 +353,8 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
         builder.addAtom(atom, "", 1, '\0', "", sites.add(*fractional));
         byLabel.emplace(tables.atoms.get(row, {"label"}).value_or(""), placed++);
     }
-    addDisplacements(builder, cell, tables.displacements, byLabel);
+    addDisplacements(builder, cell, tables.atoms, Tensors::ofSomeRows, byLabel);
+    addDisplacements(builder, cell, tables.displacements, Tensors::ofEachRow, byLabel);
     separateSharedSites(builder);
     builder.molecule().file.models = 1;
     builder.molecule().file.totalAtomsAllModels = std::int64_t{placed};
