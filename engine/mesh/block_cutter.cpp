@@ -24,6 +24,8 @@ BlockMesh BlockCutter::cut(const GridBlock& block, std::span<const std::uint32_t
     field_.fill(block_, sources, values_, origins_);
     findInside();
     vertices_.assign(2 * layer, kNoSource);
+    crossings_.clear();
+    points_.clear();
     for (int z = 0; z + 1 < n.z; ++z) {
         for (int y = 0; y + 1 < n.y; ++y) {
             const std::uint64_t* rows = inside_.data() + static_cast<std::size_t>(z) * n.y + y;
@@ -34,6 +36,8 @@ BlockMesh BlockCutter::cut(const GridBlock& block, std::span<const std::uint32_t
         }
         std::fill_n(vertices_.begin() + static_cast<std::ptrdiff_t>(z % 2 * layer), layer, kNoSource);
     }
+    field_.cross(block_, sources, crossings_, points_);
+    for (const SurfacePoint& point : points_) addVertex(result_.mesh, point.place + shift_, point.normal, point.atom);
     return std::move(result_);
 }
 
@@ -66,11 +70,10 @@ std::uint32_t BlockCutter::vertexOn(const glm::ivec3& cell, std::uint8_t number)
     std::uint32_t& vertex = vertices_[3 * inTwoLayers + direction];
     if (vertex != kNoSource) return vertex;
     const std::size_t atA = block_.index(a), atB = block_.index(b);
-    const SurfaceField::Node nodeA{block_.place(a), values_[atA], origins_[atA]};
-    const SurfaceField::Node nodeB{block_.place(b), values_[atB], origins_[atB]};
-    const bool aInside = values_[atA] > 0;
-    const SurfacePoint point = field_.cross(aInside ? nodeA : nodeB, aInside ? nodeB : nodeA);
-    vertex = addVertex(result_.mesh, point.place + shift_, point.normal, point.atom);
+    const GridCrossing::Node nodeA{block_.place(a), values_[atA], origins_[atA]};
+    const GridCrossing::Node nodeB{block_.place(b), values_[atB], origins_[atB]};
+    vertex = static_cast<std::uint32_t>(crossings_.size());
+    crossings_.push_back(values_[atA] > 0 ? GridCrossing{nodeA, nodeB} : GridCrossing{nodeB, nodeA});
     for (int i = 0; i < 3; ++i)
         if (i != direction && (a[i] == block_.first[i] || a[i] == block_.last[i])) {
             result_.shared.emplace_back(vertex, GridEdge{a, direction});

@@ -59,6 +59,8 @@ private:
     std::vector<std::uint64_t> inside_;  // by row of nodes
     // by edge, for two layers of nodes in turn, and the edges from them to the next layer
     std::vector<std::uint32_t> vertices_;
+    std::vector<GridCrossing> crossings_;  // by vertex
+    std::vector<SurfacePoint> points_;
     BlockMesh result_;
 };
 

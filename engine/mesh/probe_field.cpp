@@ -62,7 +62,15 @@ public:
         }
     }
 
-    SurfacePoint cross(const Node& inside, const Node& outside) const override {
+    void cross(const GridBlock&, std::span<const std::uint32_t>, std::span<const GridCrossing> crossings,
+               std::vector<SurfacePoint>& points) const override {
+        for (const GridCrossing& c : crossings) points.push_back(crossOne(c.inside, c.outside));
+    }
+
+private:
+    using Node = GridCrossing::Node;
+
+    SurfacePoint crossOne(const Node& inside, const Node& outside) const {
         if (probe_ == 0) return leave(inside.place, outside.place);
         double a = 0, b = 1, atA = inside.value, atB = outside.value;
         Nearest nearest;
@@ -86,7 +94,6 @@ public:
         return point;
     }
 
-private:
     struct Nearest {
         dvec3 place{};
         dvec3 normal{};              ///< of a ball

@@ -26,9 +26,12 @@ namespace {
 
 constexpr int kBlockCells = 32;                // along each edge of a block
 constexpr double kSurfaceOfAtom = 5;           // Å^2 of a protein atom, as in 4HHB and 1AON
+constexpr double kGaussianOfAtom = 10;         // the same: it enters crevices that no probe does
 constexpr double kTrianglesPerCellFace = 2.3;  // triangles per grid cell face of surface area
 constexpr double kAimedTriangles = 1.5e6;
 constexpr double kFarthestCell = 1e9;  // cells from the middle: integers are exact up to here
+
+double surfaceOfAtom(SurfaceKind kind) { return kind == SurfaceKind::gaussian ? kGaussianOfAtom : kSurfaceOfAtom; }
 
 struct BlockOrder {
     bool operator()(const glm::ivec3& a, const glm::ivec3& b) const {
@@ -56,6 +59,15 @@ std::map<glm::ivec3, std::vector<std::uint32_t>, BlockOrder> listBlocks(const Su
 Mesh joined(std::vector<BlockMesh>& blocks) {
     Mesh mesh;
     std::unordered_map<GridEdge, std::uint32_t, GridEdgeHash> known;
+    std::size_t vertices = 0, triangles = 0;
+    for (const BlockMesh& block : blocks) {
+        vertices += block.mesh.positions.size();
+        triangles += block.mesh.triangles.size();
+    }
+    mesh.positions.reserve(vertices);
+    mesh.normals.reserve(vertices);
+    mesh.atoms.reserve(vertices);
+    mesh.triangles.reserve(triangles);
     for (BlockMesh& block : blocks) {
         std::vector<std::uint32_t> places(block.mesh.positions.size(), kNoSource);
         for (const auto& [vertex, edge] : block.shared)
@@ -111,7 +123,7 @@ glm::dvec3 findMiddle(const Molecule& molecule, std::span<const std::uint32_t> a
 }
 
 /// Refuses a surface that would be too large, or whose atoms crowd at one place, by an estimate from its atoms.
-void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
+void checkSurfaceSize(const std::vector<SurfaceBall>& balls, SurfaceKind kind, double step) {
     constexpr double kMostLayers = 10'000;  // as in any scene: engine/scene/build/crowd.h
     double farthest = 0, apart = 0, reach = 0;
     for (const SurfaceBall& ball : balls) {
@@ -124,7 +136,7 @@ void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
         throw Error("cannot make surface", "",
                     "its atoms lie over one another " + std::to_string(std::llround(layers)) +
                         " times, more than the limit of " + std::to_string(std::llround(kMostLayers)));
-    const double area = std::min(apart, kSurfaceOfAtom * static_cast<double>(balls.size()));
+    const double area = std::min(apart, surfaceOfAtom(kind) * static_cast<double>(balls.size()));
     const double triangles = kTrianglesPerCellFace * area / (step * step);
     if (triangles > static_cast<double>(kMostSurfaceTriangles))
         refuseTriangles(static_cast<std::size_t>(std::llround(triangles / 1e6)));
@@ -164,8 +176,8 @@ NodeRange::NodeRange(const GridBlock& block, const glm::dvec3& low, const glm::d
     last = glm::ivec3(glm::max(to, glm::dvec3(block.first - 1)));
 }
 
-double surfaceResolution(std::size_t atoms) {
-    const double area = kSurfaceOfAtom * static_cast<double>(atoms);
+double surfaceResolution(std::size_t atoms, SurfaceKind kind) {
+    const double area = surfaceOfAtom(kind) * static_cast<double>(atoms);
     return std::clamp(std::sqrt(kTrianglesPerCellFace * area / kAimedTriangles), 0.4, kCoarsestSurface);
 }
 
@@ -176,9 +188,9 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
     const double probe = std::clamp(options.probe, 0.0, kLargestProbe);
     const std::vector<SurfaceBall> balls = makeBalls(molecule, atoms, options, middle, accessible ? probe : 0);
     if (balls.empty()) return {};
-    const double wanted = options.resolution > 0 ? options.resolution : surfaceResolution(balls.size());
+    const double wanted = options.resolution > 0 ? options.resolution : surfaceResolution(balls.size(), options.kind);
     const double step = std::clamp(wanted, kFinestSurface, kCoarsestSurface);
-    checkSurfaceSize(balls, step);
+    checkSurfaceSize(balls, options.kind, step);
     const std::unique_ptr<SurfaceField> field =
         options.kind == SurfaceKind::gaussian ? gaussianField(balls) : probeField(balls, accessible ? 0 : probe, step);
     const auto blocks = listBlocks(*field, step);

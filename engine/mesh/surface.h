@@ -34,7 +34,7 @@ constexpr double kLargestProbe = 10;                            ///< Å
 constexpr std::size_t kMostSurfaceTriangles = 20'000'000;
 
 /// Default resolution for a number of atoms: about 1.5 million triangles, within 0.4 to 1.2 Å.
-double surfaceResolution(std::size_t atoms);
+double surfaceResolution(std::size_t atoms, SurfaceKind kind);
 
 /// The surface of some atoms, with van der Waals radii by element; ignores non-finite positions. One closed mesh: each
 /// vertex lies on the exact surface with its exact normal, and belongs to the atom whose sphere is nearest. Marching

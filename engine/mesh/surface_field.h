@@ -41,6 +41,16 @@ struct SurfacePoint {
     std::uint32_t atom = 0;
 };
 
+/// An edge of the grid that the surface crosses.
+struct GridCrossing {
+    struct Node {
+        glm::dvec3 place{};
+        double value = 0;
+        std::uint32_t origin = kNoSource;
+    };
+    Node inside, outside;
+};
+
 /// A field that is positive inside. Its value at a node does not depend on the block.
 class SurfaceField {
 public:
@@ -53,13 +63,9 @@ public:
     /// @param values, origins  per node of the block: the value, and its source
     virtual void fill(const GridBlock& block, std::span<const std::uint32_t> sources, std::vector<float>& values,
                       std::vector<std::uint32_t>& origins) const = 0;
-    /// Where the surface crosses the line between two neighbouring nodes.
-    struct Node {
-        glm::dvec3 place{};
-        double value = 0;
-        std::uint32_t origin = kNoSource;
-    };
-    virtual SurfacePoint cross(const Node& inside, const Node& outside) const = 0;
+    /// Adds the point of each crossing of a block, in order.
+    virtual void cross(const GridBlock& block, std::span<const std::uint32_t> sources,
+                       std::span<const GridCrossing> crossings, std::vector<SurfacePoint>& points) const = 0;
 };
 
 }  // namespace nacre

@@ -22,6 +22,15 @@ inline Mask loadLanes(const std::int32_t* from) {
     return lanes;
 }
 
+inline Lanes squareRoots(Lanes lanes) {
+#if defined(__SSE__)
+    return __builtin_ia32_sqrtps(lanes);
+#else
+    for (std::uint32_t i = 0; i < kLanes; ++i) lanes[i] = __builtin_sqrtf(lanes[i]);
+    return lanes;
+#endif
+}
+
 inline bool any(Mask mask) {
     std::uint64_t halves[2];
     std::memcpy(halves, &mask, sizeof halves);

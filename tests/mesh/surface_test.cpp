@@ -90,6 +90,33 @@ TEST(Surface, AnAtomIsASphere) {
                    0.005);
 }
 
+TEST(Surface, ASumOfGaussiansIsOneOnTheirSurface) {
+    const Molecule dna = sampleMolecule("dna");
+    const auto atoms = drawnAtoms(dna);
+    const Mesh mesh = makeSurface(dna, at(0.6, 0, SurfaceKind::gaussian));
+    for (std::size_t v = 0; v < mesh.positions.size(); v += 17) {
+        const glm::dvec3 place(mesh.positions[v]);
+        double all = 0, sum = 0, nearest = 1e9, own = 1e9;
+        glm::dvec3 outwards(0);
+        for (const std::uint32_t i : atoms) {
+            const double r = vanDerWaalsRadius(dna.atoms[i].element);
+            const glm::dvec3 way = place - glm::dvec3(dna.atoms[i].position);
+            const double part = std::exp(1.5 * (1 - glm::dot(way, way) / (r * r)));
+            all += part;
+            nearest = std::min(nearest, glm::length(way) - r);
+            if (i == mesh.atoms[v]) own = glm::length(way) - r;
+            if (glm::length(way) > 2.5 * r) continue;  // where they end
+            sum += part;
+            outwards += way * (part / (r * r));
+        }
+        // A vertex keeps 0.012 Å away from the nodes of the grid.
+        ASSERT_NEAR(all, 1, 0.04) << v;
+        ASSERT_NEAR(sum, 1, 0.03) << v;
+        ASSERT_GT(glm::dot(glm::normalize(outwards), glm::dvec3(mesh.normals[v])), 0.998) << v;
+        ASSERT_NEAR(own, nearest, 0.02) << v;
+    }
+}
+
 TEST(Surface, RadiiAreScaledAndMayBeOthers) {
     for (const SurfaceKind kind : {SurfaceKind::solventExcluded, SurfaceKind::gaussian}) {
         SurfaceOptions options = at(0.15, 1.4, kind);
@@ -337,9 +364,11 @@ TEST(Surface, WhatCannotBeMadeIsNot) {
 }
 
 TEST(Surface, ResolutionGoesWithTheAtoms) {
-    EXPECT_EQ(surfaceResolution(10), 0.4);
-    EXPECT_GT(surfaceResolution(60'000), 0.6);
-    EXPECT_EQ(surfaceResolution(10'000'000), kCoarsestSurface);
+    for (const SurfaceKind kind : {SurfaceKind::solventExcluded, SurfaceKind::gaussian}) {
+        EXPECT_EQ(surfaceResolution(10, kind), 0.4);
+        EXPECT_GT(surfaceResolution(60'000, kind), 0.6);
+        EXPECT_EQ(surfaceResolution(10'000'000, kind), kCoarsestSurface);
+    }
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ SurfaceOptions wireOptions(const RepresentationOptions& options, std::size_t ato
     constexpr double kApart = 0.8;  // Å
     SurfaceOptions result = options.surface;
     if (options.surfaceForm == SurfaceForm::mesh && result.resolution <= 0)
-        result.resolution = std::max(kApart, surfaceResolution(atoms));
+        result.resolution = std::max(kApart, surfaceResolution(atoms, result.kind));
     return result;
 }
 

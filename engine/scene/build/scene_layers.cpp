@@ -260,7 +260,7 @@ std::vector<SceneLayer> coarseInCopies(const Molecule& molecule, std::vector<Sce
             last = molecule.atoms[atom].residue;
         }
         layer.cartoon = settledCartoon(layer.cartoon, residues);
-        if (layer.surface.resolution <= 0) layer.surface.resolution = surfaceResolution(atoms);
+        if (layer.surface.resolution <= 0) layer.surface.resolution = surfaceResolution(atoms, layer.surface.kind);
     }
     return layers;
 }
