@@ -34,6 +34,12 @@ struct BakePreparation {
     OccluderMeshes occluders;  ///< for maps drawn by the host
 };
 
+/// Whether shaders gather texels and interpolate them: on software devices, where a word costs as much as a texel.
+/// Elsewhere the sampler does.
+inline bool gathersTexels(const gpu::Caps& caps) {
+    return caps.kind == graph::DeviceKind::software && caps.tiles.texels;
+}
+
 /// Thread-safe. @param stop  when requested, returns early with an unusable result
 /// @throws Error if even one value per sphere exceeds the budget
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,

@@ -242,7 +242,7 @@ passes::Atlas SceneOcclusion::atlas() const {
             before_ || isOutdated() ? kLeastOfMoved : 0,
             shown,
             shown->bounced(),
-            shown->cells() || (shown->bounced() && layout.sphereEdge > 1 && device_.caps().tiles.shade)};
+            shown->cells() || (shown->bounced() && layout.sphereEdge > 1 && gathersTexels(device_.caps()))};
 }
 
 double SceneOcclusion::share() const {
