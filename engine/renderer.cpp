@@ -363,6 +363,7 @@ FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame
             impl_->start.done(impl_->stats.device.driverKey);
         impl_->noteFrame(impl_->shownIn().counts());
         impl_->stats.windowMilliseconds = impl_->shownIn().milliseconds();
+        impl_->stats.windowPace = impl_->shownIn().pace();
         return outcome;
     });
 }

@@ -153,6 +153,24 @@ struct BakeStats {
     OcclusionStats occlusion;
 };
 
+/// What a window's frames wait for before they start.
+struct WindowPace {
+    enum class State : std::uint8_t {
+        absent,   ///< a free image: the driver does not tell when a frame is on display
+        freely,   ///< a free image, while such frames are timed
+        waiting,  ///< the display of the frame before the last
+        resting,  ///< a free image, since waiting costs frames
+    };
+    State state = State::absent;
+    double displayMilliseconds = 0;  ///< from a frame's start to its display, while frames wait; 0: unknown
+};
+
+/// "waiting"
+inline const char* paceName(WindowPace::State state) {
+    constexpr const char* kNames[] = {"absent", "free", "waiting", "resting"};
+    return kNames[static_cast<std::size_t>(state)];
+}
+
 struct FrameStats : PictureStats, BakeStats {
     DeviceInfo device;  ///< with the chosen path and the reason
     /// Submitted primitives of the last picture or frame, in all copies.
@@ -165,6 +183,7 @@ struct FrameStats : PictureStats, BakeStats {
     bool pipelinesPending = false;           ///< whether a worker thread compiles pipelines of later frames
     std::uint64_t windowFrames = 0;          ///< submitted to the window so far
     double windowMilliseconds = 0;           ///< recent device time per frame; 0: unknown
+    WindowPace windowPace;
 };
 
 enum class FrameOutcome {

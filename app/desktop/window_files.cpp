@@ -233,6 +233,8 @@ void WindowSession::captureFrame() {
 void WindowSession::writeStats() {
     nlohmann::ordered_json json;
     json["window_frames"] = renderer().stats().windowFrames;
+    json["pace"] = paceName(renderer().stats().windowPace.state);
+    json["display_ms"] = renderer().stats().windowPace.displayMilliseconds;
     json["seconds_since_last_frame"] = now() - lastShown_;
     if (sceneShown_ > 0)
         json["start_ms"] = {{"before_device", 1000 * (opening_ - kStarted)},

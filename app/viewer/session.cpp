@@ -188,7 +188,9 @@ std::string Session::report(const std::string& system) const {
                             {"device_milliseconds", stats.windowMilliseconds},
                             {"of_motions", motions.frames},
                             {"reduced", motions.reduced},
-                            {"smallest_scale", motions.smallestScale}};
+                            {"smallest_scale", motions.smallestScale},
+                            {"pace", paceName(stats.windowPace.state)},
+                            {"display_milliseconds", stats.windowPace.displayMilliseconds}};
     }
     report["window"] = {{"width", viewer_.frames().size().width},
                         {"height", viewer_.frames().size().height},

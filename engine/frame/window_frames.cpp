@@ -56,7 +56,7 @@ WindowFrames::WindowFrames(const gpu::Device& device, gpu::Executor& executor, S
     : device_(device),
       executor_(executor),
       frames_(frames),
-      swapchain_(device, source.create),
+      swapchain_(device, source),
       ring_(device),
       declared_(device.caps().plan),
       overlay_(device, executor) {
@@ -275,6 +275,7 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, 
 }
 
 void WindowFrames::await() {
+    swapchain_.awaitDisplay();
     if (swapchain_.stale() || !swapchain_.ready()) return;
     gpu::FrameSlot& slot = ring_.next();
     if (!slot.image) slot.image = swapchain_.acquire(*slot.acquired);

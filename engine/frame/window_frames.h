@@ -24,7 +24,7 @@ public:
     /// Has the pipelines for the scene created ahead, for any size of its spheres. Draws nothing. Does nothing before
     /// the first frame.
     void prepareScene(const RenderSettings& settings, const WindowFrame& frame);
-    /// Waits until another frame can start and, if possible, until it has a window image. The caller can then decide
+    /// Waits until another frame should start and, if possible, until it has a window image. The caller can then decide
     /// the frame's contents as late as possible.
     void await();
     /// GPU time of a recent frame, milliseconds; 0: unknown.
@@ -34,6 +34,7 @@ public:
     void setGlyphs(const OverlayGlyphs& glyphs);
     void release();
     graph::Extent size() const { return swapchain_.upright(); }
+    WindowPace pace() const { return swapchain_.pace(); }
 
 private:
     bool resize(graph::Extent wanted);

@@ -84,6 +84,7 @@ void Device::createInstance(const DeviceOptions& options) {
                              options.headset.instance ? &options.headset : nullptr);
     debugUtils_ = found.debugUtils;
     surfaceMaintenance_ = found.surfaceMaintenance;
+    surfaceQueries_ = found.surfaceQueries;
     if (options.validate) messenger_ = makeMessenger(instance_, *messages_);
 }
 
@@ -135,6 +136,9 @@ void Device::createDevice(const DeviceOptions& options) {
     maintainsSwapchains_ = surfaceMaintenance_ && options.surface.create && gpu::maintainsSwapchains(physical_);
     if (maintainsSwapchains_) add(swapchains, VK_EXT_SWAPCHAIN_MAINTENANCE_1_EXTENSION_NAME);
     vk::PhysicalDevicePerformanceQueryFeaturesKHR counters(true);
+    if (options.surface.create) presentWait_ = queryPresentWait(physical_, surfaceQueries_, options.validate);
+    PresentWaitFeatures presents(presentWait_);
+    presents.add(extensions, info);
     if (!options.surface.create && hasPerformanceCounters(physical_))
         add(counters, VK_KHR_PERFORMANCE_QUERY_EXTENSION_NAME);
     info.setPEnabledExtensionNames(extensions);

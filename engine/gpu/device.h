@@ -17,6 +17,7 @@
 #include "engine/gpu/device_loss.h"
 #include "engine/gpu/local_read.h"
 #include "engine/gpu/memory_store.h"
+#include "engine/gpu/present_wait.h"
 #include "engine/gpu/validation_log.h"
 
 namespace nacre::gpu {
@@ -82,6 +83,8 @@ public:
 
     /// The swapchain reports when a presented image is free, and takes back images that were not presented.
     bool maintainsSwapchains() const { return maintainsSwapchains_; }
+    /// Whether waiting for the display of a present is enabled.
+    PresentWait presentWait() const { return presentWait_; }
 
     /// End marker of a submission: nothing, or a frame that is not presented, for capture tools (if supported).
     enum class Ends { nothing, frame };
@@ -128,7 +131,8 @@ private:
     vk::raii::PipelineCache pipelineCache_{nullptr};
     std::uint32_t queueFamily_ = 0;
     bool debugUtils_ = false, tellsOfFaults_ = false;
-    bool marksFrames_ = false, surfaceMaintenance_ = false, maintainsSwapchains_ = false;
+    bool marksFrames_ = false, surfaceQueries_ = false, surfaceMaintenance_ = false, maintainsSwapchains_ = false;
+    PresentWait presentWait_ = PresentWait::none;
     Caps caps_;
     LocalReadCalls localReadCalls_;
     CaptureHook capture_;

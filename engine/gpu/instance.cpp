@@ -79,7 +79,7 @@ vk::raii::Instance instanceWith(const vk::raii::Context& context, const Instance
 /// Creates an instance without querying the loader first: a query loads and unloads every driver. @returns nothing if
 /// the loader lacks something
 std::optional<vk::raii::Instance> usualInstance(const vk::raii::Context& context, InstanceExtensions& found) {
-    const InstanceExtensions usual{true, true, false};
+    const InstanceExtensions usual{true, true};
     try {
         std::optional<vk::raii::Instance> instance = instanceWith(
             context, usual, {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME}, {});
@@ -105,13 +105,11 @@ vk::raii::Instance createInstance(const vk::raii::Context& context, bool validat
             throw Error("cannot open a window", name, "this Vulkan installation lacks the extension");
         extensions.push_back(name.c_str());
     }
-    found.surfaceMaintenance = !wanted.empty() &&
-                               hasExtension(available, VK_KHR_GET_SURFACE_CAPABILITIES_2_EXTENSION_NAME) &&
-                               hasExtension(available, VK_EXT_SURFACE_MAINTENANCE_1_EXTENSION_NAME);
-    if (found.surfaceMaintenance) {
-        extensions.push_back(VK_KHR_GET_SURFACE_CAPABILITIES_2_EXTENSION_NAME);
-        extensions.push_back(VK_EXT_SURFACE_MAINTENANCE_1_EXTENSION_NAME);
-    }
+    found.surfaceQueries = !wanted.empty() && hasExtension(available, VK_KHR_GET_SURFACE_CAPABILITIES_2_EXTENSION_NAME);
+    found.surfaceMaintenance =
+        found.surfaceQueries && hasExtension(available, VK_EXT_SURFACE_MAINTENANCE_1_EXTENSION_NAME);
+    if (found.surfaceQueries) extensions.push_back(VK_KHR_GET_SURFACE_CAPABILITIES_2_EXTENSION_NAME);
+    if (found.surfaceMaintenance) extensions.push_back(VK_EXT_SURFACE_MAINTENANCE_1_EXTENSION_NAME);
     if (validate) {
         const auto present = context.enumerateInstanceLayerProperties();
         if (std::none_of(present.begin(), present.end(),

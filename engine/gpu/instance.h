@@ -11,7 +11,9 @@ namespace nacre::gpu {
 
 struct InstanceExtensions {
     bool debugUtils = false, portability = false;
-    bool surfaceMaintenance = false;  ///< whether the requested window extensions include it
+    // Of a window's instance:
+    bool surfaceQueries = false;      ///< VK_KHR_get_surface_capabilities2
+    bool surfaceMaintenance = false;  ///< VK_EXT_surface_maintenance1
 };
 
 /// Vulkan's entry point, for a headset's runtime that makes objects.

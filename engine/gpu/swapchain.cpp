@@ -28,8 +28,8 @@ int countQuarterTurns(vk::SurfaceTransformFlagBitsKHR transform) {
     }
 }
 
-Swapchain::Swapchain(const Device& device, std::function<VkSurfaceKHR(VkInstance)> create)
-    : device_(device), create_(std::move(create)) {
+Swapchain::Swapchain(const Device& device, const SurfaceSource& source)
+    : device_(device), create_(source.create), display_(device, source.clock) {
     makeSurface();
 }
 
@@ -44,6 +44,7 @@ void Swapchain::makeSurface() {
         throw Error("cannot open a window", device_.caps().deviceName, "this device does not draw into windows here");
     chooseFormat(*surface);
     surface_ = std::move(surface);
+    display_.setSurface(*surface_);
 }
 
 void Swapchain::chooseFormat(vk::SurfaceKHR surface) {
@@ -137,11 +138,12 @@ void Swapchain::build(const vk::SurfaceCapabilitiesKHR& caps, vk::SwapchainKHR b
                            ? vk::CompositeAlphaFlagBitsKHR::eOpaque
                            : vk::CompositeAlphaFlagBitsKHR::eInherit;
     const vk::SwapchainCreateInfoKHR info(
-        {}, *surface_, count, format_.format, format_.colorSpace, {extent_.width, extent_.height}, 1,
-        vk::ImageUsageFlagBits::eColorAttachment, vk::SharingMode::eExclusive, {},
+        display_.swapchainFlags(), *surface_, count, format_.format, format_.colorSpace,
+        {extent_.width, extent_.height}, 1, vk::ImageUsageFlagBits::eColorAttachment, vk::SharingMode::eExclusive, {},
         quarterTurns_ ? caps.currentTransform : vk::SurfaceTransformFlagBitsKHR::eIdentity, alpha,
         vk::PresentModeKHR::eFifo, true, before);
     swapchain_ = vk::raii::SwapchainKHR(*device_, info);
+    display_.replaced();
     device_.name(*swapchain_, "window images");
     for (const VkImage image : swapchain_.getImages()) images_.push_back(windowImage(image));
 }
@@ -163,6 +165,21 @@ Swapchain::WindowImage Swapchain::windowImage(vk::Image image) const {
 }
 
 ImageRef Swapchain::image(std::uint32_t index) const { return {images_[index].handle, *images_[index].view}; }
+
+void Swapchain::awaitDisplay() {
+    if (!ready() || stale_) return;
+    switch (display_.beforeFrame(*swapchain_)) {
+        case vk::Result::eSuboptimalKHR:
+        case vk::Result::eErrorOutOfDateKHR:
+        case vk::Result::eErrorSurfaceLostKHR:  // recreate() finds it lost, too
+            stale_ = true;
+            break;
+        case vk::Result::eErrorDeviceLost:
+            throw vk::DeviceLostError("waiting for the display");
+        default:  // the wait is no more than a courtesy
+            break;
+    }
+}
 
 std::optional<std::uint32_t> Swapchain::acquire(vk::Semaphore signal) {
     dropFormers(false);
@@ -186,13 +203,16 @@ void Swapchain::present(std::uint32_t index) {
         const vk::SwapchainKHR swapchain = *swapchain_;
         vk::PresentInfoKHR info(*image.drawn, swapchain, index);
         vk::SwapchainPresentFenceInfoEXT shown(*image.shown);
+        DisplayWait::Number number;
         if (*image.shown) {
             awaitShown(image, UINT64_MAX);  // the image was returned, so this is done or soon will be
             device_->resetFences(*image.shown);
             info.pNext = &shown;
         }
+        info.pNext = display_.begin(number, info.pNext);
         const vk::Result result = device_.queue().presentKHR(info);
         enqueued(image);
+        display_.accepted(number);
         if (result == vk::Result::eSuboptimalKHR) stale_ = true;
     } catch (const vk::OutOfDateKHRError&) {
         enqueued(image);

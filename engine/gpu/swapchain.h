@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/gpu/present_wait.h"
 #include "engine/gpu/resources.h"
 
 namespace nacre::gpu {
@@ -14,8 +15,8 @@ int countQuarterTurns(vk::SurfaceTransformFlagBitsKHR transform);
 
 class Swapchain {
 public:
-    /// @param create makes the window's surface. @throws Error if this device cannot present to it
-    Swapchain(const Device& device, std::function<VkSurfaceKHR(VkInstance)> create);
+    /// @throws Error if this device cannot present to the window
+    Swapchain(const Device& device, const SurfaceSource& source);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;
 
@@ -41,6 +42,9 @@ public:
     int quarterTurns() const { return quarterTurns_; }
     VkFormat format() const { return static_cast<VkFormat>(format_.format); }
 
+    /// A frame starts: waits for the display where that leaves the rate as it is. The swapchain may become stale.
+    void awaitDisplay();
+    WindowPace pace() const { return display_.pace(); }
     /// Index of the next image, or nothing if the swapchain has become stale.
     std::optional<std::uint32_t> acquire(vk::Semaphore signal);
     ImageRef image(std::uint32_t index) const;
@@ -76,6 +80,7 @@ private:
 
     const Device& device_;
     std::function<VkSurfaceKHR(VkInstance)> create_;
+    DisplayWait display_;
     vk::raii::SurfaceKHR surface_{nullptr};
     vk::SurfaceFormatKHR format_;
     vk::raii::SwapchainKHR swapchain_{nullptr};

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -49,6 +50,29 @@ void offerFaultData(bool offered);
 void hideExtensions(std::set<std::string> names);
 /// What surfaces say that their window measures from now on, in pixels; 0 and 0: what they know.
 void setWindowSize(std::uint32_t width, std::uint32_t height);
+
+/// A display by a clock of its own, for a window that nobody sees. At each interval it takes the next image that was
+/// presented, shows it a number of intervals later, and is done with it when it takes another one.
+struct Display {
+    int version = 1;  ///< of VK_KHR_present_wait, for devices that are made from now on
+    double interval = 1.0 / 64;
+    int latency = 0;              ///< intervals from taking an image to showing it
+    bool shows = true;            ///< a window that is hidden shows nothing more
+    bool surfaceSupports = true;  ///< the second version asks surfaces
+};
+void setDisplay(const std::optional<Display>& display);
+/// The display's time in seconds. It goes on while the program waits for it.
+double displayTime();
+/// The program works for so long.
+void passTime(double seconds);
+
+/// A present with its number. The layer ends the program if numbers do not rise.
+struct Present {
+    std::uint64_t number = 0;
+    double at = 0, taken = 0, shown = 0;  ///< seconds
+};
+/// Since setDisplay(), those of former swapchains included.
+const std::vector<Present>& presents();
 
 /// Calls that may run out of memory since reset(), in their order.
 const std::vector<Call>& calls();

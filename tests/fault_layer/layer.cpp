@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/fault_layer/display.h"
 #include "tests/fault_layer/hooks.h"
 #include "tests/support/layer_link.h"
 
@@ -91,31 +92,30 @@ VKAPI_ATTR void VKAPI_CALL destroyInstance(VkInstance gone, const VkAllocationCa
     instanceGone();
 }
 
-/// A copy of a device's wishes without the extension that only this layer has.
+/// Whether the driver knows nothing of it: an extension that only this layer has, or its features.
+bool ownExtension(std::string_view name) {
+    return name == VK_EXT_DEVICE_FAULT_EXTENSION_NAME || isDisplayExtension(name);
+}
+bool ownFeatures(VkStructureType type) {
+    return (type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FAULT_FEATURES_EXT && offersFaultData()) ||
+           isDisplayFeature(type);
+}
+
+/// A copy of a device's wishes without the extensions that only this layer has.
 struct Wishes {
     VkDeviceCreateInfo info;
     std::vector<const char*> extensions;
-    std::vector<VkBaseOutStructure*> before;  // links that were bent around the feature
-    VkBaseOutStructure* removed = nullptr;
+    BentChain chain;
 
     explicit Wishes(const VkDeviceCreateInfo& asked) : info(asked) {
         for (std::uint32_t i = 0; i < asked.enabledExtensionCount; ++i)
-            if (std::string_view(asked.ppEnabledExtensionNames[i]) != VK_EXT_DEVICE_FAULT_EXTENSION_NAME)
-                extensions.push_back(asked.ppEnabledExtensionNames[i]);
+            if (!ownExtension(asked.ppEnabledExtensionNames[i])) extensions.push_back(asked.ppEnabledExtensionNames[i]);
         info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
         info.ppEnabledExtensionNames = extensions.data();
-        for (auto* at = reinterpret_cast<VkBaseOutStructure*>(&info); at->pNext; at = at->pNext)
-            if (at->pNext->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FAULT_FEATURES_EXT) {
-                removed = at->pNext;
-                before.push_back(at);
-                at->pNext = removed->pNext;
-                if (!at->pNext) break;
-            }
+        chain.bend(&info, [](VkStructureType type) {
+            return type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FAULT_FEATURES_EXT || isDisplayFeature(type);
+        });
     }
-    ~Wishes() {
-        for (VkBaseOutStructure* at : before) at->pNext = removed;
-    }
-    Wishes(const Wishes&) = delete;
 };
 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
@@ -159,6 +159,7 @@ VKAPI_ATTR VkResult VKAPI_CALL deviceExtensions(VkPhysicalDevice physical, const
     VkExtensionProperties fault{};
     std::strcpy(fault.extensionName, VK_EXT_DEVICE_FAULT_EXTENSION_NAME);
     if (offersFaultData()) all.push_back(fault);
+    addDisplayExtensions(all);
     std::erase_if(all, [](const VkExtensionProperties& e) { return hides(e.extensionName); });
     const auto wanted = static_cast<std::uint32_t>(all.size());
     if (list) std::copy_n(all.data(), std::min(*count, wanted), list);
@@ -168,17 +169,11 @@ VKAPI_ATTR VkResult VKAPI_CALL deviceExtensions(VkPhysicalDevice physical, const
 }
 
 VKAPI_ATTR void VKAPI_CALL features2(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* features) {
-    VkBaseOutStructure *before = nullptr, *fault = nullptr;
-    for (auto* at = reinterpret_cast<VkBaseOutStructure*>(features); at->pNext; at = at->pNext)
-        if (at->pNext->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FAULT_FEATURES_EXT) {
-            before = at;
-            fault = at->pNext;
-        }
-    if (before && offersFaultData()) before->pNext = fault->pNext;
+    BentChain chain;
+    chain.bend(features, ownFeatures);
     nextFeatures2(physical, features);
-    if (!before || !offersFaultData()) return;
-    before->pNext = fault;
-    reinterpret_cast<VkPhysicalDeviceFaultFeaturesEXT*>(fault)->deviceFault = VK_TRUE;
+    for (VkBaseOutStructure* own : chain.removed())  // each has one feature
+        reinterpret_cast<VkPhysicalDevicePresentIdFeaturesKHR*>(own)->presentId = VK_TRUE;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities(VkPhysicalDevice physical, VkSurfaceKHR surface,
@@ -186,6 +181,48 @@ VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities(VkPhysicalDevice physical, Vk
     const VkResult result = GetPhysicalDeviceSurfaceCapabilitiesKHRHook::run(physical, surface, capabilities);
     if (windowSize().width > 0) capabilities->currentExtent = windowSize();
     return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities2(VkPhysicalDevice physical,
+                                                    const VkPhysicalDeviceSurfaceInfo2KHR* surface,
+                                                    VkSurfaceCapabilities2KHR* capabilities) {
+    tellDisplay(capabilities->pNext);
+    return surfaceCapabilities(physical, surface->surface, &capabilities->surfaceCapabilities);
+}
+
+// --- a display by its own clock
+
+VKAPI_ATTR VkResult VKAPI_CALL createSwapchain(VkDevice of, const VkSwapchainCreateInfoKHR* info,
+                                               const VkAllocationCallbacks* allocator, VkSwapchainKHR* swapchain) {
+    VkSwapchainCreateInfoKHR below = *info;
+    if (hasDisplay()) below.flags &= ~displayFlags();
+    const VkResult result = CreateSwapchainKHRHook::run(of, &below, allocator, swapchain);
+    if (result == VK_SUCCESS) newSwapchain(info->flags, info->minImageCount);
+    return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL acquireNextImage(VkDevice of, VkSwapchainKHR swapchain, std::uint64_t timeout,
+                                                VkSemaphore semaphore, VkFence fence, std::uint32_t* index) {
+    awaitImage();
+    return AcquireNextImageKHRHook::run(of, swapchain, timeout, semaphore, fence, index);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL queuePresent(VkQueue queue, const VkPresentInfoKHR* info) {
+    VkPresentInfoKHR below = *info;
+    BentChain chain;
+    chain.bend(&below, isPresentNumber);
+    const VkResult result = QueuePresentKHRHook::run(queue, &below);
+    if (result >= 0) presented(chain.removed());
+    return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL waitForPresent(VkDevice, VkSwapchainKHR, std::uint64_t number, std::uint64_t timeout) {
+    if (const auto told = verdict("vkWaitForPresentKHR", true, true)) return *told;
+    return awaitDisplay(number, timeout);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL waitForPresent2(VkDevice of, VkSwapchainKHR swapchain, const VkPresentWait2InfoKHR* w) {
+    return waitForPresent(of, swapchain, w->presentId, w->timeout);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL faultInfo(VkDevice, VkDeviceFaultCountsEXT* counts, VkDeviceFaultInfoEXT* info) {
@@ -217,6 +254,16 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceCall(VkDevice asked, const char* 
     const std::string_view wanted = name;
     if (wanted == "vkGetDeviceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(&deviceCall);
     if (wanted == "vkDestroyDevice") return reinterpret_cast<PFN_vkVoidFunction>(&destroyDevice);
+    if (hasDisplay()) {
+        const std::pair<std::string_view, PFN_vkVoidFunction> own[] = {
+            {"vkCreateSwapchainKHR", reinterpret_cast<PFN_vkVoidFunction>(&createSwapchain)},
+            {"vkAcquireNextImageKHR", reinterpret_cast<PFN_vkVoidFunction>(&acquireNextImage)},
+            {"vkQueuePresentKHR", reinterpret_cast<PFN_vkVoidFunction>(&queuePresent)},
+            {"vkWaitForPresentKHR", reinterpret_cast<PFN_vkVoidFunction>(&waitForPresent)},
+            {"vkWaitForPresent2KHR", reinterpret_cast<PFN_vkVoidFunction>(&waitForPresent2)}};
+        for (const auto& [known, function] : own)
+            if (wanted == known) return function;
+    }
     if (wanted == "vkGetDeviceFaultInfoEXT" && offersFaultData())
         return reinterpret_cast<PFN_vkVoidFunction>(&faultInfo);
 #define NACRE_FIND(call, how, of) \
@@ -236,7 +283,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceCall(VkInstance asked, const ch
         {"vkDestroyDevice", reinterpret_cast<PFN_vkVoidFunction>(&destroyDevice)},
         {"vkEnumerateDeviceExtensionProperties", reinterpret_cast<PFN_vkVoidFunction>(&deviceExtensions)},
         {"vkGetPhysicalDeviceFeatures2", reinterpret_cast<PFN_vkVoidFunction>(&features2)},
-        {"vkGetPhysicalDeviceSurfaceCapabilitiesKHR", reinterpret_cast<PFN_vkVoidFunction>(&surfaceCapabilities)}};
+        {"vkGetPhysicalDeviceSurfaceCapabilitiesKHR", reinterpret_cast<PFN_vkVoidFunction>(&surfaceCapabilities)},
+        {"vkGetPhysicalDeviceSurfaceCapabilities2KHR", reinterpret_cast<PFN_vkVoidFunction>(&surfaceCapabilities2)}};
     for (const auto& [known, function] : own)
         if (wanted == known) return function;
     NACRE_INSTANCE_CALLS(NACRE_FIND)
