@@ -10,6 +10,7 @@
 #include "engine/frame/geometry.h"
 #include "engine/frame/scene_frames.h"
 #include "engine/gpu/performance_counters.h"
+#include "engine/gpu/region_counters.h"
 #include "engine/self_test.h"
 #include "engine/self_test/scenes.h"
 
@@ -17,6 +18,8 @@ namespace nacre {
 namespace {
 
 constexpr std::uint32_t kCountedPixels = 720;
+constexpr const char* kNoCounters =
+    "the driver has neither VK_KHR_performance_query nor VK_ARM_performance_counters_by_region";
 
 std::string lowered(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -28,7 +31,9 @@ bool mentions(const std::string& text, std::initializer_list<std::string_view> w
 }
 
 /// The direction in the text; `neither` unless it names exactly one.
-TrafficWay trafficWay(const std::string& text) {
+TrafficWay wayOf(std::string text) {
+    constexpr std::string_view kUnit = "load/store";  // of a shader core, and no direction
+    for (std::size_t at; (at = text.find(kUnit)) != std::string::npos;) text.erase(at, kUnit.size());
     const bool reads = mentions(text, {"read", "load"}), writes = mentions(text, {"writ", "stor"});
     return reads == writes ? TrafficWay::neither : reads ? TrafficWay::read : TrafficWay::written;
 }
@@ -54,6 +59,7 @@ public:
 
     /// Only for commands that are waited for.
     void record(gpu::CommandBuffer& commands) { executor_.record(commands, *frame_->recording, frame_->imports); }
+    void countRegions(gpu::RegionCounters* counters) { executor_.countRegions(counters); }
 
     void tellPlan(CountedTraffic& traffic, const graph::GeometryCaps& caps) const {
         traffic.visibility = visibilityName(prepared_.choice().path);
@@ -83,6 +89,37 @@ void takeTestedPath(gpu::Device& device, const std::string& selfTests) {
     device.choose(choosePath(*test, byCaps.visibility, byCaps.why));
 }
 
+void add(CountedTraffic& traffic, TrafficWay way, std::uint64_t bytes) {
+    if (way == TrafficWay::read) traffic.read = traffic.read.value_or(0) + bytes;
+    if (way == TrafficWay::written) traffic.written = traffic.written.value_or(0) + bytes;
+}
+
+void countByQueries(const gpu::Device& device, CountedFrame& frame, CountedTraffic& traffic) {
+    const gpu::ByteCounters counters(device);
+    for (const gpu::ByteCounter& counter : counters.counters()) {
+        const std::optional<std::uint64_t> bytes =
+            counters.count(counter, [&](gpu::CommandBuffer& c) { frame.record(c); });
+        if (!bytes) continue;
+        traffic.counters.push_back({counter.name, counter.category, *bytes});
+        add(traffic, trafficWay(counter.name, counter.category, counter.description), *bytes);
+    }
+}
+
+/// They count what the shader cores ask of memory. Where queries tell of the memory itself, those hold.
+void countByRegions(const gpu::Device& device, CountedFrame& frame, CountedTraffic& traffic) {
+    gpu::RegionCounters counters(device);
+    frame.countRegions(&counters);
+    const std::vector<std::uint64_t> sums = counters.count([&](gpu::CommandBuffer& c) { frame.record(c); });
+    frame.countRegions(nullptr);
+    const bool told = traffic.read || traffic.written;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const std::string& name = counters.names()[i];
+        const std::optional<std::uint64_t> bytes = countedBytes(name, sums[i]);
+        traffic.regions.push_back({name, sums[i], bytes});
+        if (bytes && !told) add(traffic, trafficWay(name, "", ""), *bytes);
+    }
+}
+
 std::string formatMegabytes(std::uint64_t bytes) {
     const std::uint64_t tenths = (bytes + 50'000) / 100'000;
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
@@ -90,14 +127,22 @@ std::string formatMegabytes(std::uint64_t bytes) {
 
 }  // namespace
 
+std::optional<std::uint64_t> countedBytes(const std::string& name, std::uint64_t sum) {
+    constexpr std::uint64_t kBeatBytes = 16;  // Arm's performance counters: a beat is 128 bits
+    const std::string text = lowered(name);
+    if (mentions(text, {"byte"})) return sum;
+    if (mentions(text, {"beat"})) return kBeatBytes * sum;
+    return {};
+}
+
 TrafficWay trafficWay(const std::string& name, const std::string& category, const std::string& description) {
     const std::string names = lowered(name), texts = lowered(description);
     const std::string all = names + "\n" + lowered(category) + "\n" + texts;
     if (!mentions(all, {"external", "memory", "dram", "ddr", "vbif"}) ||
         mentions(all, {"cache", "tile", "local", "shared"}))
         return TrafficWay::neither;
-    const TrafficWay way = trafficWay(names);
-    return way == TrafficWay::neither ? trafficWay(texts) : way;
+    const TrafficWay way = wayOf(names);
+    return way == TrafficWay::neither ? wayOf(texts) : way;
 }
 
 CountedTraffic countTraffic(const DeviceOptions& options) {
@@ -105,25 +150,19 @@ CountedTraffic countTraffic(const DeviceOptions& options) {
     DeviceOptions alone = options;
     alone.surface = {};
     gpu::Device device(alone);
-    if (!gpu::hasPerformanceCounters(device.physical())) {
-        traffic.lacks = "the driver has no VK_KHR_performance_query";
+    const bool queries = gpu::hasPerformanceCounters(device.physical());
+    const bool regions = gpu::hasRegionCounters(device.physical(), options.validate);
+    if (!queries && !regions) {
+        traffic.lacks = kNoCounters;
         return traffic;
     }
     takeTestedPath(device, options.selfTests);
-    const gpu::ByteCounters counters(device);
     CountedFrame frame(device);
     frame.tellPlan(traffic, device.caps().plan.geometry);
-    const auto record = [&](gpu::CommandBuffer& c) { frame.record(c); };
-    device.submitAndWait(record);  // makes pipelines and images
-    for (const gpu::ByteCounter& counter : counters.counters()) {
-        const std::optional<std::uint64_t> bytes = counters.count(counter, record);
-        if (!bytes) continue;
-        traffic.counters.push_back({counter.name, counter.category, *bytes});
-        const TrafficWay way = trafficWay(counter.name, counter.category, counter.description);
-        if (way == TrafficWay::read) traffic.read = traffic.read.value_or(0) + *bytes;
-        if (way == TrafficWay::written) traffic.written = traffic.written.value_or(0) + *bytes;
-    }
-    if (traffic.counters.empty()) traffic.lacks = "no counter of the driver counts bytes";
+    device.submitAndWait([&](gpu::CommandBuffer& c) { frame.record(c); });  // makes pipelines and images
+    if (queries) countByQueries(device, frame, traffic);
+    if (regions) countByRegions(device, frame, traffic);
+    if (traffic.counters.empty() && traffic.regions.empty()) traffic.lacks = "no counter of the driver counts bytes";
     return traffic;
 }
 

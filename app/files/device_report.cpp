@@ -49,20 +49,24 @@ nlohmann::ordered_json trafficJson(const CountedTraffic& traffic) {
     nlohmann::ordered_json counters = nlohmann::ordered_json::array();
     for (const CountedBytes& c : traffic.counters)
         counters.push_back({{"name", c.name}, {"category", c.category}, {"bytes", c.bytes}});
+    nlohmann::ordered_json regions = nlohmann::ordered_json::array();
+    for (const CountedRegions& r : traffic.regions)
+        regions.push_back({{"name", r.name}, {"sum", r.sum}, {"bytes", orNull(r.bytes)}});
     return {{"visibility", traffic.visibility},
             {"pixels", traffic.pixels},
             {"read", orNull(traffic.read)},
             {"planned_read", traffic.plannedRead},
             {"written", orNull(traffic.written)},
             {"planned_written", traffic.plannedWritten},
-            {"counters", counters}};
+            {"counters", counters},
+            {"regions", regions}};
 }
 
 CountedTraffic queryTraffic(const DeviceInfo& device, const DeviceOptions& options) {
-    constexpr const char* kCounters = "VK_KHR_performance_query";
     CountedTraffic traffic;
-    traffic.lacks = std::string("the driver has no ") + kCounters;
-    if (!std::ranges::binary_search(device.extensions, kCounters)) return traffic;
+    traffic.lacks = "the driver has neither VK_KHR_performance_query nor VK_ARM_performance_counters_by_region";
+    const auto has = [&](const char* name) { return std::ranges::binary_search(device.extensions, name); };
+    if (!has("VK_KHR_performance_query") && !has("VK_ARM_performance_counters_by_region")) return traffic;
     try {
         return countTraffic(options);
     } catch (const Error& error) {

@@ -16,6 +16,7 @@
 #include "engine/gpu/instance.h"
 #include "engine/gpu/performance_counters.h"
 #include "engine/gpu/pipeline_cache.h"
+#include "engine/gpu/region_counters.h"
 #include "engine/gpu/requirements.h"
 
 namespace nacre::gpu {
@@ -83,8 +84,8 @@ void Device::createInstance(const DeviceOptions& options) {
     instance_ = makeInstance(context_, options.validate, found, options.surface.instanceExtensions,
                              options.headset.instance ? &options.headset : nullptr);
     debugUtils_ = found.debugUtils;
-    surfaceMaintenance_ = found.surfaceMaintenance;
     surfaceQueries_ = found.surfaceQueries;
+    surfaceMaintenance_ = found.surfaceMaintenance;
     if (options.validate) messenger_ = makeMessenger(instance_, *messages_);
 }
 
@@ -135,12 +136,19 @@ void Device::createDevice(const DeviceOptions& options) {
     vk::PhysicalDeviceSwapchainMaintenance1FeaturesEXT swapchains(true);
     maintainsSwapchains_ = surfaceMaintenance_ && options.surface.create && gpu::maintainsSwapchains(physical_);
     if (maintainsSwapchains_) add(swapchains, VK_EXT_SWAPCHAIN_MAINTENANCE_1_EXTENSION_NAME);
-    vk::PhysicalDevicePerformanceQueryFeaturesKHR counters(true);
     if (options.surface.create) presentWait_ = queryPresentWait(physical_, surfaceQueries_, options.validate);
     PresentWaitFeatures presents(presentWait_);
     presents.add(extensions, info);
+    vk::PhysicalDevicePerformanceQueryFeaturesKHR counters(true);
     if (!options.surface.create && hasPerformanceCounters(physical_))
         add(counters, VK_KHR_PERFORMANCE_QUERY_EXTENSION_NAME);
+    vk::PhysicalDeviceBufferDeviceAddressFeatures addresses(true);
+    VkPhysicalDevicePerformanceCountersByRegionFeaturesARM regions{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PERFORMANCE_COUNTERS_BY_REGION_FEATURES_ARM, nullptr, true};
+    if (!options.surface.create && hasRegionCounters(physical_, options.validate)) {
+        add(addresses, VK_KHR_BUFFER_DEVICE_ADDRESS_EXTENSION_NAME);
+        add(regions, VK_ARM_PERFORMANCE_COUNTERS_BY_REGION_EXTENSION_NAME);
+    }
     info.setPEnabledExtensionNames(extensions);
     device_ = options.headset.device
                   ? vk::raii::Device(physical_, options.headset.device(*physical_, info, entryPoint(context_)))

@@ -140,7 +140,7 @@ void DynamicRendering::transition(bool entering) const {
     if (count > 0) commands_.pipelineBarrier(own | earlier, own, {}, {}, {}, some);
 }
 
-void DynamicRendering::begin() const {
+void DynamicRendering::begin(const void* chain) const {
     transition(true);
     const auto attachmentInfo = [&](std::uint32_t a) {
         const graph::Attachment& attachment = plan_.attachments[a];
@@ -160,6 +160,7 @@ void DynamicRendering::begin() const {
     std::ranges::transform(colors(), infos.begin(), attachmentInfo);
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    info.pNext = chain;
     info.renderArea.extent = {plan_.extent.width, plan_.extent.height};
     info.layerCount = plan_.viewMask ? 1 : plan_.layers;
     info.viewMask = plan_.viewMask;

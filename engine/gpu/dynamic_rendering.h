@@ -43,7 +43,8 @@ public:
     static bool takes(const Device& device, const graph::RenderPassPlan& plan);
 
     RenderingFormats findFormats(std::uint32_t subpass) const;
-    void begin() const;
+    /// @param chain  continues the structure that begins it
+    void begin(const void* chain) const;
     /// Selects the attachments that the subpass draws to and reads, with a barrier after earlier subpasses.
     RenderingFormats beginSubpass(std::uint32_t subpass) const;
     void end() const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/gpu/region_counters.h"
+
 namespace nacre::gpu {
 namespace {
 
@@ -113,9 +115,10 @@ void Executor::beginRenderPass(Recording& recording, std::size_t step, PassConte
     Recording::RenderPass& own = recording.renderPasses_[step];
     if (!own.made) own.made = &renderPass(pass, own.name);
     const vk::Rect2D area({0, 0}, {pass.extent.width, pass.extent.height});
-    context.commands.beginRenderPass2KHR(
-        vk::RenderPassBeginInfo(*own.made->handle, framebuffer(*own.made, pass, recording, own.name), area, own.clears),
-        kInline);
+    vk::RenderPassBeginInfo info(*own.made->handle, framebuffer(*own.made, pass, recording, own.name), area,
+                                 own.clears);
+    if (regions_) info.pNext = regions_->begin(pass, pass.subpasses.size());
+    context.commands.beginRenderPass2KHR(info, kInline);
     context.renderPass = own.made->ofPipelines;
 }
 
@@ -129,7 +132,8 @@ void Executor::recordRenderPass(Recording& recording, std::size_t step, PassCont
     context.rendering = {};
     context.inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;
     if (DynamicRendering::takes(device_, pass)) {
-        dynamic.emplace(device_, pass, context.images, context.commands).begin();
+        dynamic.emplace(device_, pass, context.images, context.commands);
+        dynamic->begin(regions_ ? regions_->begin(pass, 1) : nullptr);
     } else {
         beginRenderPass(recording, step, context);
     }

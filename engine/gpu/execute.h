@@ -14,6 +14,8 @@
 
 namespace nacre::gpu {
 
+class RegionCounters;
+
 /// Everything that a pass's pipelines depend on.
 struct PipelineContext {
     const Device& device;
@@ -117,6 +119,8 @@ public:
     /// Compiles a graph for the device's caps, executes it and waits.
     void run(const graph::Graph& graph, const Imports& imports);
     void run(const graph::Graph& graph, const graph::Plan& plan, const Imports& imports);
+    /// Lets counters count the render passes that are recorded from now on; null: none.
+    void countRegions(RegionCounters* counters) { regions_ = counters; }
     /// Frees descriptor sets. Nothing recorded may be in flight.
     void reset() { descriptors_.reset(); }
     /// Drops every image of the graph of this name to free its memory. Nothing of that graph may be in flight; the call
@@ -152,6 +156,7 @@ private:
     DescriptorPool descriptors_;
     std::map<std::string, OwnedImage> images_;
     std::list<OwnedRenderPass> renderPasses_;
+    RegionCounters* regions_ = nullptr;
 };
 
 /// The VkRenderPass of a plan.

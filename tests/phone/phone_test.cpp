@@ -77,6 +77,22 @@ TEST(Phone, WhatIsTooMuchForItIsTold) {
     EXPECT_TRUE(renderer.validationMessages().empty());
 }
 
+// And an image that asks for none: compression of a fixed rate loses detail (VK_EXT_image_compression_control).
+TEST(Phone, IsTakenForItsFixedRates) {
+    const auto formats = [] { return Renderer(DeviceOptions{}).stats().device.formats; };
+    const auto compressed = [](const std::vector<std::string>& list) {
+        return std::ranges::count_if(
+            list, [](const std::string& f) { return f.ends_with(", compressed to 2, 5 bits per channel on demand"); });
+    };
+    EXPECT_EQ(compressed(formats()), 0);
+    setenv("NACRE_PHONE_RATES", "1", 1);
+    const std::vector<std::string> told = formats();
+    unsetenv("NACRE_PHONE_RATES");
+    EXPECT_EQ(compressed(told), 2);
+    EXPECT_NE(told.front().find("R8"), std::string::npos) << told.front();
+    EXPECT_TRUE(told.front().ends_with("on demand")) << told.front();
+}
+
 TEST(Phone, AMeshThatItsShadersCannotReadIsRefused) {
     DeviceOptions options;
     options.validate = true;

@@ -17,6 +17,8 @@ inline bool molten() { return isPhone("moltenvk"); }
 inline bool adreno() { return isPhone("adreno"); }
 inline bool mali() { return isPhone("mali"); }
 inline bool arm() { return mali() || isPhone("android"); }
+/// Whether it names its driver, which then keeps an order that it does not promise.
+inline bool armsDriver() { return arm() && std::getenv("NACRE_PHONE_ARMS_DRIVER"); }
 inline bool powervr() { return isPhone("powervr"); }
 /// A fault of the driver: NACRE_PHONE_WRONG.
 inline bool isWrong(std::string_view how) {
@@ -25,17 +27,18 @@ inline bool isWrong(std::string_view how) {
 }
 
 // What lies below. Looked up in time: later the loader would give this layer's own.
-#define NACRE_BELOW(X)                        \
-    X(DestroyInstance)                        \
-    X(EnumerateDeviceExtensionProperties)     \
-    X(GetPhysicalDeviceProperties)            \
-    X(GetPhysicalDeviceProperties2)           \
-    X(GetPhysicalDeviceFeatures)              \
-    X(GetPhysicalDeviceFeatures2)             \
-    X(GetPhysicalDeviceFormatProperties)      \
-    X(GetPhysicalDeviceFormatProperties2)     \
-    X(GetPhysicalDeviceMemoryProperties)      \
-    X(GetPhysicalDeviceQueueFamilyProperties) \
+#define NACRE_BELOW(X)                         \
+    X(DestroyInstance)                         \
+    X(EnumerateDeviceExtensionProperties)      \
+    X(GetPhysicalDeviceProperties)             \
+    X(GetPhysicalDeviceProperties2)            \
+    X(GetPhysicalDeviceFeatures)               \
+    X(GetPhysicalDeviceFeatures2)              \
+    X(GetPhysicalDeviceFormatProperties)       \
+    X(GetPhysicalDeviceFormatProperties2)      \
+    X(GetPhysicalDeviceMemoryProperties)       \
+    X(GetPhysicalDeviceQueueFamilyProperties)  \
+    X(GetPhysicalDeviceImageFormatProperties2) \
     X(GetPhysicalDeviceMemoryProperties2)
 #define NACRE_DEVICE_BELOW(X)       \
     X(AllocateMemory)               \
@@ -75,12 +78,15 @@ inline bool isWrong(std::string_view how) {
     X(FreeMemory)                   \
     X(FlushMappedMemoryRanges)      \
     X(InvalidateMappedMemoryRanges) \
-    X(CmdPipelineBarrier)
+    X(CmdPipelineBarrier)           \
+    X(CreateBuffer)
 
 #define NACRE_DECLARE(name) inline PFN_vk##name next##name = nullptr;
 NACRE_BELOW(NACRE_DECLARE)
 NACRE_DEVICE_BELOW(NACRE_DECLARE)
 inline PFN_vkCmdClearAttachments nextCmdClearAttachments = nullptr;
+inline PFN_vkGetBufferDeviceAddressKHR nextGetBufferDeviceAddressKHR = nullptr;
+inline PFN_vkCmdUpdateBuffer nextCmdUpdateBuffer = nullptr;
 #undef NACRE_DECLARE
 
 }  // namespace nacre::phone

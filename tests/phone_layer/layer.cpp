@@ -3,17 +3,18 @@
 // must invalidate, one that is lazily allocated. What the host may not see yet, it does not see here. Under the
 // validation layer a program that asks for more is told. The environment variable NACRE_PHONE names the phone:
 // "android" (of Arm's make), "mali" (the same, in raster order), "adreno" (adreno.h), "powervr" (whose compiler is not
-// thread-safe) or "moltenvk" (1.4, restarts.h);
+// thread-safe) or "moltenvk" (1.4, restarts.h); with NACRE_PHONE_ARMS_DRIVER the first says that its driver is Arm's;
 // NACRE_PHONE_DRIVER its driver's UUID, NACRE_PHONE_WRONG a fault of that, NACRE_PHONE_TILE the tile of the former
 // (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over,
 // as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h), NACRE_PHONE_PIPELINES one that
 // gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one that gets the corners of each
 // draw, and each timestamp; NACRE_PHONE_NO_CLOCK takes the queue's clock away; NACRE_PHONE_WORK one that gets what each
 // submission takes of its device (clock.h). NACRE_PHONE_COUNTERS gives it performance counters (counters.h).
-// NACRE_PHONE_DENSITY gives it fragment density maps (density.h). NACRE_PHONE_VERTEX_BYTES is how many bytes of vertex
-// outputs a render pass may have (vertices.h). NACRE_PHONE_PROFILE is a profile that it meets (profiles.h). Where
-// NACRE_PHONE_FIRST is set, a second device before the first present ends the program: a start that keeps its user
-// waiting.
+// NACRE_PHONE_RATES lets it offer fixed rates of compression: of 8-bit formats 2 and 5 bits per channel.
+// NACRE_PHONE_REGIONS gives it counters of regions (regions.h). NACRE_PHONE_DENSITY gives it fragment density maps
+// (density.h). NACRE_PHONE_VERTEX_BYTES is how many bytes of vertex outputs a render pass may have (vertices.h).
+// NACRE_PHONE_PROFILE is a profile that it meets (profiles.h). Where NACRE_PHONE_FIRST is set, a second device before
+// the first present ends the program: a start that keeps its user waiting.
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -39,6 +40,7 @@
 #include "tests/phone_layer/floor.h"
 #include "tests/phone_layer/frames.h"
 #include "tests/phone_layer/memory.h"
+#include "tests/phone_layer/regions.h"
 #include "tests/phone_layer/restarts.h"
 #include "tests/phone_layer/vertices.h"
 #include "tests/support/layer_link.h"
@@ -51,6 +53,9 @@ constexpr const char* kMergeFeedback = VK_EXT_SUBPASS_MERGE_FEEDBACK_EXTENSION_N
 constexpr const char* kFrameBoundary = VK_EXT_FRAME_BOUNDARY_EXTENSION_NAME;
 constexpr const char* kLocalRead = VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME;
 constexpr const char* kCounterQueries = VK_KHR_PERFORMANCE_QUERY_EXTENSION_NAME;
+constexpr const char* kCompression = VK_EXT_IMAGE_COMPRESSION_CONTROL_EXTENSION_NAME;
+constexpr const char* kRegions = VK_ARM_PERFORMANCE_COUNTERS_BY_REGION_EXTENSION_NAME;
+constexpr const char* kAddresses = VK_KHR_BUFFER_DEVICE_ADDRESS_EXTENSION_NAME;
 constexpr const char* kDensity = VK_EXT_FRAGMENT_DENSITY_MAP_EXTENSION_NAME;
 constexpr const char* kStoreNone = VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME;
 
@@ -58,6 +63,7 @@ VkInstance instance = VK_NULL_HANDLE;
 VkDevice device = VK_NULL_HANDLE;
 PFN_vkGetInstanceProcAddr nextInstanceCall = nullptr;
 PFN_vkGetDeviceProcAddr nextDeviceCall = nullptr;
+PFN_GetPhysicalDeviceProcAddr nextPhysicalDeviceCall = nullptr;
 
 /// Where somebody listens: the validation layer here is older than the extension.
 bool marksFrames() { return !molten() && std::getenv("NACRE_PHONE_FRAMES"); }
@@ -67,6 +73,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(const VkInstanceCreateInfo* info, 
     const auto* below =
         test::nextLayer<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
     nextInstanceCall = below->pfnNextGetInstanceProcAddr;
+    nextPhysicalDeviceCall = below->pfnNextGetPhysicalDeviceProcAddr;
     const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceCall(nullptr, "vkCreateInstance"));
     const VkResult result = create(info, allocator, made);
     if (result != VK_SUCCESS) return result;
@@ -119,13 +126,17 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties2(VkPhysicalDevice of, VkP
             floorViews(*reinterpret_cast<VkPhysicalDeviceMultiviewProperties*>(s));
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_DENSITY_MAP_PROPERTIES_EXT)
             fill(*reinterpret_cast<VkPhysicalDeviceFragmentDensityMapPropertiesEXT*>(s));
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PERFORMANCE_COUNTERS_BY_REGION_PROPERTIES_ARM)
+            fill(*reinterpret_cast<VkPhysicalDevicePerformanceCountersByRegionPropertiesARM*>(s));
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES)
             tellDriver(*reinterpret_cast<VkPhysicalDeviceIDProperties*>(s));
-        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES && (molten() || adreno() || powervr()))
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES &&
+                 (molten() || adreno() || powervr() || armsDriver()))
             reinterpret_cast<VkPhysicalDeviceDriverProperties*>(s)->driverID =
-                molten()    ? VK_DRIVER_ID_MOLTENVK
-                : powervr() ? VK_DRIVER_ID_IMAGINATION_PROPRIETARY
-                            : VK_DRIVER_ID_QUALCOMM_PROPRIETARY;
+                molten()       ? VK_DRIVER_ID_MOLTENVK
+                : powervr()    ? VK_DRIVER_ID_IMAGINATION_PROPRIETARY
+                : armsDriver() ? VK_DRIVER_ID_ARM_PROPRIETARY
+                               : VK_DRIVER_ID_QUALCOMM_PROPRIETARY;
 }
 
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures(VkPhysicalDevice of, VkPhysicalDeviceFeatures* f) {
@@ -157,9 +168,28 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures2(VkPhysicalDevice of, VkPhy
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PERFORMANCE_QUERY_FEATURES_KHR)
             reinterpret_cast<VkPhysicalDevicePerformanceQueryFeaturesKHR*>(s)->performanceCounterQueryPools =
                 countsBytes();
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PERFORMANCE_COUNTERS_BY_REGION_FEATURES_ARM)
+            reinterpret_cast<VkPhysicalDevicePerformanceCountersByRegionFeaturesARM*>(s)->performanceCountersByRegion =
+                countsRegions();
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR)
             reinterpret_cast<VkPhysicalDeviceDynamicRenderingLocalReadFeaturesKHR*>(s)->dynamicRenderingLocalRead =
                 molten();
+}
+
+/// The rates that an image may be given, of whoever asks for one.
+VKAPI_ATTR VkResult VKAPI_CALL GetPhysicalDeviceImageFormatProperties2(VkPhysicalDevice of,
+                                                                       const VkPhysicalDeviceImageFormatInfo2* info,
+                                                                       VkImageFormatProperties2* p) {
+    const auto* control =
+        chained<VkImageCompressionControlEXT>(info->pNext, VK_STRUCTURE_TYPE_IMAGE_COMPRESSION_CONTROL_EXT);
+    const VkResult result = nextGetPhysicalDeviceImageFormatProperties2(of, info, p);
+    const bool small = info->format == VK_FORMAT_R8_UNORM || info->format == VK_FORMAT_R8G8B8A8_SRGB;
+    for (auto* s = static_cast<VkBaseOutStructure*>(p->pNext); s; s = s->pNext)
+        if (s->sType == VK_STRUCTURE_TYPE_IMAGE_COMPRESSION_PROPERTIES_EXT && small && control &&
+            control->flags == VK_IMAGE_COMPRESSION_FIXED_RATE_DEFAULT_EXT && std::getenv("NACRE_PHONE_RATES"))
+            reinterpret_cast<VkImageCompressionPropertiesEXT*>(s)->imageCompressionFixedRateFlags =
+                VK_IMAGE_COMPRESSION_FIXED_RATE_2BPC_BIT_EXT | VK_IMAGE_COMPRESSION_FIXED_RATE_5BPC_BIT_EXT;
+    return result;
 }
 
 /// A queue may have no clock.
@@ -210,13 +240,16 @@ VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevi
         const bool ordered = name == VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME;
         const bool rendering =
             name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME || name == VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME;
-        return !isFloorExtension(name) && !(molten() && rendering) && !(mali() && ordered);
+        return !isFloorExtension(name) && !(molten() && rendering) && !(mali() && ordered) &&
+               !(countsRegions() && name == kAddresses);
     });
     std::vector<const char*> added{kMergeFeedback};  // what no software driver has
     if (molten()) added = {kPortability, kLocalRead, kStoreNone};
     if (marksFrames()) added.push_back(kFrameBoundary);
     if (countsBytes()) added.push_back(kCounterQueries);
     if (takesMaps()) added.push_back(kDensity);
+    if (countsRegions()) added.push_back(kRegions);
+    if (std::getenv("NACRE_PHONE_RATES")) added.push_back(kCompression);
     for (const char* name : added) {
         VkExtensionProperties own{};
         std::strcpy(own.extensionName, name);
@@ -383,7 +416,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
                                         info->ppEnabledExtensionNames + info->enabledExtensionCount);
     std::erase_if(extensions, [](std::string_view name) {
         return name == kPortability || name == kMergeFeedback || name == kFrameBoundary || name == kLocalRead ||
-               name == kStoreNone || name == kCounterQueries || name == kDensity;
+               name == kStoreNone || name == kCounterQueries || name == kRegions || name == kDensity;
     });
     VkDeviceCreateInfo real = *info;
     for (auto* s = reinterpret_cast<VkBaseOutStructure*>(&real); s->pNext;) {
@@ -392,6 +425,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
             type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT ||
             type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PERFORMANCE_QUERY_FEATURES_KHR ||
             type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_DENSITY_MAP_FEATURES_EXT ||
+            type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PERFORMANCE_COUNTERS_BY_REGION_FEATURES_ARM ||
             type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR)
             s->pNext = s->pNext->pNext;
         else
@@ -408,6 +442,8 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
     if (const auto call = nextDeviceCall(device, "vk" #name)) next##name = reinterpret_cast<PFN_vk##name>(call);
     NACRE_DEVICE_BELOW(NACRE_FIND_DEVICE)
     NACRE_FIND_DEVICE(CmdClearAttachments)
+    NACRE_FIND_DEVICE(CmdUpdateBuffer)
+    NACRE_FIND_DEVICE(GetBufferDeviceAddressKHR)
     return result;
 }
 
@@ -417,6 +453,7 @@ PFN_vkVoidFunction deviceCall(std::string_view name) {
     NACRE_DEVICE_BELOW(NACRE_GIVE)
     NACRE_GIVE(CmdSetRenderingAttachmentLocationsKHR)
     NACRE_GIVE(CmdSetRenderingInputAttachmentIndicesKHR)
+    NACRE_GIVE(GetBufferDeviceAddressKHR)
     NACRE_GIVE(AcquireProfilingLockKHR)
     NACRE_GIVE(ReleaseProfilingLockKHR)
     return nullptr;
@@ -426,6 +463,18 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetDeviceProcAddr(VkDevice of, const ch
     if (const auto own = deviceCall(name)) return own;
     if (std::string_view(name) == "vkGetDeviceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(GetDeviceProcAddr);
     return nextDeviceCall(of, name);
+}
+
+/// What an older loader does not know.
+PFN_vkVoidFunction physicalDeviceCall(std::string_view name) {
+    if (name != "vkEnumeratePhysicalDeviceQueueFamilyPerformanceCountersByRegionARM" || !countsRegions())
+        return nullptr;
+    return reinterpret_cast<PFN_vkVoidFunction>(EnumeratePhysicalDeviceQueueFamilyPerformanceCountersByRegionARM);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetPhysicalDeviceProcAddr(VkInstance of, const char* name) {
+    if (const auto own = physicalDeviceCall(name)) return own;
+    return nextPhysicalDeviceCall ? nextPhysicalDeviceCall(of, name) : nullptr;
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance of, const char* name) {
@@ -439,6 +488,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance of, cons
     NACRE_BELOW(NACRE_GIVE_TWICE)
     NACRE_GIVE_TWICE(EnumeratePhysicalDeviceQueueFamilyPerformanceQueryCountersKHR)
     NACRE_GIVE_TWICE(GetPhysicalDeviceQueueFamilyPerformanceQueryPassesKHR)
+    if (const auto own = physicalDeviceCall(n)) return own;
     if (const auto own = deviceCall(n)) return own;
     return of ? nextInstanceCall(of, name) : nullptr;
 }
@@ -451,6 +501,6 @@ vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* version) {
     version->loaderLayerInterfaceVersion = 2;
     version->pfnGetInstanceProcAddr = nacre::phone::GetInstanceProcAddr;
     version->pfnGetDeviceProcAddr = nacre::phone::GetDeviceProcAddr;
-    version->pfnGetPhysicalDeviceProcAddr = nullptr;
+    version->pfnGetPhysicalDeviceProcAddr = nacre::phone::GetPhysicalDeviceProcAddr;
     return VK_SUCCESS;
 }

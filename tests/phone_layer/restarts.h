@@ -125,10 +125,11 @@ inline void beginEncoder(VkCommandBuffer commands, Encoding& e, bool noise) {
 inline VKAPI_ATTR void VKAPI_CALL CmdBeginRenderPass2KHR(VkCommandBuffer commands, const VkRenderPassBeginInfo* info,
                                                          const VkSubpassBeginInfo* begin) {
     const std::lock_guard lock(restartsMutex);
-    nextCmdBeginRenderPass2KHR(commands, info, begin);
-    beginWithMap(*info);
     Encoding& e = encodings[commands] = {};
     e.pass = &plannedPasses[info->renderPass];
+    writeRegions(commands, info->pNext, info->renderArea.extent, e.pass->subpasses.size(), 1);
+    nextCmdBeginRenderPass2KHR(commands, info, begin);
+    beginWithMap(*info);
     e.begun.resize(e.pass->attachments.size());
     e.area = info->renderArea;
     beginVertices(commands, e.pass->subpasses.empty() ? 0 : e.pass->subpasses[0].views);
