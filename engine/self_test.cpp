@@ -19,7 +19,7 @@ namespace {
 constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder, Visibility::tiles,
                                  Visibility::deferred};
 constexpr const char* kOutcomes[] = {"right", "wrong", "failed", "unfinished"};
-constexpr const char* kHeading = "nacre self-test 5";
+constexpr const char* kHeading = "nacre self-test 6";
 constexpr std::uint32_t kPixels = 128, kTimedPixels = 720;
 constexpr int kDirections = 48;  // of a bake: three batches; after the second, texels without light are dropped
 

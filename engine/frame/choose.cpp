@@ -42,7 +42,7 @@ PathRow pathOfKind(DeviceKind kind, const graph::PlanCaps& caps) {
             if (!caps.tileSubpasses)
                 return {Visibility::fragdepth,
                         "subpasses do not stay on the tile here: one subpass, and no encoded depth in memory"};
-            if (caps.rasterOrder && caps.blendsByShader)
+            if (caps.rasterOrder == graph::RasterOrder::promised && caps.blendsByShader)
                 return {Visibility::rasterOrder,
                         "tile-based GPU whose MIN is a shader: one pass over the impostors, in raster order"};
             return {Visibility::encoded, "tile-based GPU: depth stays fixed-function, encoded depth on the tile"};
@@ -837,7 +837,7 @@ graph::TestedPath choosePath(const FrameCaps& device) {
     const auto refuse = [&](Visibility path, const std::string& lacks) {
         throw Error("cannot draw by " + std::string(visibilityName(path)), device.plan.name, lacks);
     };
-    if (device.visibility == Visibility::rasterOrder && !device.plan.rasterOrder)
+    if (device.visibility == Visibility::rasterOrder && device.plan.rasterOrder == graph::RasterOrder::none)
         refuse(device.visibility, device.lacksRasterOrder);
     if (device.visibility == Visibility::tiles && !device.plan.tiles) refuse(device.visibility, device.tiles.lacks);
     if (device.visibility != Visibility::automatic) return {device.visibility, kAskedFor};

@@ -264,7 +264,12 @@ Caps queryCaps(const vk::raii::PhysicalDevice& device, const DeviceOptions& opti
     caps.capabilitySet = known.set->plan.name;
     if (known.row) caps.knownAs = known.row->fact;
     caps.plan.name = caps.deviceName;
-    caps.plan.rasterOrder = readsInRasterOrder(device);
+    if (readsInRasterOrder(device))
+        caps.plan.rasterOrder = graph::RasterOrder::promised;
+    else
+        caps.plan.rasterOrder = caps.plan.tileSubpasses && graph::has(graph::Quirk::keepsOrder, identity)
+                                    ? graph::RasterOrder::assumed
+                                    : graph::RasterOrder::none;
     caps.plan.transient = identity.lazyMemory;
     // MoltenVK offers it but stores anyway.
     caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME) && !identity.portable;
@@ -279,7 +284,7 @@ Caps queryCaps(const vk::raii::PhysicalDevice& device, const DeviceOptions& opti
     if (maps.lacks) caps.lacksDensityMaps = maps.lacks;
     caps.plan.placesSamples = properties.limits.standardSampleLocations;
     applyEnvironment(caps.plan);
-    caps.encoded = chooseEncodedFormat(device, options.encoded, caps.plan.rasterOrder);
+    caps.encoded = chooseEncodedFormat(device, options.encoded, caps.plan.rasterOrder == graph::RasterOrder::promised);
     caps.encodedMaps = caps.encoded.ordered ? findBlendedFormat(device, EncodedDepth::automatic) : caps.encoded;
     caps.kind = known.kind;
     caps.tiles = queryTileCaps(device);

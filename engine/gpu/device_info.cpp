@@ -29,7 +29,7 @@ DeviceInfo gpu::describeDevice(const Caps& caps) {
     info.encodedFormat = graph::formatName(caps.encoded.format) + (caps.encoded.ordered ? " in raster order" : "");
     info.lazyMemory = caps.plan.transient;
     info.timestamps = caps.timestampBits > 0;
-    info.rasterOrder = caps.plan.rasterOrder;
+    info.rasterOrder = caps.plan.rasterOrder != graph::RasterOrder::none;
     info.tiles = caps.plan.tiles;
     info.localRead = caps.localRead;
     info.mergeFeedback = caps.mergeFeedback;

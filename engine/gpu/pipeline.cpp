@@ -120,7 +120,8 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
             blends.push_back(blendState(d.blend, d.rendering.locations[i] < d.colorsWritten));
     }
     vk::PipelineColorBlendStateCreateFlags blendFlags;
-    if (d.ordered) blendFlags = vk::PipelineColorBlendStateCreateFlagBits::eRasterizationOrderAttachmentAccessEXT;
+    if (d.ordered && device.caps().plan.rasterOrder == graph::RasterOrder::promised)
+        blendFlags = vk::PipelineColorBlendStateCreateFlagBits::eRasterizationOrderAttachmentAccessEXT;
     const vk::PipelineColorBlendStateCreateInfo blend(blendFlags, false, vk::LogicOp::eCopy, blends);
     constexpr vk::DynamicState kDynamic[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, kDynamic);

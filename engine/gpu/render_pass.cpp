@@ -20,6 +20,19 @@ vk::DependencyFlags dependencyFlags(const graph::Dependency& d, const graph::Ren
     return flags;
 }
 
+/// Lets a subpass read what it writes. The order of its primitives is the driver's affair.
+vk::SubpassDependency2 readOfOwn(std::uint32_t subpass, bool views) {
+    vk::DependencyFlags flags = vk::DependencyFlagBits::eByRegion;
+    if (views) flags |= vk::DependencyFlagBits::eViewLocal;
+    return {subpass,
+            subpass,
+            vk::PipelineStageFlagBits::eColorAttachmentOutput,
+            vk::PipelineStageFlagBits::eFragmentShader,
+            vk::AccessFlagBits::eColorAttachmentWrite,
+            vk::AccessFlagBits::eInputAttachmentRead,
+            flags};
+}
+
 struct References {
     std::vector<vk::AttachmentReference2> colors, inputs, resolves;
     vk::AttachmentReference2 depth;
@@ -71,6 +84,7 @@ vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPas
                                  vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eDontCare,
                                  static_cast<vk::ImageLayout>(a.initialLayout),
                                  static_cast<vk::ImageLayout>(a.finalLayout));
+    const bool promised = device.caps().plan.rasterOrder == graph::RasterOrder::promised;
     std::vector<References> references(plan.subpasses.size());
     std::vector<vk::SubpassDescription2> subpasses;
     for (std::size_t s = 0; s < plan.subpasses.size(); ++s) {
@@ -89,7 +103,8 @@ vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPas
             r.depth = reference(static_cast<std::uint32_t>(subpass.depth),
                                 subpass.depthWrite ? graph::Verb::depth : graph::Verb::depthTest, VK_FORMAT_D32_SFLOAT);
         vk::SubpassDescriptionFlags flags;
-        if (subpass.ordered) flags = vk::SubpassDescriptionFlagBits::eRasterizationOrderAttachmentColorAccessEXT;
+        if (subpass.ordered && promised)
+            flags = vk::SubpassDescriptionFlagBits::eRasterizationOrderAttachmentColorAccessEXT;
         vk::SubpassDescription2 description(flags, vk::PipelineBindPoint::eGraphics, plan.viewMask, r.inputs, r.colors);
         if (subpass.depth >= 0) description.pDepthStencilAttachment = &r.depth;
         if (subpass.resolve >= 0) {
@@ -107,6 +122,8 @@ vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPas
         dependencies.emplace_back(d.from, d.to, vk::PipelineStageFlags(d.fromStages),
                                   vk::PipelineStageFlags(d.toStages), vk::AccessFlags(d.fromAccess),
                                   vk::AccessFlags(d.toAccess), dependencyFlags(d, plan));
+    for (std::uint32_t s = 0; s < subpasses.size() && !promised; ++s)
+        if (plan.subpasses[s].ordered) dependencies.push_back(readOfOwn(s, plan.viewMask != 0));
     vk::RenderPassCreateInfo2 info({}, attachments, subpasses, dependencies);
     if (plan.viewMask != 0) info.setCorrelatedViewMasks(plan.viewMask);
     const auto density = static_cast<std::uint32_t>(plan.density);

@@ -70,6 +70,8 @@ constexpr Fact kPowerVr[] = {
     {"input attachments stay on the tile; 16 B per pixel is our own budget",
      "Imagination, 'PowerVR Performance Recommendations', Vulkan: subpasses map to pixel local storage"},
     {"R32F need not blend; encoded depth takes RGBA16F", kBlendTable},
+    {"floating-point formats blend by shader code: one pass in raster order does without, where the driver has it",
+     "Mesa, src/imagination/vulkan/pvr_formats.c"},
 };
 constexpr Fact kApple[] = {
     {"every subpass is a Metal render pass of its own, so nothing survives on the tile from one to the next",
@@ -122,7 +124,8 @@ std::vector<CapabilitySet> makeSets() {
     constexpr auto kTiler = DeviceKind::tiler;
     const EncodedFormat kFloat = encodedFormats()[0], kHalf = encodedFormats()[1];
     PlanCaps mali = plan("mali", 32, true);
-    mali.rasterOrder = mali.blendsByShader = true;
+    mali.rasterOrder = RasterOrder::promised;
+    mali.blendsByShader = true;
     mali.geometry = kStoredByArm;
     PlanCaps maliLate = mali;
     maliLate.name = "mali-late";
@@ -132,6 +135,7 @@ std::vector<CapabilitySet> makeSets() {
     maliOld.blendsByShader = true;
     PlanCaps powerVr = plan("powervr", 16, false);
     powerVr.geometry = kStored;
+    powerVr.blendsByShader = true;
     PlanCaps adreno = plan("adreno", 24, true);
     adreno.geometry = kDirect;
     PlanCaps noSubpass = plan("adreno-no-subpass", 16, true);

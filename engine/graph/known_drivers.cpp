@@ -12,6 +12,7 @@ constexpr std::uint32_t kAnyNumber = 0xffffu;
 
 constexpr const char* kStreams = "the command streams that Mesa 25.0.7 writes over its no-op kernel drivers (drm-shim)";
 constexpr const char* kAngle = "ANGLE, vk_renderer.cpp: supportsDynamicRenderingLocalRead";
+constexpr const char* kAngleFetch = "ANGLE of 2026-08, vk_renderer.cpp: coherent framebuffer fetch";
 constexpr Fact kPixelLocal{"from the C-series on: subpasses map to pixel local storage",
                            "Imagination, 'PowerVR Performance Recommendations', Vulkan"};
 
@@ -142,6 +143,12 @@ constexpr KnownQuirk kQuirks[] = {
      Quirk::oneCompiler,
      {"BXM-8-256's compiler crashes when several threads make pipelines",
       "github.com/godotengine/godot pull request 123614"}},
+    {{kArm, VK_DRIVER_ID_ARM_PROPRIETARY},
+     Quirk::keepsOrder,
+     {"Arm's driver: ANGLE takes framebuffer fetch for coherent there", kAngleFetch}},
+    {{kImagination, VK_DRIVER_ID_IMAGINATION_PROPRIETARY},
+     Quirk::keepsOrder,
+     {"PowerVR: ANGLE takes framebuffer fetch for coherent there", kAngleFetch}},
     {by(VK_DRIVER_ID_MESA_LLVMPIPE),
      Quirk::heapPerTile,
      {"lavapipe calls malloc() and free() for each tile: a tenth of a frame with glibc's defaults",

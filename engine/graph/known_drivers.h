@@ -49,7 +49,7 @@ struct DeviceClass {
 
 DeviceClass classifyDriver(const DriverIdentity& identity);
 
-/// Driver bugs and weaknesses besides the capability set.
+/// Driver bugs, weaknesses and habits besides the capability set.
 enum class Quirk : std::uint8_t {
     noLocalRead,      ///< no dynamic rendering with local reads
     dispatchesApart,  ///< dispatches after draws in one command buffer crash
@@ -59,6 +59,7 @@ enum class Quirk : std::uint8_t {
     cacheMixesRenderPasses,
     noPipelineCache,  ///< vkCreatePipelineCache crashes
     oneCompiler,      ///< its compiler is not thread-safe: one pipeline at a time in the whole process
+    keepsOrder,       ///< a fragment reads its own attachment in order, where no extension promises it
 };
 struct KnownQuirk {
     DriverPattern of;

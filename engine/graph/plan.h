@@ -19,13 +19,20 @@ struct GeometryCaps {
     friend bool operator==(const GeometryCaps&, const GeometryCaps&) = default;
 };
 
+/// Whether a fragment that reads its own attachment finds what earlier primitives wrote, in the same draw call too.
+enum class RasterOrder : std::uint8_t {
+    none,
+    assumed,   ///< the driver is known to do so and does not promise it: only if a self-test finds it right
+    promised,  ///< VK_EXT_rasterization_order_attachment_access
+};
+
 /// Facts about the device that the planner needs. Named sets: capability_sets.h.
 struct PlanCaps {
     std::string name;
-    bool merge = true;                      ///< neighbouring passes may share a render pass
-    bool tileSubpasses = true;              ///< input attachments between subpasses stay on the tile
-    bool transient = true;                  ///< attachments that never leave the tile need no memory
-    bool rasterOrder = false;               ///< VK_EXT_rasterization_order_attachment_access
+    bool merge = true;          ///< neighbouring passes may share a render pass
+    bool tileSubpasses = true;  ///< input attachments between subpasses stay on the tile
+    bool transient = true;      ///< attachments that never leave the tile need no memory
+    RasterOrder rasterOrder = RasterOrder::none;
     bool tiles = false;                     ///< compute can draw by tiles: subgroups exchange values
     bool blendsByShader = false;            ///< MIN is a shader after the fragment's own
     bool loadsUniforms = false;             ///< each invocation loads uniforms for itself

@@ -88,7 +88,7 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
         if (depthVerb != isDepthFormat(desc.format))
             throw GraphError(naming(graph, pass, use) + ": " + formatName(desc.format) + " cannot be a " +
                              verbName(use.verb) + " attachment");
-        if (use.verb == Verb::ordered && !caps.rasterOrder)
+        if (use.verb == Verb::ordered && caps.rasterOrder == RasterOrder::none)
             throw GraphError(naming(graph, pass, use) + ": '" + caps.name +
                              "' cannot read an attachment in raster order");
         if (use.verb == Verb::color || use.verb == Verb::ordered) {

@@ -15,6 +15,35 @@ FrameCaps withPath(const char* name, Visibility path) {
     return caps;
 }
 
+// Where MIN is shader code, one pass in raster order costs least by counts (docs/tilers.md). Without a promise of that
+// order it is encoded depth by MIN, and raster order if a self-test found it right and faster by far.
+TEST(Path, IsTheCheapestRightOneWhereBlendingIsShaderCode) {
+    for (const char* name : {"mali", "mali-late", "mali-old", "powervr"}) {
+        SCOPED_TRACE(name);
+        FrameCaps caps = capabilitySet(name);
+        EXPECT_TRUE(caps.plan.blendsByShader);
+        for (const auto& [order, path] :
+             {std::pair(RasterOrder::none, Visibility::encoded), std::pair(RasterOrder::assumed, Visibility::encoded),
+              std::pair(RasterOrder::promised, Visibility::rasterOrder)}) {
+            caps.plan.rasterOrder = order;
+            EXPECT_EQ(choosePath(caps).visibility, path);
+        }
+        caps.visibility = Visibility::rasterOrder;
+        caps.plan.rasterOrder = RasterOrder::assumed;
+        EXPECT_EQ(choosePath(caps).visibility, Visibility::rasterOrder);  // asked for
+        caps.plan.rasterOrder = RasterOrder::none;
+        EXPECT_THROW(choosePath(caps), Error);
+        caps.visibility = Visibility::automatic;
+        caps.plan.rasterOrder = RasterOrder::assumed;
+        caps.tested = {Visibility::rasterOrder, "the fastest here"};
+        EXPECT_EQ(choosePath(caps).visibility, Visibility::rasterOrder);
+    }
+    // Elsewhere MIN is the blender's, and costs no instruction.
+    FrameCaps turnip = capabilitySet("turnip");
+    turnip.plan.rasterOrder = RasterOrder::promised;
+    EXPECT_EQ(choosePath(turnip).visibility, Visibility::encoded);
+}
+
 TEST(MotionSamples, AreSeveralWhereTheyStayOnTheTile) {
     const auto count = [](const FrameCaps& caps) { return chooseMotionSamples(caps).count; };
     EXPECT_EQ(count(withPath("apple-moltenvk", Visibility::fragdepth)), 4u);

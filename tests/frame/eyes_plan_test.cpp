@@ -24,7 +24,7 @@ TEST(EyesPlan, StoresFourBytesPerPixelAndEyeAndLoadsNothing) {
         for (const Visibility one : {path, Visibility::encoded, Visibility::fragdepth, Visibility::deferred}) {
             FrameShape shape = makeEyes(one, kExtent);
             shape.choice.encoded = set.encoded;
-            if (one == Visibility::rasterOrder && !set.plan.rasterOrder) continue;
+            if (one == Visibility::rasterOrder && set.plan.rasterOrder == graph::RasterOrder::none) continue;
             const Frame frame = test::makeFrame(shape);
             const Plan plan = compile(frame.graph, set.plan);
             ASSERT_EQ(plan.steps.size(), 1u) << visibilityName(one);

@@ -123,7 +123,8 @@ TEST(VertexLimitOfPlans, IsNeverExceeded) {
         constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
                                          Visibility::deferred, Visibility::rasterOrder};
         graph::FrameCaps caps = graph::capabilitySet(random() % 3 == 0 ? "mali-old" : "mali");
-        caps.plan.rasterOrder = caps.blendsFloats = true;
+        caps.plan.rasterOrder = graph::RasterOrder::promised;
+        caps.blendsFloats = true;
         caps.visibility = kPaths[random() % 5];
         const Part part = kPartsOfFrames[random() % 5];
         const FrameRequest request{settings, part, part == Part::motion ? Ending::window : Ending::readBack};

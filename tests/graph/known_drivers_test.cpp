@@ -155,6 +155,11 @@ TEST(KnownDrivers, AVersionIsPartOfAnIdentity) {
     EXPECT_TRUE(imagination(Quirk::oneCompiler, "PowerVR B-Series BXM-8-256", 6000000));
     EXPECT_FALSE(imagination(Quirk::oneCompiler, "PowerVR B-Series BXM-4-64", 6000000));
     EXPECT_FALSE(imagination(Quirk::oneCompiler, kPixel10, 6660496));
+    // Order that no extension promises: of both vendors' own drivers.
+    EXPECT_TRUE(told(Quirk::keepsOrder, kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-T880", 20, 0));
+    EXPECT_TRUE(imagination(Quirk::keepsOrder, "PowerVR CXTP-48-1536", 6794074));
+    EXPECT_FALSE(told(Quirk::keepsOrder, kArmId, VK_DRIVER_ID_MESA_PANVK, "Mali-G610 MC4", 25, 0));
+    EXPECT_FALSE(told(Quirk::keepsOrder, kQualcommId, kOwn, "Adreno (TM) 740", 512, 800));
     for (const KnownQuirk& row : knownQuirks()) EXPECT_GT(std::string(row.fact.source).size(), 10u) << row.fact.what;
 }
 

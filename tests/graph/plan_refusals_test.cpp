@@ -107,7 +107,9 @@ TEST_F(Rules, RasterOrderIsRefusedWhereItIsMissing) {
     g.graphics("one").ordered(a, Clear{0.0f});
     g.output(a);
     EXPECT_EQ(refusal(), "pass 'one', image 'a': 'mali-old' cannot read an attachment in raster order");
-    caps.rasterOrder = true;
+    caps.rasterOrder = RasterOrder::assumed;
+    EXPECT_EQ(refusal(), "");
+    caps.rasterOrder = RasterOrder::promised;
     EXPECT_EQ(refusal(), "");
 }
 

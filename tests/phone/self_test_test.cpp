@@ -123,6 +123,34 @@ TEST(SelfTest, ABakeThatComesOutWrongIsFound) {
     EXPECT_EQ(listed.visibility, "none");
 }
 
+// Arm's driver reads attachments in order, and older ones do not promise it.
+TEST(SelfTest, OrderThatNobodyPromisesIsTakenIfItIsFoundRight) {
+    if (std::string_view(std::getenv("NACRE_PHONE")) != "android") GTEST_SKIP() << "Arm's without raster order alone";
+    setenv("NACRE_PHONE_ARMS_DRIVER", "1", 1);
+    const TemporaryFolder folder;
+    DeviceOptions options;
+    const DeviceInfo untested = Renderer(options).stats().device;
+    EXPECT_EQ(untested.visibility, "encoded");
+    EXPECT_EQ(untested.encodedFormat, "RGBA16F");  // by MIN
+    EXPECT_TRUE(untested.rasterOrder);
+    options.selfTests = folder / "devices";
+    const DeviceInfo device = Renderer(options).stats().device;
+    const std::optional<SelfTest> test = keptSelfTest(options.selfTests, device.driverKey);
+    ASSERT_TRUE(test);
+    EXPECT_EQ(findOutcome(*test, Visibility::rasterOrder), Outcome::right);  // by lavapipe, which keeps the order, too
+    const auto keep = [&](const std::string& order) {
+        std::ofstream(folder / ("devices/paths-" + device.driverKey))
+            << "nacre self-test 6\nencoded right 2 4 8 1 0 0 0 0\n"
+            << order << "\ndeferred right 9 9 9 1 0 0 0 0\n";
+        return Renderer(options).stats().device.visibility;
+    };
+    EXPECT_EQ(keep("raster-order right 1 2 4 1 0 0 0 0"), "raster-order");
+    EXPECT_EQ(keep("raster-order right 1.8 3.6 7.2 1 0 0 0 0"), "encoded");
+    EXPECT_EQ(keep("raster-order wrong 0 0 0 1 0 0 0 0"), "encoded");
+    unsetenv("NACRE_PHONE_ARMS_DRIVER");
+    EXPECT_FALSE(Renderer(DeviceOptions{}).stats().device.rasterOrder);
+}
+
 TEST(SelfTest, AnotherDriverIsTriedAnew) {
     const TemporaryFolder folder;
     int tries = 0;
@@ -141,20 +169,20 @@ TEST(SelfTest, APathThatEndedTheProgramTwiceIsNotTriedAgain) {
     const TemporaryFolder folder;
     const std::string key = started(folder).driverKey, file = folder / ("devices/paths-" + key);
     const auto keep = [&](const std::string& text) { std::ofstream(file) << text; };
-    keep("nacre self-test 5\nencoded unfinished 0 0 0 1 0 0 0 0\n");
+    keep("nacre self-test 6\nencoded unfinished 0 0 0 1 0 0 0 0\n");
     EXPECT_EQ(started(folder).selfTest.find("ends the program"), std::string::npos);  // tried again
-    keep("nacre self-test 5\nencoded unfinished 0 0 0 2 0 0 0 0\n");
+    keep("nacre self-test 6\nencoded unfinished 0 0 0 2 0 0 0 0\n");
     const DeviceInfo device = started(folder);
     EXPECT_EQ(device.selfTest.find("encoded ends the program, fragdepth "), 0u) << device.selfTest;
     EXPECT_NE(device.visibility, "encoded");
-    keep("nacre self-test 5\ndeferred right 1 1 1 0 0 0 0 0\ntiles right 1 1 1 0 0 0 0 0\n");
+    keep("nacre self-test 6\ndeferred right 1 1 1 0 0 0 0 0\ntiles right 1 1 1 0 0 0 0 0\n");
     EXPECT_TRUE(keptSelfTest(folder / "devices", key));
-    keep("nacre self-test 5\nencoded right 1 1 1 0 0 0 0 0\ntiles right 1 1 1 0 0 0 0 0\n");
+    keep("nacre self-test 6\nencoded right 1 1 1 0 0 0 0 0\ntiles right 1 1 1 0 0 0 0 0\n");
     EXPECT_FALSE(keptSelfTest(folder / "devices", key));
     // What is no answer is none.
     for (const char* text :
-         {"", "nacre self-test 4\nencoded right 1 0\n", "nacre self-test 5\nencoded fine 1 1 1 0 0 0 0 0\n",
-          "nacre self-test 5\nencoded right 1 0\n", "nacre self-test 5\ndeferred right 1 1 1 0 0 0 0 0\nx"}) {
+         {"", "nacre self-test 5\nencoded right 1 0\n", "nacre self-test 6\nencoded fine 1 1 1 0 0 0 0 0\n",
+          "nacre self-test 6\nencoded right 1 0\n", "nacre self-test 6\ndeferred right 1 1 1 0 0 0 0 0\nx"}) {
         keep(text);
         EXPECT_FALSE(keptSelfTest(folder / "devices", key)) << text;
     }
