@@ -3,6 +3,9 @@
 The drivers compile shaders, plan their tiles and write their command streams as on a phone; nothing executes. Mesa comes
 as Debian's source (bookworm-backports), and is built once into the cache folder: some four minutes of processor time for
 each of two processors. What was built is built on from, should that be stopped.
+
+GPUs that this Mesa does not know come from the packages of a newer one (trixie-backports), unpacked beside it. They need
+a newer libc: the program runs by that libc's loader.
 """
 
 import os
@@ -19,6 +22,14 @@ libdrm-radeon1/bookworm-backports libdrm-intel1/bookworm-backports libelf-dev/bo
 libarchive-dev/bookworm libarchive13/bookworm liblua5.3-dev/bookworm liblua5.3-0/bookworm libudev-dev/bookworm
 libudev1/bookworm
 libxml2-dev/bookworm libxml2/bookworm libicu-dev/bookworm libicu72/bookworm""".split()
+NEWER = """mesa-vulkan-drivers/trixie-backports mesa-drm-shim/trixie-backports libc6/trixie libstdc++6/trixie libgcc-s1/trixie
+libdrm2/trixie libdrm-amdgpu1/trixie libelf1t64/trixie libexpat1/trixie libpng16-16t64/trixie libdisplay-info2/trixie
+libwayland-client0/trixie libx11-xcb1/trixie libxcb-dri3-0/trixie libxcb-present0/trixie libxcb-randr0/trixie
+libxcb-shm0/trixie libxcb-sync1/trixie libxcb-xfixes0/trixie libxcb1/trixie libxshmfence1/trixie libzstd1/trixie
+zlib1g/trixie libvulkan1/trixie""".split()
+# Of the packages: the kernel driver that does nothing, and the driver.
+PACKAGED = {"turnip 26": ("libfreedreno_noop_drm_shim.so", "libvulkan_freedreno.so"),
+            "honeykrisp": ("libasahi_noop_drm_shim.so", "libvulkan_asahi.so")}
 TARGETS = {
     "turnip": ["src/freedreno/drm-shim/libfreedreno_noop_drm_shim.so", "src/freedreno/vulkan/libvulkan_freedreno.so",
                "src/freedreno/decode/cffdump"],
@@ -111,9 +122,24 @@ def run(command, env, log):
         fail(f"Mesa could not be built; the whole log is {log}\n{tail}")
 
 
+def packaged(build, driver):
+    """Shim and driver of the newer packages, and the words by which a program starts with their libc."""
+    root = build.parent / "newer/root/usr"
+    libraries = root / "lib/x86_64-linux-gnu"
+    shim, library = (libraries / name for name in PACKAGED[driver])
+    path = f"{libraries}:/usr/lib/x86_64-linux-gnu"
+    return library, [root / "lib64/ld-linux-x86-64.so.2", "--library-path", path, "--preload", shim]
+
+
 def built(folder, drivers, jobs):
-    """The folder that Mesa is built in, with what these drivers need; builds what is missing."""
+    """The folder that Mesa is built in, with what these drivers need; builds or unpacks what is missing."""
     build = folder / "mesa-build"
+    if any(d in PACKAGED for d in drivers):
+        subprocess.run([ROOT / "tools/unpack_beside", folder / "newer", *NEWER], check=True)
+    drivers = [d for d in drivers if d not in PACKAGED]
+    build.mkdir(exist_ok=True)
+    if not drivers:
+        return build
     targets = [t for d in drivers for t in TARGETS[d]]
     subprocess.run([ROOT / "tools/unpack_beside", folder, *PACKAGES], check=True)
     add_devices(folder / "mesa-source")

@@ -53,6 +53,52 @@ def of_turnip(text, pixels):
     return found | {"bins": f"{bin_size[0]}x{bin_size[1]}" if bin_size else "", "passes": passes}
 
 
+def of_gpu_trace(text, pixels, layers=1):
+    """From Turnip's MESA_GPU_TRACES: what it says of each render pass, of one of its layers."""
+    found = {"loads": 0, "stores": 0, "draws": 0, "passes": 0}
+    bins = ""
+    for begin, end in re.findall(r"start_render_pass: (.*)[\s\S]*?end_render_pass: (.*)", text):
+        values = dict(re.findall(r"(\w+)=([^,]*),", begin + end))
+        if int(values["width"]) != pixels:
+            continue
+        found["passes"] += 1
+        found["loads"] += int(values["loadCPP"]) * layers
+        found["stores"] += int(values["storeCPP"]) * layers
+        found["draws"] += int(values["drawCount"])
+        bins = f"{values['binWidth']}x{values['binHeight']}"
+    return found | {"bins": bins}
+
+
+AGX_TEXEL = {"R8G8B8A8": 4, "R32": 4, "R16G16": 4, "R16G16B16A16": 8, "R10G10B10A2": 4}
+AGX_LATE = "Punch through"  # the class whose fragments decide by their shader whether they hide others
+
+
+def of_honeykrisp(text, pixels):
+    """From agxdecode. A render pass has a program that loads its tiles' colours and one that stores them; depth has a
+    word of its own. Each draw has a class for the removal of hidden surfaces."""
+    found = {"loads": 0, "stores": 0, "late": 0, "draws": 0, "passes": 0}
+    classes = {}
+    for part in re.split(r"(?m)^flags = .*\n(?=vdm_ctrl)", text)[1:]:
+        part = re.split(r"(?m)^flags = ", part)[0]
+        width = re.search(r"(?m)^width_px = (\d+)", part)
+        if not width or int(width[1]) != pixels:
+            continue
+        found["passes"] += 1
+        layers = int(re.search(r"(?m)^layers = (\d+)", part)[1])
+        for name, key in (("Load", "loads"), ("Store", "stores")):
+            found[key] += 4 * layers * (f"  Z {name}: true" in part)
+            program = re.search(rf"(?m)^{name} pipeline .*\n(?:.*\n)*?(?=\w+\.usc = |No preshader)", part)
+            found[key] += layers * sum(AGX_TEXEL[c] for c in re.findall(r"(?m)^  Channels: (\w+)", program[0] if program else ""))
+        draws = re.split(r"(?m)^ppp_ctrl", part)[0]
+        kind = ""
+        for of, drawn in re.findall(r"(?m)^Fragment control 2\n(?:  .*\n)*?  Pass type: (.*)$|^(Index List|Draw)$", draws):
+            kind = of or kind
+            if drawn:
+                classes[kind] = classes.get(kind, 0) + 1
+    found["draws"], found["late"] = sum(classes.values()), classes.get(AGX_LATE, 0)
+    return found | {"classes": classes}
+
+
 V3D_DRAWS = ("VERTEX_ARRAY_PRIMS", "VERTEX_ARRAY_INSTANCED_PRIMS", "INDEXED_INSTANCED_PRIM_LIST")
 V3D_TEXEL = {"srgb8_alpha8": 4, "rgba8": 4, "d32f": 4, "r32f": 4, "rgba16f": 8, "rg16f": 4, "r32ui": 4, "rgb10_a2": 4}
 
@@ -119,8 +165,8 @@ def of_panvk(text, pixels):
 
 
 LOOKS = ("ball and stick", "cartoons")  # whose pipelines bear their names
-WORDS = {"instructions": ("Instruction Count", "instructions"), "loads": ("loads",),
-         "registers": ("Max Register Count", "Registers used", "registers"), "spills": ("STP Count", "Spill Size", "spills")}
+WORDS = {"instructions": ("Instruction Count", "Instructions", "instructions"), "loads": ("loads",),
+         "registers": ("Max Register Count", "Registers used", "GPRs", "registers"), "spills": ("Spills", "STP Count", "Spill Size", "spills")}
 
 
 def pipelines_of(records, look):
@@ -242,6 +288,7 @@ def device_page(name, row):
             continue
         bins = stream.get("bins", "") + ("" if stream.get("tiles_by_default", True) else "; none by default")
         late = f"{stream['late']} of {stream['draws']}" if "late" in stream else "not told"
+        late += "".join(f"; {n} {kind.lower()}" for kind, n in stream.get("classes", {}).items())
         late += f"; {stream['without_lrz']} without LRZ" if "without_lrz" in stream else ""
         local = stream.get("without_lrz_by_local_reads")
         late += "" if local is None else f" ({local} with local reads)"

@@ -80,6 +80,55 @@ COMMANDS = """
   RUN_IDVS.varying_srt0 r0, #200
 """
 
+TRACE = """
+000 +0: start_render_pass: maxSamples=1, clearCPP=12, loadCPP=4, storeCPP=8, width=1024, height=1024, binWidth=768, binHeight=1024, 
+000 +0: start_gmem_store: format=r8g8b8a8_srgb, fast_path=1, 
+000 +0: end_render_pass: tiledRender=true, drawCount=5, lrz=true, 
+000 +0: start_render_pass: maxSamples=1, clearCPP=0, loadCPP=4, storeCPP=4, width=64, height=64, binWidth=64, binHeight=64, 
+000 +0: end_render_pass: tiledRender=true, drawCount=1, lrz=false, 
+"""
+
+# Two draws of one class, one of another; colour is cleared and stored, depth stored. Compute, and another picture.
+ENCODERS = """flags = 2
+vdm_ctrl_stream_base = 0x1
+Fragment control
+  Pass type: Opaque
+Fragment control 2
+  Visibility mode: None
+  Pass type: Opaque
+Index List
+  Primitive: Triangle strip
+Index List
+  Primitive: Triangle strip
+Fragment control 2
+  Visibility mode: None
+  Pass type: Punch through
+Index List
+  Primitive: Triangles
+ppp_ctrl = 0x202
+ZLS Control
+  Z Load: false
+  Z Store: true
+width_px = 1024
+layers = 1
+bg.usc = 0x1
+Load pipeline (1, handle 14)
+Shader
+No preshader
+eot.usc = 0x2
+Store pipeline (2, handle 14)
+PBE
+  Channels: R16G16B16A16
+No preshader
+partial_bg.usc = 0x3
+Partial reload pipeline (3, handle 14)
+Texture
+  Channels: R16G16B16A16
+No preshader
+flags = 0
+cdm_ctrl_stream_base = 0x1
+"""
+
 COMPILED = """
 SHADER-DB: MESA_SHADER_COMPUTE shader: 5 inst, 1.000000 cycles, 0.3 fma, 1.000000 ls, 9 quadwords, 2 threads, 0 loops, 0:0 spills:fills
 nacre pipeline begun
@@ -113,6 +162,22 @@ class Streams(unittest.TestCase):
     def test_of_later_mali_generations_flags_of_draws_are_in_a_register(self):
         found = tilers_streams.of_panvk(FRAMEBUFFER.split("    ZS update")[0] + COMMANDS, 1024)
         self.assertEqual(found, {"loads": 4, "stores": 12, "late": 1, "draws": 3, "passes": 1})
+
+    def test_turnip_tells_of_its_render_passes(self):
+        found = tilers_streams.of_gpu_trace(TRACE, 1024)
+        self.assertEqual(found, {"loads": 4, "stores": 8, "draws": 5, "passes": 1, "bins": "768x1024"})
+        self.assertEqual(tilers_streams.of_gpu_trace(TRACE, 1024, 2)["stores"], 16)
+
+    def test_honeykrisps_programs_load_and_store_tiles(self):
+        found = tilers_streams.of_honeykrisp(ENCODERS, 1024)
+        self.assertEqual(found, {"loads": 0, "stores": 12, "late": 1, "draws": 3, "passes": 1,
+                                 "classes": {"Opaque": 2, "Punch through": 1}})
+        self.assertEqual(tilers_streams.of_honeykrisp(ENCODERS, 512)["passes"], 0)
+        both = ENCODERS.replace("layers = 1", "layers = 2").replace("Z Load: false", "Z Load: true")
+        self.assertEqual((tilers_streams.of_honeykrisp(both, 1024)["loads"],
+                          tilers_streams.of_honeykrisp(both, 1024)["stores"]), (8, 24))
+        loaded = ENCODERS.replace("Load pipeline (1, handle 14)\n", "Load pipeline (1, handle 14)\nTexture\n  Channels: R32\n")
+        self.assertEqual(tilers_streams.of_honeykrisp(loaded, 1024)["loads"], 4)
 
     def test_the_most_of_pipelines_that_share_a_name(self):
         record = {"pipeline": "colour", "stage": "fragment"}
@@ -191,6 +256,18 @@ class Costs(unittest.TestCase):
                                 "fragdepth, an eye": entry(30, 4), "fragdepth, two eyes": {"lacks": "no multiview"}}}}
         self.assertEqual(tilers_costs.eyes_table(rows)[2:],
                          ["| A | `encoded` | 30, 31; 33, 34 | 40, 41; 40, 41 | 0, 8 B; 0, 8 B | 10; 5 |"])
+
+    def test_a_packaged_mesa_is_compared_with_its_own_version_alone(self):
+        def row(mesa, stores):
+            entry = {"plan": {"render_passes": 1, "loads": 0, "stores": 4}, "pipelines": {},
+                     "stream": {"passes": 1, "loads": 0, "stores": stores, "draws": 1}}
+            return {"mesa": mesa, "visibility": "fragdepth", "bake": {}, "paths": {"fragdepth": entry}}
+        name = "Apple M1"  # whose driver stores depth besides
+        self.assertEqual(tilers.worse(name, row("26.1", 8), row("26.1", 8)), [])
+        self.assertEqual(len(tilers.worse(name, row("26.1", 8), row("26.1", 12))), 2)  # by the plan, and by the table
+        self.assertEqual(len(tilers.worse(name, row("26.1", 4), row("26.1", 4))), 1)
+        self.assertEqual(tilers.worse(name, row("26.1", 8), row("26.2", 12)), [])
+        self.assertEqual(len(tilers.worse("Adreno 740", row("25.0", 4), row("25.0", 8))), 2)
 
     def test_the_pages_are_those_of_the_numbers(self):
         rows = json.loads((TOOLS.parent / "docs/tilers.json").read_text())
