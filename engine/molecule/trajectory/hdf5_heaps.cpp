@@ -59,13 +59,14 @@ std::string Hdf5Heaps::text(std::string_view reference, std::size_t most) {
 
 const Hdf5Heaps::Objects& Hdf5Heaps::readObjects(std::uint64_t heap) {
     const auto [known, added] = known_.try_emplace(heap);
+    Objects& objects = known->second;  // a lambda cannot capture `known` in Clang 14
     if (added)
         visitObjects(
             heap, fileBytes_, steps_, [&](std::uint64_t at) { return read_(at, kHead); },
             [&](std::uint16_t number, std::uint64_t at, std::uint64_t size) {
-                known->second[number] = {at, size};
+                objects[number] = {at, size};
             });
-    return known->second;
+    return objects;
 }
 
 }  // namespace nacre
