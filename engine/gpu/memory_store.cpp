@@ -7,23 +7,22 @@
 namespace nacre::gpu {
 namespace {
 
-constexpr vk::DeviceSize kMostKept = MemoryStore::kMostSpare / 4;  // larger memory is freed at once
-constexpr std::size_t kMostResources = 512;                        // whose memory is kept
+constexpr std::size_t kMostResources = 512;  // whose memory is kept
+
+}  // namespace
 
 /// Sizes of allocations: four for each power of two, so that resources of about the same size share them.
-vk::DeviceSize sizeClass(vk::DeviceSize size) {
+vk::DeviceSize MemoryStore::sizeClass(vk::DeviceSize size) const {
     constexpr vk::DeviceSize kLeast = 4096;
-    if (size > kMostKept) return size;
+    if (size > mostSpare_ / 4) return size;
     const vk::DeviceSize step = std::max(std::bit_ceil(std::max(size, kLeast)) / 8, kLeast);
     return (size + step - 1) / step * step;
 }
 
 /// Lazily allocated memory is backed by what a frame needed last.
-bool isKept(const HeldMemory& held) {
-    return held.size <= kMostKept && !(held.properties & vk::MemoryPropertyFlagBits::eLazilyAllocated);
+bool MemoryStore::isKept(const HeldMemory& held) const {
+    return held.size <= mostSpare_ / 4 && !(held.properties & vk::MemoryPropertyFlagBits::eLazilyAllocated);
 }
-
-}  // namespace
 
 std::optional<HeldMemory> MemoryStore::takeSpare(std::uint32_t type, vk::DeviceSize size) {
     const auto found = std::find_if(spare_.rbegin(), spare_.rend(),
@@ -87,7 +86,7 @@ void MemoryStore::giveBack(HeldMemory&& held) {
     }
     spareBytes_ += held.size;
     spare_.push_back(std::move(held));
-    dropSpare(kMostSpare);
+    dropSpare(mostSpare_);
 }
 
 std::uint64_t MemoryStore::bytes() const {
@@ -98,6 +97,11 @@ std::uint64_t MemoryStore::bytes() const {
 std::uint64_t MemoryStore::peakBytes() const {
     const std::lock_guard lock(turn_);
     return peakBytes_;
+}
+
+std::uint64_t MemoryStore::spareBytes() const {
+    const std::lock_guard lock(turn_);
+    return spareBytes_;
 }
 
 }  // namespace nacre::gpu

@@ -22,12 +22,19 @@ struct HeldMemory {
     std::byte* mapped = nullptr;  ///< the whole allocation; null until somebody maps it
 };
 
+/// Bytes of spare memory at most: little where host and device share their memory, as on phones.
+constexpr vk::DeviceSize spareMemory(const vk::PhysicalDeviceMemoryProperties& memory) {
+    for (std::uint32_t heap = 0; heap < memory.memoryHeapCount; ++heap)
+        if (!(memory.memoryHeaps[heap].flags & vk::MemoryHeapFlagBits::eDeviceLocal)) return 32 << 20;
+    return 8 << 20;
+}
+
 /// For any thread.
 class MemoryStore {
 public:
     /// @param device  outlives this
     MemoryStore(const vk::raii::Device& device, const vk::raii::PhysicalDevice& physical)
-        : device_(device), types_(physical.getMemoryProperties()) {}
+        : device_(device), types_(physical.getMemoryProperties()), mostSpare_(spareMemory(types_)) {}
 
     /// Memory of the first type that has all properties of the first choice, else of the next one; null if no type has
     /// room.
@@ -40,15 +47,20 @@ public:
     std::uint64_t bytes() const;
     std::uint64_t peakBytes() const;
 
-    static constexpr vk::DeviceSize kMostSpare = 32 << 20;  ///< in all
+    /// Bytes of memory kept for further resources: now, and at most. Only memory up to a quarter of that is kept.
+    std::uint64_t spareBytes() const;
+    std::uint64_t mostSpare() const { return mostSpare_; }
 
 private:
+    vk::DeviceSize sizeClass(vk::DeviceSize size) const;
+    bool isKept(const HeldMemory& held) const;
     std::optional<HeldMemory> takeSpare(std::uint32_t type, vk::DeviceSize size);
     bool allocate(HeldMemory& held) const;
     void dropSpare(vk::DeviceSize most);
 
     const vk::raii::Device& device_;
     const vk::PhysicalDeviceMemoryProperties types_;
+    const vk::DeviceSize mostSpare_;
     mutable std::mutex turn_;
     std::vector<HeldMemory> spare_;  // oldest first
     vk::DeviceSize spareBytes_ = 0;

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "engine/gpu/resources.h"
@@ -46,18 +45,34 @@ TEST(MemoryStore, CountsWhatResourcesHold) {
 
 TEST(MemoryStore, KeepsNoMoreThanItsShare) {
     const Device device{DeviceOptions{}};
-    const auto memories = [&](std::size_t count) {
-        constexpr vk::DeviceSize kEach = MemoryStore::kMostSpare / 8;
+    const MemoryStore& store = device.memory();
+    const vk::DeviceSize before = store.spareBytes(), each = store.mostSpare() / 8;
+    const auto make = [&](std::size_t count, vk::DeviceSize size) {
         std::vector<Buffer> buffers;
         for (std::size_t i = 0; i < count; ++i)
-            buffers.push_back(makeBuffer(device, kEach, kStorage, Access::upload, "one of many"));
-        std::vector<vk::DeviceMemory> all;
-        for (const Buffer& buffer : buffers) all.push_back(memoryOf(buffer));
-        return all;
+            buffers.push_back(makeBuffer(device, size, kStorage, Access::upload, "one of many"));
+        return buffers;
     };
-    const std::vector<vk::DeviceMemory> first = memories(12), second = memories(8);
-    for (const vk::DeviceMemory memory : second)  // the newest 8 of 12 were kept
-        EXPECT_NE(std::find(first.begin(), first.end(), memory), first.end());
+    make(4, each);
+    EXPECT_EQ(store.spareBytes(), before + 4 * each);
+    make(12, each);
+    EXPECT_EQ(store.spareBytes(), store.mostSpare());
+    {
+        const std::vector<Buffer> again = make(8, each);
+        EXPECT_EQ(store.spareBytes(), 0u);
+    }
+    EXPECT_EQ(store.spareBytes(), store.mostSpare());
+    make(1, 4 * each);  // larger than what is kept
+    EXPECT_EQ(store.spareBytes(), store.mostSpare());
+}
+
+TEST(MemoryStore, KeepsLittleWhereHostAndDeviceShareTheirMemory) {
+    vk::PhysicalDeviceMemoryProperties memory;
+    memory.memoryHeapCount = 2;
+    memory.memoryHeaps[0].flags = vk::MemoryHeapFlagBits::eDeviceLocal;
+    EXPECT_EQ(spareMemory(memory), 32u << 20);  // a graphics card
+    memory.memoryHeaps[1].flags = vk::MemoryHeapFlagBits::eDeviceLocal;
+    EXPECT_EQ(spareMemory(memory), 8u << 20);  // a phone
 }
 
 }  // namespace
