@@ -2,14 +2,26 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
 
 #include "tests/support/temporary_folder.h"
+
+namespace nacre::test {
+std::function<bool(int)> onSync;  // whether it succeeds
+}
+
+/// In place of libc's.
+extern "C" int fsync(int file) {
+    if (nacre::test::onSync && !nacre::test::onSync(file)) return -1;
+    return static_cast<int>(syscall(SYS_fsync, file));
+}
 
 namespace nacre {
 namespace {
@@ -28,6 +40,30 @@ bool put(const DiskCache& cache, const std::string& name, const std::string& con
 /// As if the entry had last been used some hours ago.
 void age(const DiskCache& cache, const std::string& name, int hours) {
     fs::last_write_time(cache.entryPath(name), fs::file_time_type::clock::now() - std::chrono::hours(hours));
+}
+
+TEST(DiskCache, WritesAllToDiskBeforeAnEntryHasItsName) {
+    const TemporaryFolder folder;
+    const DiskCache cache(folder / "cache", 1000, kPrefixes);
+    const auto entries = [&] {
+        return std::distance(fs::directory_iterator(folder / "cache"), fs::directory_iterator());
+    };
+    ASSERT_TRUE(put(cache, "b", "before"));
+    const auto before = entries();
+    int syncs = 0;
+    test::onSync = [&](int file) {
+        struct stat status {};
+        EXPECT_EQ(fstat(file, &status), 0);
+        EXPECT_EQ(status.st_size, 7);
+        EXPECT_FALSE(fs::exists(cache.entryPath("a")));
+        return ++syncs > 1;
+    };
+    EXPECT_FALSE(put(cache, "a", "content"));  // the disk is full
+    EXPECT_EQ(entries(), before);
+    EXPECT_TRUE(put(cache, "a", "content"));
+    EXPECT_EQ(syncs, 2);
+    test::onSync = nullptr;
+    EXPECT_EQ(cache.read("a"), "content");
 }
 
 TEST(DiskCache, GivesBackWhatItWasGiven) {
