@@ -110,7 +110,8 @@ std::size_t checkedNodes(const std::string& name, const glm::ivec3& size, const 
     if (size.x <= 0 || size.y <= 0 || size.z <= 0) cannotReadMap(name, "a grid of " + text() + " nodes");
     const double bytes = sizeof(float) * static_cast<double>(size.x) * size.y * size.z + static_cast<double>(beside);
     if (bytes > static_cast<double>(limits.maxBytes))
-        cannotReadMap(name, "a grid of " + text() + " nodes takes " + std::to_string(std::llround(bytes / 1048576)) +
+        cannotReadMap(name, "a grid of " + text() + " nodes takes " +
+                                std::to_string(std::llround(std::min(bytes / 1048576, 1e15))) +
                                 " MB, more than the limit of " + std::to_string(limits.maxBytes >> 20) + " MB");
     return static_cast<std::size_t>(size.x) * size.y * size.z;
 }

@@ -79,10 +79,11 @@ class BoundsTest(unittest.TestCase):
     def test_maps_are_bounded_by_memory(self):
         """By their headers, before anything is allocated."""
         (self.folder / "forged.ccp4").write_bytes(ccp4(43, 900))
+        (self.folder / "vast.ccp4").write_bytes(struct.pack("<3i", *[2**31 - 1] * 3) + ccp4(1, 1)[12:])
         (self.folder / "empty.dx").write_text("object 1 class gridpositions counts 300 300 300\norigin 0 0 0\ndelta 1 0 0\ndelta 0 1 0\ndelta 0 0 1\n"
                                               "object 3 class array type double rank 0 items 27000000 data follows\n1 2 3\n")
         (self.folder / "empty.cube").write_text("a\nb\n0 0 0 0\n300 1 0 0\n300 0 1 0\n300 0 0 1\n1 2 3\n")
-        for name, words in (("forged.ccp4", "more than the limit"), ("empty.dx", "cut short"), ("empty.cube", "cut short")):
+        for name, words in (("forged.ccp4", "more than the limit"), ("vast.ccp4", "takes 1000000000000000 MB"), ("empty.dx", "cut short"), ("empty.cube", "cut short")):
             run = self.run_nacre("render", "gly.pdb", "--map", name, "--memory", "512", "--size", "16x16", "-o", "a.png", memory=3 << 30)
             self.refused(run, words)
             self.refused(self.run_nacre("info", name, memory=3 << 30), "cannot be filled" if name == "forged.ccp4" else words)
