@@ -209,7 +209,13 @@ CartoonOptions settledCartoon(const CartoonOptions& options, std::size_t residue
 
 Mesh cartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
              std::span<const SecondaryStructure> secondary, const CartoonOptions& options, const glm::dvec3& origin) {
-    const std::vector<Trace> traces = cartoonTraces(facts, atoms, secondary);
+    return cartoon(ChainStretches(facts), atoms, secondary, options, origin);
+}
+
+Mesh cartoon(const ChainStretches& stretches, std::span<const std::uint32_t> atoms,
+             std::span<const SecondaryStructure> secondary, const CartoonOptions& options, const glm::dvec3& origin) {
+    const ResidueFacts& facts = stretches.facts();
+    const std::vector<Trace> traces = stretches.traces(atoms, secondary);
     std::size_t residues = 0;
     for (const Trace& trace : traces) residues += trace.residues.size();
     const CartoonOptions settled = settledCartoon(options, residues);

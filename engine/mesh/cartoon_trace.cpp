@@ -337,15 +337,40 @@ void addEnds(const Molecule& molecule, const Guided& last, Trace& trace) {
     }
 }
 
+struct StretchIndex {
+    std::vector<Stretch> stretches;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> guides;  ///< atom and stretch, ascending
+};
+
 }  // namespace
 
-std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
-                                 std::span<const SecondaryStructure> secondary) {
-    const Molecule& molecule = facts.molecule();
-    std::vector<bool> chosen(molecule.atoms.size());
-    for (const std::uint32_t atom : atoms) chosen[atom] = true;
+ChainStretches::ChainStretches(const ResidueFacts& facts) : facts_(facts) {
+    const auto index = std::make_shared<StretchIndex>();
+    index->stretches = findStretches(facts);
+    for (std::uint32_t i = 0; i < index->stretches.size(); ++i)
+        for (const Guided& residue : index->stretches[i]) index->guides.emplace_back(residue.guide, i);
+    std::sort(index->guides.begin(), index->guides.end());
+    index_ = index;
+}
+
+std::vector<Trace> ChainStretches::traces(std::span<const std::uint32_t> atoms,
+                                          std::span<const SecondaryStructure> secondary) const {
+    const Molecule& molecule = facts_.molecule();
+    const auto& [stretches, guides] = *static_cast<const StretchIndex*>(index_.get());
+    std::vector<std::uint32_t> chosen, shown;  // guide atoms, stretches
+    for (const std::uint32_t atom : atoms) {
+        auto guide = std::lower_bound(guides.begin(), guides.end(), std::pair(atom, 0u));
+        for (; guide != guides.end() && guide->first == atom; ++guide) {
+            chosen.push_back(atom);
+            shown.push_back(guide->second);
+        }
+    }
+    std::sort(chosen.begin(), chosen.end());
+    std::sort(shown.begin(), shown.end());
+    shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
     std::vector<Trace> traces;
-    for (const Stretch& stretch : findStretches(facts)) {
+    for (const std::uint32_t number : shown) {
+        const Stretch& stretch = stretches[number];
         Trace& trace = traces.emplace_back();
         trace.nucleic = stretch.front().nucleic;
         for (const Guided& residue : stretch) {
@@ -355,17 +380,19 @@ std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std:
             trace.residues.push_back(residue.residue);
             trace.kinds.push_back(residue.nucleic || residue.residue >= secondary.size() ? SecondaryStructure::none
                                                                                          : secondary[residue.residue]);
-            trace.shown.push_back(chosen[residue.guide]);
+            trace.shown.push_back(std::binary_search(chosen.begin(), chosen.end(), residue.guide));
             trace.fused.push_back(residue.fused);
             trace.temperatures.push_back(std::isfinite(guide.temperatureFactor) ? guide.temperatureFactor : 0.0);
             trace.carbonyls.push_back(residue.nucleic ? glm::dvec3() : findCarbonyl(molecule, residue));
         }
         addEnds(molecule, stretch.back(), trace);
     }
-    std::erase_if(traces, [](const Trace& trace) {
-        return std::none_of(trace.shown.begin(), trace.shown.end(), [](bool shown) { return shown; });
-    });
     return traces;
+}
+
+std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
+                                 std::span<const SecondaryStructure> secondary) {
+    return ChainStretches(facts).traces(atoms, secondary);
 }
 
 std::vector<GuideTrace> guideTraces(const ResidueFacts& facts) {

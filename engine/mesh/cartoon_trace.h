@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,26 @@ struct Trace {
     std::vector<double> temperatures;   ///< B factor of the guide atoms, Å^2
     std::vector<glm::dvec3> carbonyls;  ///< from C to O; 0 where these are missing
 };
+
+/// The unbroken stretches of a molecule's chains, found once for many cartoons of it.
+class ChainStretches {
+public:
+    /// @param facts  outlive this
+    explicit ChainStretches(const ResidueFacts& facts);
+    const ResidueFacts& facts() const { return facts_; }
+    /// Traces with a shown residue. Takes time by their length, not by the molecule's.
+    /// @param atoms, secondary  as for cartoon()
+    std::vector<Trace> traces(std::span<const std::uint32_t> atoms,
+                              std::span<const SecondaryStructure> secondary) const;
+
+private:
+    const ResidueFacts& facts_;
+    std::shared_ptr<const void> index_;  ///< StretchIndex
+};
+
+/// The cartoon of a part of the molecule (cartoon.h).
+Mesh cartoon(const ChainStretches& stretches, std::span<const std::uint32_t> atoms,
+             std::span<const SecondaryStructure> secondary, const CartoonOptions& options, const glm::dvec3& origin);
 
 /// @param atoms, secondary  as for cartoon()
 std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,

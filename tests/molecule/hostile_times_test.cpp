@@ -109,6 +109,36 @@ TEST(HostileTimes, AnOverlayOfAThousandModelsIsNot) {
     EXPECT_EQ(r.sphereModels.size(), 1000u);
 }
 
+/// Models of one alpha carbon each.
+Molecule lonelyModels(int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+        char line[100];
+        std::snprintf(line, sizeof line, "ATOM      1  CA  ALA A   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n",
+                      i % 100 * 4.0, i / 100 % 100 * 4.0, i / 10000 * 4.0);
+        text += "MODEL\n" + std::string(line) + "ENDMDL\n";
+    }
+    ReadOptions options;
+    options.model = kAllModels;
+    return readMolecule("a.pdb", text, options);
+}
+
+TEST(HostileTimes, CartoonsOfManyModels) {
+    const Molecule molecule = lonelyModels(20'000);
+    RepresentationOptions look;
+    look.style = Style::cartoon;
+    EXPECT_LT(seconds([&] { EXPECT_FALSE(represent(molecule, drawnAtoms(molecule, {}), look).triangles.empty()); }),
+              kGenerous);
+    const Molecule more = lonelyModels(64'000);
+    try {
+        represent(more, drawnAtoms(more, {}), look);
+        FAIL() << "it was drawn";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("64000 models or parts of 64000 atoms"), std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(HostileTimes, LongNamesOfChains) {
     // A megabyte each, once in the file, in turn over 200,000 rows.
     std::string text(std::size_t{1} << 20, 'a');

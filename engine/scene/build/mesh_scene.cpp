@@ -8,6 +8,7 @@
 
 #include "engine/error.h"
 #include "engine/mesh/cartoon.h"
+#include "engine/mesh/cartoon_trace.h"
 #include "engine/mesh/ellipsoids.h"
 #include "engine/mesh/surface.h"
 #include "engine/molecule/element.h"
@@ -131,9 +132,16 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
     const MeshLooks ofEllipsoids(molecule, asEllipsoids);
     const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface),
         ofSugars(molecule, appearance.sugars);
+    // Each group's bases, disulphide bonds and symbols are looked for in the whole molecule.
+    constexpr double kMostVisits = 4e9;
+    if (static_cast<double>(groups.size()) * static_cast<double>(molecule.atoms.size()) > kMostVisits)
+        throw Error("cannot draw cartoon, surface or symbols", "",
+                    std::to_string(groups.size()) + " models or parts of " + std::to_string(molecule.atoms.size()) +
+                        " atoms are too many together");
+    const ChainStretches stretches(facts);
     for (const auto& [number, group] : groups) {
         if (!group.cartoon.empty())
-            appendMesh(cartoon(facts, group.cartoon, facts.folds(), options.cartoon, representation.center), {},
+            appendMesh(cartoon(stretches, group.cartoon, facts.folds(), options.cartoon, representation.center), {},
                        ofCartoon, representation);
         if (!group.surface.empty() && options.surfaceForm != SurfaceForm::solid && options.assembly.empty()) {
             addSurfaceWires(
