@@ -30,7 +30,9 @@ BallGrid::BallGrid(const std::vector<SurfaceBall>& balls, double margin) {
         const glm::dvec3 n = glm::floor((high - low_) / cell_) + 1.0;
         return n.x * n.y * n.z;
     };
-    while (countCells() > kMostCells) cell_ *= 1.26;
+    // Few balls far apart need few cells: clearing millions would take longer than their surface.
+    const double most = std::min<double>(kMostCells, 4096.0 + 32.0 * static_cast<double>(balls.size()));
+    while (countCells() > most) cell_ *= 1.26;
     cells_ = glm::ivec3(glm::floor((high - low_) / cell_)) + 1;
     sortIntoCells(balls);
 
