@@ -111,7 +111,6 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     options.others = true;
     if (!read(bytes, 1)) return 0;
     options.others = false;
-    read(bytes, 2);
-    read(bytes, nacre::kAllModels);
+    read(bytes, size % 2 ? 2 : nacre::kAllModels);
     return 0;
 }

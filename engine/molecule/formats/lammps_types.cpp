@@ -46,14 +46,20 @@ void makeGrains(Molecule& molecule) {
     std::vector<float> lengths;
     for (const Bond& bond : molecule.bonds)
         lengths.push_back(glm::distance(molecule.atoms[bond.a].position, molecule.atoms[bond.b].position));
-    // Without bonds: distances to the nearest of many other atoms.
-    for (std::size_t k = 0; molecule.bonds.empty() && k < kSamples && count > 1; ++k) {
-        const std::size_t i = k * count / kSamples;
+    const auto distanceToNearest = [&](std::size_t i) {
         float nearest = HUGE_VALF;
         for (std::size_t j = 0; j < std::min(count, kWindow); ++j) {
             const float apart = glm::distance(molecule.atoms[i].position, molecule.atoms[j].position);
             if (apart > 0) nearest = std::min(nearest, apart);
         }
+        return nearest;
+    };
+    // Without bonds: distances to the nearest of many other atoms. Of few atoms, each is sampled several times.
+    float nearest = HUGE_VALF;
+    for (std::size_t k = 0, before = count; molecule.bonds.empty() && k < kSamples && count > 1; ++k) {
+        const std::size_t i = k * count / kSamples;
+        if (i != before) nearest = distanceToNearest(i);
+        before = i;
         if (nearest < HUGE_VALF) lengths.push_back(nearest);
     }
     float radius = 1;

@@ -31,6 +31,28 @@ struct H5Bond {
     std::int64_t a, b;
 };
 
+/// A number per atom: constant, or one per frame. Constant ones are read once.
+class H5Values {
+public:
+    H5Values() = default;
+    H5Values(Hdf5Handle set, std::size_t count)
+        : set_(std::move(set)), count_(count), framed_(set_.valid() && H5mdData::readSizes(set_).size() > 1) {
+        if (!framed_) values_ = H5mdData::readValues(set_, 0, count_);
+    }
+    /// Empty if there are none.
+    const std::vector<double>& at(std::size_t frame) {
+        if (framed_) values_ = H5mdData::readValues(set_, frame, count_);
+        return values_;
+    }
+    const Hdf5Handle& set() const { return set_; }
+
+private:
+    Hdf5Handle set_;
+    std::size_t count_ = 0;
+    bool framed_ = false;
+    std::vector<double> values_;
+};
+
 class H5mdReader {
 public:
     H5mdReader(const std::string& name, std::string_view bytes, const ReadOptions& options)
@@ -75,13 +97,9 @@ public:
 private:
     /// For H5MD. Species have names, masses that imply elements, or are kinds of grains.
     void addParticles(MoleculeBuilder& builder, std::size_t frame, const TrajectoryFrame& places) {
-        const std::string& group = data_.group();
-        const Hdf5Handle species = data_.element(group + "/species");
-        const std::vector<double> kinds = H5mdData::readValues(species, frame, count_);
-        const std::vector<double> masses = H5mdData::readValues(data_.element(group + "/mass"), frame, count_),
-                                  charges = H5mdData::readValues(data_.element(group + "/charge"), frame, count_);
-        for (const auto& [list, items] : {std::pair("/velocity", "velocities"), std::pair("/force", "forces")})
-            if (data_.element(group + list).valid()) builder.pass(items, static_cast<std::int64_t>(count_));
+        const std::vector<double>&kinds = species_.at(frame), &masses = masses_.at(frame),
+              &charges = charges_.at(frame);
+        for (const char* items : passed_) builder.pass(items, static_cast<std::int64_t>(count_));
         const bool numbers = labels_.empty() && names_.empty() && masses.empty() && areAtomicNumbers(kinds);
         if (numbers) builder.guess("elements", "from numbers of species", static_cast<std::int64_t>(count_));
         types_.emplace();
@@ -124,7 +142,12 @@ private:
 
     void readSpecies() {
         const std::string& group = data_.group();
-        names_ = H5mdData::readEnumeration(data_.element(group + "/species"));
+        species_ = H5Values(data_.element(group + "/species"), count_);
+        masses_ = H5Values(data_.element(group + "/mass"), count_);
+        charges_ = H5Values(data_.element(group + "/charge"), count_);
+        for (const auto& [list, items] : {std::pair("/velocity", "velocities"), std::pair("/force", "forces")})
+            if (data_.element(group + list).valid()) passed_.push_back(items);
+        names_ = H5mdData::readEnumeration(species_.set());
         labels_ = data_.readTexts(data_.element(group + "/species_label"), count_, kMostTopologyBytes);
         readConnectivity();
     }
@@ -259,7 +282,9 @@ private:
     const ReadOptions& options_;
     H5mdData data_;
     std::size_t count_ = 0;
-    std::vector<H5Atom> atoms_;  ///< MDTraj's
+    H5Values species_, masses_, charges_;
+    std::vector<const char*> passed_;  ///< what each particle has that is not read
+    std::vector<H5Atom> atoms_;        ///< MDTraj's
     std::vector<H5Bond> bonds_;
     std::map<double, std::string> names_;  ///< of H5MD's species
     std::vector<std::string> labels_;      ///< of its particles

@@ -15,11 +15,11 @@ namespace {
 
 // clang-format off
 #define NACRE_HDF5_CALLS(CALL) \
-    CALL(H5open) CALL(H5Eset_auto2) CALL(H5Eget_auto2) CALL(H5PLset_loading_state) CALL(H5Fopen) \
+    CALL(H5open) CALL(H5set_free_list_limits) CALL(H5Eset_auto2) CALL(H5Eget_auto2) CALL(H5PLset_loading_state) CALL(H5Fopen) \
     CALL(H5Fclose) CALL(H5Gopen2) CALL(H5Gclose) CALL(H5Literate) \
     CALL(H5Lget_info) CALL(H5Dopen2) CALL(H5Dclose) CALL(H5Dget_create_plist) CALL(H5Dget_type) \
     CALL(H5Pget_layout) CALL(H5Pget_external_count) CALL(H5Pget_chunk) CALL(H5Pclose) \
-    CALL(H5Pcreate) CALL(H5Pset_fapl_core) CALL(H5Pset_file_image) \
+    CALL(H5Pcreate) CALL(H5Pset_fapl_core) CALL(H5Pset_file_image) CALL(H5Pset_buffer) \
     CALL(H5Dget_space) CALL(H5Sget_simple_extent_ndims) CALL(H5Sget_simple_extent_dims) CALL(H5Screate_simple) \
     CALL(H5Sselect_hyperslab) CALL(H5Sclose) CALL(H5Dread) CALL(H5Aopen) CALL(H5Oopen) CALL(H5Oclose) \
     CALL(H5Aread) CALL(H5Aget_type) CALL(H5Aclose) CALL(H5Aget_space) CALL(H5Tis_variable_str) CALL(H5Tget_class) \
@@ -34,9 +34,17 @@ struct Hdf5Library {
 #define NACRE_HDF5_MEMBER(call) decltype(&::call) call = nullptr;
     NACRE_HDF5_CALLS(NACRE_HDF5_MEMBER)
 #undef NACRE_HDF5_MEMBER
-    hid_t nativeDouble = -1, fileAccess = -1;
+    hid_t nativeDouble = -1, fileAccess = -1, transfer = -1;
     std::string missing;  ///< why it cannot be used; empty if it can
 };
+
+/// Each open file has a cache of 0.5 MB. The library returns that to the system unless its free lists may hold more
+/// than their default of 64 kB.
+void keepFileCaches(const Hdf5Library& library) {
+    constexpr int kRegular = 4 << 20, kRegularList = 1 << 20;
+    constexpr int kArrays = 4 << 20, kArrayList = 256 << 10, kBlocks = 16 << 20, kBlockList = 1 << 20;  // the defaults
+    library.H5set_free_list_limits(kRegular, kRegularList, kArrays, kArrayList, kBlocks, kBlockList);
+}
 
 const Hdf5Library& hdf5() {
     static const Hdf5Library library = [] {
@@ -61,7 +69,9 @@ const Hdf5Library& hdf5() {
         };
         loaded.nativeDouble = value("H5T_NATIVE_DOUBLE_g");
         loaded.fileAccess = value("H5P_CLS_FILE_ACCESS_ID_g");
+        loaded.transfer = value("H5P_CLS_DATASET_XFER_ID_g");
         loaded.H5PLset_loading_state(0);
+        keepFileCaches(loaded);
         return loaded;
     }();
     return library;
@@ -77,6 +87,15 @@ void requireLibrary() {
 herr_t nameFirst(hid_t, const char* name, const H5L_info_t*, void* first) {
     *static_cast<std::string*>(first) = name;
     return 1;
+}
+
+/// How numbers are converted: the library clears a buffer before each reading, by default of 1 MB.
+Hdf5Handle makeTransfer(std::size_t count) {
+    constexpr std::size_t kMostOfElement = 16, kLeast = 4096, kMost = std::size_t{1} << 20;
+    Hdf5Handle transfer(hdf5().H5Pcreate(hdf5().transfer), hdf5().H5Pclose);
+    hdf5().H5Pset_buffer(transfer, std::clamp(std::min(count, kMost) * kMostOfElement, kLeast, kMost), nullptr,
+                         nullptr);
+    return transfer;
 }
 
 /// Reads into memory that is allocated once the sizes are checked.
@@ -98,7 +117,7 @@ bool readRow(const Hdf5Handle& set, std::size_t frame, std::size_t count, bool f
     const hsize_t total = count;
     const Hdf5Handle memory(hdf5().H5Screate_simple(1, &total, nullptr), hdf5().H5Sclose);
     if (!size.empty()) hdf5().H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, block, nullptr);
-    return hdf5().H5Dread(set, type, memory, space, H5P_DEFAULT, allocate()) >= 0;
+    return hdf5().H5Dread(set, type, memory, space, makeTransfer(count), allocate()) >= 0;
 }
 
 std::mutex& hdf5Calls() {
@@ -286,13 +305,19 @@ bool H5mdData::read(std::size_t frame, TrajectoryFrame& result) const {
 
 Hdf5Handle H5mdData::dataset(const std::string& path) const {
     for (std::size_t end = path.find('/');; end = path.find('/', end + 1)) {
-        H5L_info_t link;
-        const std::string part = path.substr(0, end);
-        if (hdf5().H5Lget_info(file_, part.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) return {};
+        if (!isHardLink(path.substr(0, end))) return {};
         if (end == std::string::npos) break;
     }
     Hdf5Handle opened(hdf5().H5Dopen2(file_, path.c_str(), H5P_DEFAULT), hdf5().H5Dclose);
     return opened.valid() && isWhole(opened) ? std::move(opened) : Hdf5Handle();
+}
+
+bool H5mdData::isHardLink(const std::string& path) const {
+    if (hardLinks_.contains(path)) return true;
+    H5L_info_t link;
+    if (hdf5().H5Lget_info(file_, path.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) return false;
+    hardLinks_.insert(path);
+    return true;
 }
 
 Hdf5Handle H5mdData::element(const std::string& path) const {
@@ -415,9 +440,8 @@ hsize_t H5mdData::chunkBytes() const {
 
 /// H5MD's box has an attribute: "periodic" or "none" per axis; some programs state one for all.
 void H5mdData::readBoundary() {
-    H5L_info_t link;
     const std::string path = group_ + "/box";
-    if (hdf5().H5Lget_info(file_, path.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) return;
+    if (!isHardLink(path)) return;
     const Hdf5Handle box(hdf5().H5Oopen(file_, path.c_str(), H5P_DEFAULT), hdf5().H5Oclose);
     if (!box.valid()) return;
     const Hdf5Handle attribute(hdf5().H5Aopen(box, "boundary", H5P_DEFAULT), hdf5().H5Aclose);

@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -94,11 +95,13 @@ public:
 private:
     H5mdData(hid_t opened, Hdf5Heaps::Read read, std::uint64_t fileBytes);
     std::string readFirstName(const char* group) const;
+    bool isHardLink(const std::string& path) const;
     hsize_t chunkBytes() const;
     void readBoundary();
 
     Hdf5Handle file_;
     Hdf5Heaps heaps_;
+    mutable std::set<std::string> hardLinks_;  ///< known ones: elements share their groups
     Hdf5Handle positions_, edges_, angles_, times_;
     Hdf5Sizes sizes_;
     std::string group_;
