@@ -1,6 +1,7 @@
 """Frames that tools/measure times in turns: beside Jmol's, and styles and larger scenes beside 4HHB's own."""
 
 import gzip
+import math
 
 from measure_run import ROOT
 
@@ -21,6 +22,8 @@ JMOL_RATIOS = {"ratio": ("ms", "Jmol, ms"), "CPU ratio": ("CPU, ms", "Jmol, CPU,
 STYLE_COLUMNS = ("times space-filling", "per covered pixel")
 MESOSCALE_ROWS = tuple(f"{count:,}" for count in (1_000, 10_000, 100_000, 1_000_000))
 MESOSCALE_COLUMNS = ("million atoms", "opened after, s", "ms", "CPU, ms", "resident, MB")
+MOVIE_ROWS = ("load and bake", "a frame", "1,079 frames")
+MOVIE_COLUMNS = ("CPU, s",)
 LARGE_COLUMNS = ("ms", "CPU, ms", "times 4HHB", "CPU, times 4HHB", "resident, MB")
 
 
@@ -50,8 +53,8 @@ def styles(run):
             yield f"{name}, {size}", {"times space-filling": times, "per covered pixel": times * b["pixels"] / a["pixels"]}
 
 
-def grid_of_capsids(run, across=4, apart=640):
-    """A file whose assembly is a grid of 3J6R's capsids: across x across x 60 copies. @returns its path"""
+def place_capsids(run, shifts):
+    """A file whose assembly is 3J6R's capsid, 60 copies, at each of the shifts. @returns its path"""
     lines, operators, at = [], [], None
     for line in gzip.open(run.file("3j6r-hpv16.pdb.gz"), "rt"):
         if line.startswith("REMARK 350   BIOMT"):
@@ -60,8 +63,7 @@ def grid_of_capsids(run, across=4, apart=640):
         else:
             lines.append(line)
     placed = []
-    for cell in range(across * across):
-        shift = (cell % across * apart, cell // across * apart, 0)
+    for cell, shift in enumerate(shifts):
         for i, (x, y, z, t) in enumerate(operators):
             copy = (cell * len(operators) + i) // 3 + 1
             placed.append(f"REMARK 350   BIOMT{i % 3 + 1} {copy:3d}{x:10.6f}{y:10.6f}{z:10.6f}{t + shift[i % 3]:15.5f}\n")
@@ -71,10 +73,29 @@ def grid_of_capsids(run, across=4, apart=640):
     return path
 
 
+def movie(run):
+    """Three capsids of 3J6R turn. The time of a frame is the difference of two movies."""
+    run.needs("ffmpeg")
+    turns = [cell * math.tau / 3 for cell in range(3)]
+    path = place_capsids(run, [(370 * math.cos(turn), 370 * math.sin(turn), 0) for turn in turns])
+
+    def seconds(frames):
+        command = [run.nacre, "movie", path, "--assembly", "1", "--style", "spacefill", "--size", "1920x1080", "--spin",
+                   "y", "--fps", "30", "--seconds", str(frames / 30), "--cache", "off", "-o", run.folder / "movie.mp4"]
+        return run.timed(*command)["cpu"]
+
+    few, more = seconds(2), seconds(32)
+    frame = (more - few) / 30
+    begin = few - 2 * frame
+    for name, figure in zip(MOVIE_ROWS, (begin, frame, begin + 1079 * frame)):
+        yield name, {"CPU, s": figure}
+
+
 def large(run):
     few = ["--assembly", "1", "--occlusion", "16"]
+    grid = [(640 * (cell % 4), 640 * (cell // 4), 0) for cell in range(16)]
     arguments = {"1AON": [run.file("1aon-groel.pdb.gz")], "3J6R's capsid": [run.file("3j6r-hpv16.pdb.gz"), *few],
-                 "16 capsids": [grid_of_capsids(run), *few]}
+                 "16 capsids": [place_capsids(run, grid), *few]}
     for name in LARGE:
         for size in SIZES:
             a, b = beside_hemoglobin(run, size, 5, *arguments[name])

@@ -213,6 +213,7 @@ TABLES = {
     "jmol": Table(scenes.JMOL_ROWS, scenes.JMOL_COLUMNS, scenes.jmol, ratios=scenes.JMOL_RATIOS),
     "styles": Table(scenes.STYLE_ROWS, scenes.STYLE_COLUMNS, scenes.styles),
     "large": Table(scenes.LARGE_ROWS, scenes.LARGE_COLUMNS, scenes.large),
+    "movie": Table(scenes.MOVIE_ROWS, scenes.MOVIE_COLUMNS, scenes.movie, slow=True),
     "mesoscale": Table(scenes.MESOSCALE_ROWS, scenes.MESOSCALE_COLUMNS, scenes.mesoscale),
     "effects": Table(tuple(EFFECTS), ("CPU, s", "plain, s", "ratio", "dB"), effects, ratios={"ratio": ("CPU, s", "plain, s")}),
     "batches": Table(BATCHES, ("CPU, ms per picture", "pictures per second"), batches),
