@@ -100,7 +100,10 @@ TEST(WindowPace, StopsWaitingWhereThatCostsFrames) {
     for (const int version : {1, 2}) {
         SCOPED_TRACE(version);
         MovingWindow window({version, kInterval, 2});  // waiting, a display of 60 Hz would show 40 frames
-        window.run(34);
+        window.run(14);
+        EXPECT_NEAR(window.delay(8), 4, 0.01);
+        window.run(20);
+        EXPECT_NEAR(window.delay(10), 3, 0.01);
         ASSERT_EQ(window.pace().state, State::waiting);  // it is tried
         EXPECT_NEAR(window.intervals(10), 1.5, 0.1);
         window.run(30);
