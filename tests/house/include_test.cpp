@@ -38,7 +38,7 @@ const std::vector<std::string> kPlain = {
 const std::vector<Arrows> kArrows = {
     {"engine/molecule/", {}},
     {"engine/volume/", {"engine/molecule/"}},
-    {"engine/mesh/", {"engine/molecule/", "engine/volume/"}},
+    {"engine/mesh/", {"engine/molecule/", "engine/simd/", "engine/volume/"}},
     {"engine/scene/", {"engine/mesh/", "engine/molecule/", "engine/volume/"}},
     {"engine/simd/", {}},
     {"engine/lists/", {"engine/scene/", "engine/simd/"}},
