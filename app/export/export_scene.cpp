@@ -54,7 +54,7 @@ public:
 private:
     struct GroupMesh {
         Mesh mesh;
-        std::unordered_map<std::uint32_t, std::uint32_t> places;  ///< mesh vertex by scene vertex
+        std::unordered_map<std::uint64_t, std::uint32_t> places;  ///< mesh vertex by scene vertex and colour
         std::vector<float> occlusion;                             ///< of the mesh's vertices
     };
 
@@ -95,15 +95,18 @@ private:
         const Triangle& t = scene_.triangles[i];
         const std::uint32_t atom = scene_.meshLooks[scene_.meshVertices[t.a].look].atom;
         GroupMesh& group = findMesh(list, atom, atom == 0 ? "map" : scene_.noteNumber(atom) > 0 ? "geometry" : "fold");
+        const auto colorOf = [&](std::uint32_t v) { return scene_.meshLooks[scene_.meshVertices[v].look].color; };
+        // One for the triangle: other programs would blend those of its corners, as across a border of two chains.
+        const std::uint32_t common = colorOf(t.b) == colorOf(t.c) ? colorOf(t.b) : colorOf(t.a);
         glm::uvec3 corners{};
         int corner = 0;
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
-            const auto [place, added] =
-                group.places.emplace(v, static_cast<std::uint32_t>(group.mesh.positions.size()));
+            const std::uint32_t color = scene_.blendsColors ? colorOf(v) : common;
+            const auto [place, added] = group.places.emplace(std::uint64_t{color} << 32 | v,
+                                                             static_cast<std::uint32_t>(group.mesh.positions.size()));
             if (added) {
                 const MeshVertex& vertex = scene_.meshVertices[v];
-                addVertex(group.mesh, decodePosition(vertex, t.step()), decodeNormal(vertex),
-                          scene_.meshLooks[vertex.look].color);
+                addVertex(group.mesh, decodePosition(vertex, t.step()), decodeNormal(vertex), color);
                 if (baked_) group.occlusion.push_back(baked_->ofVertex(v));
             }
             corners[corner++] = place->second;

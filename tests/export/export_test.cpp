@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "app/export/scene_files.h"
@@ -73,6 +74,20 @@ TEST(Export, BallsAndSticksAreClosedSolidsInTheirColours) {
     }
     // 24 atoms of 24 sides: each 24 x 22 triangles.
     EXPECT_EQ(scene.meshes[0].mesh.triangles.size(), 24u * 24u * 22u);
+}
+
+/// The colours of a triangle's corners would be blended across it.
+TEST(Export, EachTriangleOfASurfaceHasOneColour) {
+    const ExportScene scene = exported(sampleMolecule("dna"), Style::surface, {}, ColorScheme::element);
+    for (const ExportMesh& part : scene.meshes) {
+        std::set<std::uint32_t> colors;
+        for (const glm::uvec3& t : part.mesh.triangles) {
+            ASSERT_EQ(part.mesh.atoms[t.x], part.mesh.atoms[t.y]) << part.name;
+            ASSERT_EQ(part.mesh.atoms[t.x], part.mesh.atoms[t.z]) << part.name;
+            colors.insert(part.mesh.atoms[t.x]);
+        }
+        EXPECT_GT(colors.size(), 2u) << part.name;
+    }
 }
 
 TEST(Export, AnStlIsWhatItsHeaderSays) {
