@@ -275,10 +275,11 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, 
 }
 
 void WindowFrames::await() {
-    swapchain_.awaitDisplay();
     if (swapchain_.stale() || !swapchain_.ready()) return;
     gpu::FrameSlot& slot = ring_.next();
-    if (!slot.image) slot.image = swapchain_.acquire(*slot.acquired);
+    if (slot.image) return;  // the frame has waited
+    swapchain_.awaitDisplay();
+    if (!swapchain_.stale()) slot.image = swapchain_.acquire(*slot.acquired);
 }
 
 FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes::Atlas& atlas,

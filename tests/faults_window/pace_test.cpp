@@ -44,6 +44,7 @@ public:
     void run(int frames, double work = kInterval / 8) {
         for (int i = 0; i < frames; ++i) {
             renderer_->awaitFrame();
+            renderer_->awaitFrame();  // the viewer waits before it reads input, and before it draws
             started_ = faults::displayTime();
             faults::passTime(work);
             last_ = renderer_->present(settings_, {});
