@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <map>
+#include <optional>
 #include <unordered_set>
 
 #include "engine/error.h"
@@ -138,10 +139,11 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
         throw Error("cannot draw cartoon, surface or symbols", "",
                     std::to_string(groups.size()) + " models or parts of " + std::to_string(molecule.atoms.size()) +
                         " atoms are too many together");
-    const ChainStretches stretches(facts);
+    std::optional<ChainStretches> stretches;
+    if (!appearance.cartoon.atoms.empty()) stretches.emplace(facts);
     for (const auto& [number, group] : groups) {
         if (!group.cartoon.empty())
-            appendMesh(cartoon(stretches, group.cartoon, facts.folds(), options.cartoon, representation.center), {},
+            appendMesh(cartoon(*stretches, group.cartoon, facts.folds(), options.cartoon, representation.center), {},
                        ofCartoon, representation);
         if (!group.surface.empty() && options.surfaceForm != SurfaceForm::solid && options.assembly.empty()) {
             addSurfaceWires(
