@@ -85,7 +85,7 @@ void newSwapchain(VkSwapchainCreateFlagsKHR flags, std::uint32_t images) {
     if (!hasDisplay()) return;
     const bool flagged = (flags & displayFlags()) == displayFlags();
     if (flagged != (second() && shown.display->surfaceSupports)) end("flags of a swapchain that the surface lacks");
-    shown.numbered = !second() || flagged;
+    shown.numbered = second() ? flagged : !hides(VK_KHR_PRESENT_WAIT_EXTENSION_NAME);
     shown.first = shown.presents.size();
     shown.images = images;
 }
