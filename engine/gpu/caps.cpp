@@ -304,7 +304,7 @@ Caps queryCaps(const vk::raii::PhysicalDevice& device, const DeviceOptions& opti
     if (const char* lists = std::getenv("NACRE_DEVICE_LISTS")) {
         const unsigned long entries = std::strtoul(lists, nullptr, 10);
         caps.tiles.lists = entries > 0;
-        if (entries > 1) caps.tiles.entries = static_cast<std::uint32_t>(entries);
+        if (entries > 1) caps.tiles.entries = std::min(static_cast<std::uint32_t>(entries), caps.tiles.entries);
     }
     caps.visibility = options.visibility;
     caps.multisampling = options.multisampling;
