@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The workflows call scripts that are there, in an order that holds; what of the release runs anywhere is run. release_test.py TREE"""
 import hashlib
+import itertools
 import os
 import pathlib
 import re
@@ -27,7 +28,10 @@ def release(*words):
 
 def rows(job):
     """The values of `matrix` in each run of a job."""
-    return job.get("strategy", {}).get("matrix", {}).get("include", [{}])
+    matrix = job.get("strategy", {}).get("matrix", {})
+    if "include" in matrix:
+        return matrix["include"]
+    return [dict(zip(matrix, values)) for values in itertools.product(*matrix.values())]
 
 
 def filled(text, row):
@@ -95,9 +99,6 @@ class Workflows(unittest.TestCase):
 class Release(unittest.TestCase):
     def test_what_is_built_is_of_the_tag_and_published_once(self):
         lines = list(commands(WORKFLOWS["release.yml"]))
-        kinds = re.search(r"^case.*?\n(.*?)\) ", (TREE / "tools/release").read_text(), re.MULTILINE)[1]
-        for job, line in lines:
-            self.assertIn(f"{line.split()[1]}:{len(line.split()) - 1}", re.split(r"[ |]+", kinds.strip()), line)
         for name in JOBS.keys() - {"publish"}:
             own = [line for job, line in lines if job == name]
             self.assertEqual(own[::2], ['tools/release check "$GITHUB_REF_NAME"'] * (len(own) // 2), name)
@@ -108,6 +109,21 @@ class Release(unittest.TestCase):
             self.assertEqual(workflow["permissions"], {"contents": "read"})
             for name, job in workflow["jobs"].items():
                 self.assertEqual("write" in str(job.get("permissions")), name == "publish", name)
+
+    def test_every_call_has_words_that_are_taken(self):
+        kinds = re.search(r"^case.*?\n(.*?)\) ", (TREE / "tools/release").read_text(), re.MULTILINE)[1]
+        calling = set()
+        for file, workflow in WORKFLOWS.items():
+            for job, line in commands(workflow):
+                if call := re.search(r"tools/release (.*)", line):
+                    words = call[1].split()
+                    self.assertIn(f"{words[0]}:{len(words)}", re.split(r"[ |]+", kinds.strip()), f"{file}: {line}")
+                    calling.add(file)
+        self.assertLessEqual({"ci.yml", "phones.yml", "release.yml"}, calling)
+
+    def test_gradle_is_the_wrappers(self):
+        for file in WORKFLOWS:
+            self.assertNotIn("setup-gradle", (FOLDER / file).read_text(), file)
 
     def test_the_tag_is_the_version(self):
         self.assertEqual(release("check", f"v{VERSION}").returncode, 0)
