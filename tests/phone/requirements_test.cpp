@@ -50,6 +50,21 @@ TEST(Requirements, HoldOnEveryProfileOfPhones) {
     }
 }
 
+// The least phone's list is written by hand. Where it says something else than the profile's data, it says less, for
+// the reason that its file states.
+TEST(Requirements, TheLeastPhoneIsThatOfTheProfile) {
+    std::size_t same = 0;
+    for (const phone::ProfileLimit& asked : phone::kAndroid2022.limits)
+        for (const auto& [limit, value, name] : phone::kLimits)
+            if (limit == asked.limit) {
+                const bool lower = limit == &VkPhysicalDeviceLimits::maxFragmentCombinedOutputResources;
+                EXPECT_EQ(value, lower ? 4u : asked.least) << name;
+                EXPECT_LE(value, asked.least) << name;
+                ++same;
+            }
+    EXPECT_GT(same, 30u);
+}
+
 TEST(Requirements, SomeRungOfEncodedDepthBlendsOnEveryPhone) {
     EXPECT_TRUE(std::any_of(graph::encodedFormats().begin(), graph::encodedFormats().end(), [](const auto& rung) {
         return phone::floorFormat(rung.format) & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
