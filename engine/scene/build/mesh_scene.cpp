@@ -135,9 +135,13 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
         ofSugars(molecule, appearance.sugars);
     // Each group's bases, disulphide bonds and symbols are looked for in the whole molecule.
     constexpr double kMostVisits = 4e9;
-    if (static_cast<double>(groups.size()) * static_cast<double>(molecule.atoms.size()) > kMostVisits)
+    const auto looking = std::ranges::count_if(groups, [](const auto& numbered) {
+        const Group& g = numbered.second;
+        return !g.cartoon.empty() || !g.surface.empty() || !g.sugars.empty();
+    });
+    if (static_cast<double>(looking) * static_cast<double>(molecule.atoms.size()) > kMostVisits)
         throw Error("cannot draw cartoon, surface or symbols", "",
-                    std::to_string(groups.size()) + " models or parts of " + std::to_string(molecule.atoms.size()) +
+                    std::to_string(looking) + " models or parts of " + std::to_string(molecule.atoms.size()) +
                         " atoms are too many together");
     std::optional<ChainStretches> stretches;
     if (!appearance.cartoon.atoms.empty()) stretches.emplace(facts);
