@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Packs an APK by tools/package_android and reads it again, by aapt, by apksigner, and byte by byte."""
 
+import re
 import struct
 import subprocess
 import sys
@@ -52,7 +53,8 @@ def check_manifest(apk):
         expect(f'"{text}"' in tree, f"the manifest names {text}")
     filters = [f for f in tree.split("E: intent-filter")[1:] if "action.VIEW" in f and "application/octet-stream" in f]
     expect(any("pathPattern" not in f for f in filters), "a document without a name in its address is offered")
-    expect("E: profileable" in tree, "profilers attach")
+    profileable = tree.partition("E: profileable")[2].partition("E: ")[0]
+    expect(re.search(r"android:shell\(.*0xffffffff", profileable), "profilers attach to released builds")
     # A path of the file system needs a permission that is not asked for.
     expect('"file"' not in tree, "no file: address is offered to be opened")
     activity = [l.strip() for l in tree.splitlines()]
