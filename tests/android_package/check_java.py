@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Compiles the app's Java against declarations of what it uses of Android, and holds it to the native code: every
-native method is registered with its signature, every method that native code calls is there. Says what it weighs.
+native method is registered with its signature, every method that native code calls is there. Runs the nodes of screen
+readers (PanelNodesTest.java). Says what it weighs.
 
 The declarations follow developer.android.com, API level 36; an SDK is not needed.
 """
@@ -140,6 +141,32 @@ STUBS = {
         public void setPackageName(CharSequence s) { } public void setClassName(CharSequence s) { } }""",
 }
 
+# What PanelNodes tells of its nodes, kept.
+KEPT = STUBS | {
+    "android.content.Context": "public class Context { " + CONTEXT + " }",
+    "android.view.View": """import android.view.accessibility.*;
+        public class View { public static final int IMPORTANT_FOR_ACCESSIBILITY_YES = 1;
+        public final java.util.List<String> events = new java.util.ArrayList<>();
+        public static class AccessibilityDelegate { public AccessibilityNodeProvider getAccessibilityNodeProvider(View host) { return null; } }
+        public void setImportantForAccessibility(int mode) { } public void setAccessibilityDelegate(AccessibilityDelegate d) { }
+        public void sendAccessibilityEvent(int type) { } public void onInitializeAccessibilityNodeInfo(AccessibilityNodeInfo i) { }
+        public void getLocationOnScreen(int[] at) { } public final android.content.Context getContext() { return new android.content.Context(); }
+        public final ViewParent getParent() { return (child, e) -> events.add(e.type + " " + e.source); } }""",
+    "android.view.accessibility.AccessibilityEvent": STUBS["android.view.accessibility.AccessibilityEvent"]
+        .replace("obtain(int type) { return null; }", "obtain(int t) { var e = new AccessibilityEvent(); e.type = t; return e; } public int type, source;")
+        .replace("setSource(android.view.View v, int id) { }", "setSource(android.view.View v, int id) { source = id; }"),
+    "android.view.accessibility.AccessibilityNodeInfo": STUBS["android.view.accessibility.AccessibilityNodeInfo"]
+        .replace("return null;", "return new AccessibilityNodeInfo();")
+        .replace("addChild(View v, int id) { }", "addChild(View v, int id) { children.add(id); }")
+        .replace("setContentDescription(CharSequence s) { }", "setContentDescription(CharSequence s) { description = s.toString(); }")
+        .replace("public void setParent", "public final java.util.List<Integer> children = new java.util.ArrayList<>(); public String description; public void setParent"),
+}
+KEPT = {name: text for name, text in KEPT.items() if re.match(r"android\.(content\.Context|graphics\.Rect|os\.Bundle|view\.(View|ViewParent|accessibility\.\w+))$", name)}
+KEPT["org.nacre.viewer.NacreActivity"] = """final class NacreActivity { static String table, pressed;
+        long app() { return 1; } static String controls(long app) { return table; }
+        static void press(long app, String role, String name) { pressed = role + " " + name; }
+        static void adjust(long app, String name, boolean up) { } }"""
+
 
 def run(*command):
     done = subprocess.run(command, capture_output=True, text=True)
@@ -148,9 +175,9 @@ def run(*command):
     return done.stdout
 
 
-def write_stubs(folder):
+def write_stubs(folder, stubs=STUBS):
     files = []
-    for name, text in STUBS.items():
+    for name, text in stubs.items():
         package, _, simple = name.rpartition(".")
         file = folder / package.replace(".", "/") / (simple + ".java")
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -176,6 +203,12 @@ def check_natives(described, native):
             sys.exit(f"{name} is {methods.get(name)} in Java and {signature} in native code")
 
 
+def check_nodes(folder):
+    run("javac", "--release", "11", "-d", str(folder / "nodes"), *write_stubs(folder / "kept", KEPT),
+        str(SOURCES / "org/nacre/viewer/PanelNodes.java"), str(Path(__file__).with_name("PanelNodesTest.java")))
+    run("java", "-cp", str(folder / "nodes"), "org.nacre.viewer.PanelNodesTest")
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -186,6 +219,7 @@ def main():
             *map(str, SOURCES.rglob("*.java")))
         described = run("javap", "-p", "-s", "-cp", f"{classes}:{folder / 'android'}", "org.nacre.viewer.NacreActivity")
         check_natives(described, (ROOT / "app/android/platform.cpp").read_text())
+        check_nodes(folder)
         size = sum(file.stat().st_size for file in classes.rglob("*.class"))
         if not 1000 < size < MOST_BYTES:
             sys.exit(f"the classes have {size} bytes, at most {MOST_BYTES} are thought of")
