@@ -19,6 +19,7 @@ MOST_BYTES = 30000  # of the classes, before they are packed
 CONTEXT = """public String getPackageName() { return null; } public java.io.File getCacheDir() { return null; }
         public final <T> T getSystemService(Class<T> type) { return null; }"""
 STUBS = {
+    "android.annotation.TargetApi": "public @interface TargetApi { int value(); }",
     "android.hardware.display.DisplayManager": """public final class DisplayManager {
         public interface DisplayListener { void onDisplayAdded(int id); void onDisplayChanged(int id); void onDisplayRemoved(int id); }
         public android.view.Display getDisplay(int id) { return null; }

@@ -1,5 +1,6 @@
 package org.nacre.viewer;
 
+import android.annotation.TargetApi;
 import android.app.AlertDialog;
 import android.app.NativeActivity;
 import android.content.ActivityNotFoundException;
@@ -109,6 +110,7 @@ public final class NacreActivity extends NativeActivity
     // --- Back, while something covers the picture. Up to Android 12 it is a key.
 
     /** A separate class, which older systems do not load. */
+    @TargetApi(33)
     private static final class Back implements OnBackInvokedCallback {
         private final NacreActivity activity;
 
