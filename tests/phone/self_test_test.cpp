@@ -9,6 +9,7 @@
 
 #include "engine/error.h"
 #include "engine/renderer.h"
+#include "engine/self_test/scenes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace nacre::test {
@@ -51,6 +52,26 @@ TEST(SelfTest, IsForAutomaticPathsOfHardware) {
     options.visibility = Visibility::automatic;
     device.type = "software";
     EXPECT_FALSE(wantsSelfTest(options, device)) << "tested with the program";
+}
+
+TEST(SelfTest, DrawsEveryKindOfPrimitiveInBothProjectionsAndTimesThreeSizes) {
+    bool triangles = false, sticks = false, all = false;
+    for (const TestScene& scene : selfTestScenes()) {
+        const Representation& r = scene.representation;
+        const bool flat = scene.projection == Projection::orthographic, meshed = !r.triangles.empty();
+        triangles = triangles || (flat && meshed && r.spheres.empty());
+        sticks = sticks || (flat && !meshed && !r.cylinders.empty());
+        all = all || (!flat && meshed && !r.cylinders.empty() && !r.spheres.empty());
+    }
+    EXPECT_TRUE(triangles);
+    EXPECT_TRUE(sticks);
+    EXPECT_TRUE(all) << "in perspective";
+    const std::vector<TimedScene> timed = timedScenes();
+    ASSERT_EQ(timed.size(), PathResult{}.milliseconds.size());
+    ASSERT_EQ(timed.size(), 3u);
+    EXPECT_EQ(timed[2].representation.spheres.size(), 8 * timed[0].representation.spheres.size());
+    EXPECT_GT(timed[1].representation.triangles.size(), 1000u);
+    EXPECT_EQ(timed[1].projection, Projection::perspective);
 }
 
 TEST(SelfTest, FindsEveryPathOfARightDriverRight) {
