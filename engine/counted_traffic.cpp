@@ -18,8 +18,6 @@ namespace nacre {
 namespace {
 
 constexpr std::uint32_t kCountedPixels = 720;
-constexpr const char* kNoCounters =
-    "the driver has neither VK_KHR_performance_query nor VK_ARM_performance_counters_by_region";
 
 std::string lowered(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -31,7 +29,7 @@ bool mentions(const std::string& text, std::initializer_list<std::string_view> w
 }
 
 /// The direction in the text; `neither` unless it names exactly one.
-TrafficWay wayOf(std::string text) {
+TrafficWay findWay(std::string text) {
     constexpr std::string_view kUnit = "load/store";  // of a shader core, and no direction
     for (std::size_t at; (at = text.find(kUnit)) != std::string::npos;) text.erase(at, kUnit.size());
     const bool reads = mentions(text, {"read", "load"}), writes = mentions(text, {"writ", "stor"});
@@ -141,8 +139,8 @@ TrafficWay trafficWay(const std::string& name, const std::string& category, cons
     if (!mentions(all, {"external", "memory", "dram", "ddr", "vbif"}) ||
         mentions(all, {"cache", "tile", "local", "shared"}))
         return TrafficWay::neither;
-    const TrafficWay way = wayOf(names);
-    return way == TrafficWay::neither ? wayOf(texts) : way;
+    const TrafficWay way = findWay(names);
+    return way == TrafficWay::neither ? findWay(texts) : way;
 }
 
 CountedTraffic countTraffic(const DeviceOptions& options) {

@@ -23,6 +23,9 @@ struct CountedRegions {
     std::optional<std::uint64_t> bytes;  ///< where the name speaks of bytes, or of beats, which are 16 bytes
 };
 
+inline constexpr const char* kNoCounters =
+    "the driver has neither VK_KHR_performance_query nor VK_ARM_performance_counters_by_region";
+
 struct CountedTraffic {
     std::string lacks;         ///< why nothing was counted; empty: bytes were counted
     std::string visibility;    ///< path of the frame

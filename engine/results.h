@@ -153,13 +153,13 @@ struct BakeStats {
     OcclusionStats occlusion;
 };
 
-/// What a window's frames wait for before they start.
+/// When a window's frames start.
 struct WindowPace {
     enum class State : std::uint8_t {
-        absent,   ///< a free image: the driver does not tell when a frame is on display
-        freely,   ///< a free image, while such frames are timed
-        waiting,  ///< the display of the frame before the last
-        resting,  ///< a free image, since waiting costs frames
+        absent,   ///< with a free image: the driver does not tell when a frame is on display
+        freely,   ///< with a free image, while such frames are timed
+        waiting,  ///< when the frame before the last is on display
+        resting,  ///< with a free image, since waiting costs frames
     };
     State state = State::absent;
     double displayMilliseconds = 0;  ///< from a frame's start to its display, while frames wait; 0: unknown

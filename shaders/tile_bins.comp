@@ -23,7 +23,6 @@ struct Reach {
     uvec2 first, end;  // bins
     bool small;
 };
-layout(constant_id = kShareId) const uint kShare = 16u;
 
 /// From the plane z = 0 to the image.
 vec2 toPixel(vec2 q) { return view.axisPixel + turned(vec2(q.x, -q.y) / view.pixel); }
@@ -108,7 +107,7 @@ void main() {
     view = push;
     uint at = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationIndex;
     Reach r = Reach(0u, 0u, uvec2(0u), uvec2(0u), false);
-    if (at / kShare >= items || !findReach(at / kShare, r)) return;
+    if (at / share >= items || !findReach(at / share, r)) return;
     uvec2 size = r.end - r.first;
-    for (uint k = at % kShare; k < size.x * size.y; k += kShare) add(r, r.first + uvec2(k % size.x, k / size.x));
+    for (uint k = at % share; k < size.x * size.y; k += share) add(r, r.first + uvec2(k % size.x, k / size.x));
 }

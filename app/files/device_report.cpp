@@ -64,7 +64,7 @@ nlohmann::ordered_json trafficJson(const CountedTraffic& traffic) {
 
 CountedTraffic queryTraffic(const DeviceInfo& device, const DeviceOptions& options) {
     CountedTraffic traffic;
-    traffic.lacks = "the driver has neither VK_KHR_performance_query nor VK_ARM_performance_counters_by_region";
+    traffic.lacks = kNoCounters;
     const auto has = [&](const char* name) { return std::ranges::binary_search(device.extensions, name); };
     if (!has("VK_KHR_performance_query") && !has("VK_ARM_performance_counters_by_region")) return traffic;
     try {

@@ -299,6 +299,7 @@ Caps queryCaps(const vk::raii::PhysicalDevice& device, const DeviceOptions& opti
         caps.plan.conservativeDepth = false;                   // none tests early if the shader writes depth
         caps.tiles.shade = caps.tiles.texels;
         caps.fastPowers = caps.asynchronous = false;
+        caps.gathersTexels = caps.tiles.texels;
     }
     caps.apartMemory = caps.type == "discrete" && keepsMemoryApart(device);
     if (const char* lists = std::getenv("NACRE_DEVICE_LISTS")) {

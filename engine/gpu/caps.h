@@ -29,7 +29,8 @@ struct Caps : graph::FrameCaps {
     graph::EncodedFormat encodedMaps;           ///< for the bake's maps, which are blended
     std::uint32_t quirks = 0;                   ///< of the driver, a bit each
     bool has(graph::Quirk quirk) const { return (quirks >> static_cast<unsigned>(quirk) & 1) != 0; }
-    bool fastPowers = true;  ///< powers take a few instructions
+    bool fastPowers = true;      ///< powers take a few instructions
+    bool gathersTexels = false;  ///< shaders interpolate texels themselves: a word costs as much as a texel
     /// Memory that the host reads fast is not the device's own: a graphics card reads it through its bus.
     bool apartMemory = false;
     /// Submissions return at once, and timestamps cost nothing: bakes are cut into short, timed submissions.

@@ -171,7 +171,7 @@ void Swapchain::awaitDisplay() {
     switch (display_.beforeFrame(*swapchain_)) {
         case vk::Result::eSuboptimalKHR:
         case vk::Result::eErrorOutOfDateKHR:
-        case vk::Result::eErrorSurfaceLostKHR:  // recreate() finds it lost, too
+        case vk::Result::eErrorSurfaceLostKHR:  // recreate() replaces the surface as well
             stale_ = true;
             break;
         case vk::Result::eErrorDeviceLost:

@@ -28,7 +28,7 @@ Lanes exponentials(Lanes x) {
     return result;
 }
 
-float sumOf(Lanes lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
+float addLanes(Lanes lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
 
 /// The balls that reach a brick, in lanes.
 class NearBalls {
@@ -80,8 +80,8 @@ public:
             nearest = lower ? Mask{} + static_cast<std::int32_t>(i) : nearest;
         }
         Sum sum;
-        sum.value += static_cast<double>(sumOf(value));
-        sum.downwards = {sumOf(downX), sumOf(downY), sumOf(downZ)};
+        sum.value += static_cast<double>(addLanes(value));
+        sum.downwards = {addLanes(downX), addLanes(downY), addLanes(downZ)};
         std::uint32_t best = 0;
         for (std::uint32_t k = 1; k < kLanes; ++k)
             if (lowest[k] < lowest[best]) best = k;

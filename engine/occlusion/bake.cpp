@@ -149,7 +149,7 @@ void Bake::release() {
 /// last texel of a word repeats the first one of the next word (shaders/common/color.glsl).
 void Bake::makeCells(std::span<const std::uint8_t> texels) {
     const OcclusionLayout& l = layout_;
-    if (!gathersTexels(device_.caps()) || l.sphereEdge < 2) return;
+    if (!device_.caps().gathersTexels || l.sphereEdge < 2) return;
     constexpr auto countWords = [](std::uint32_t across) { return (across + 1) / 3; };
     const std::uint64_t words = std::uint64_t{l.sphereCount} * countWords(l.sphereEdge) * l.sphereEdge +
                                 std::uint64_t{l.cylinderCount} * countWords(l.around) * l.along +

@@ -34,10 +34,6 @@ struct BakePreparation {
     OccluderMeshes occluders;  ///< for maps drawn by the host
 };
 
-/// Whether shaders gather texels and interpolate them, instead of the sampler: where the host's processor draws, and so
-/// works through each submission itself, a word costs as much as a texel.
-inline bool gathersTexels(const gpu::Caps& caps) { return caps.tiles.texels && !caps.asynchronous; }
-
 /// Thread-safe. @param stop  when requested, returns early with an unusable result
 /// @throws Error if even one value per sphere exceeds the budget
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,

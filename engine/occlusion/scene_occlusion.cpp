@@ -242,7 +242,7 @@ passes::Atlas SceneOcclusion::atlas() const {
             before_ || isOutdated() ? kLeastOfMoved : 0,
             shown,
             shown->bounced(),
-            shown->cells() || (shown->bounced() && layout.sphereEdge > 1 && gathersTexels(device_.caps()))};
+            shown->cells() || (shown->bounced() && layout.sphereEdge > 1 && device_.caps().gathersTexels)};
 }
 
 double SceneOcclusion::share() const {

@@ -42,7 +42,6 @@ gpu::ComputePipeline binPipeline(gpu::PipelineContext& context, const SceneView&
                            {},
                            *binLayout(context).pipeline};
     setTileView(d.constants, view, view.rims.widest());
-    d.constants.set(layout::kShareId, listedFrame(view).byDevice->share);
     return d;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Lists of the `tiles` path that the device makes: four passes before the one that draws from them.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -25,6 +26,9 @@ MeasuredPrimitives measurePrimitives(const Representation& representation);
 /// An upper bound of the entries of all lists, if no primitive is larger than `sizes`.
 /// @param bins  of the picture
 std::uint64_t boundEntries(const SceneView& view, const PrimitiveSizes& sizes, std::uint64_t bins);
+/// Words before the calls (shaders/common/calls.glsl).
+constexpr std::size_t kCallsHeader = 6;
+
 /// Invocations that find the bins of a primitive together. @param entries  of all lists, about
 std::uint32_t chooseShare(std::uint64_t entries, std::uint64_t primitives);
 

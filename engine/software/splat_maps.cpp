@@ -60,9 +60,8 @@ SplatMaps::SplatMaps(const gpu::Device& device, const passes::SceneBuffers& scen
                                gpu::Access::upload, "depth maps")) {}
 
 void SplatMaps::begin(std::span<const passes::PlacedCopies> maps) {
-    constexpr std::size_t kHeader = 4;
     rowsOfMaps_.clear();
-    words_.assign(kHeader, 0);
+    words_.assign(passes::kCallsHeader, 0);
     copies_ = maps.empty() ? 1 : static_cast<std::uint32_t>(maps[0].rows.size() / 3);
     std::uint32_t items = 0, calls = 0;
     for (std::uint32_t i = 0; i < maps.size(); ++i) {

@@ -146,9 +146,9 @@ std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, 
         frame.tooMany = rounds.count == 0 || (rounds.count > 1 && work.edges);
         if (frame.tooMany) return free;
         frame.lists.cover(asked);
-        uploadCalls(frame, asked.small, std::min<std::uint64_t>(most, room));
+        uploadCalls(frame, asked.small, std::min<std::uint64_t>(most, room),
+                    chooseShare(boundEntries(seen, sizes.mean, bins), primitives));
         frame.byDevice->rounds = rounds;
-        frame.byDevice->share = chooseShare(boundEntries(seen, sizes.mean, bins), primitives);
     } else {
         frame.byDevice = nullptr;
         frame.lists.build(asked, scenery);
@@ -265,14 +265,13 @@ void ListedFrames::upload(ListedFrame& f, const PlacedCopies& copies, graph::Ext
 }
 
 /// Uploads what the device lists: the calls, and the tiles if they are not the last frame's.
-/// @param small  as in TileView @param room  for entries
-void ListedFrames::uploadCalls(ListedFrame& f, float small, std::uint64_t room) const {
-    constexpr std::size_t kHeader = 4;
+/// @param small  as in TileView @param room  for entries @param share  chooseShare()
+void ListedFrames::uploadCalls(ListedFrame& f, float small, std::uint64_t room, std::uint32_t share) const {
     if (!f.byDevice) f.byDevice = std::make_unique<ListsByDevice>();
     ListsByDevice& d = *f.byDevice;
     const std::size_t bins = std::size_t{f.lists.across()} * f.lists.down();
     const std::size_t calls = spheres_.size() + cylinders_.size() + triangles_.size();
-    reserve(device_, d.calls, 4 * (kHeader + 2 * calls), Usage::eStorageBuffer, vk::Format::eUndefined, "calls");
+    reserve(device_, d.calls, 4 * (kCallsHeader + 2 * calls), Usage::eStorageBuffer, vk::Format::eUndefined, "calls");
     const std::size_t workBytes = 4 * (2 * bins + 2 * room), listBytes = 4 * (f.lists.words() + room);
     const bool grows = f.words.buffer.size < listBytes;
     if (d.work.buffer.size < workBytes || d.across != f.lists.across() || d.down != f.lists.down()) {
@@ -285,7 +284,7 @@ void ListedFrames::uploadCalls(ListedFrame& f, float small, std::uint64_t room) 
     d.across = f.lists.masked() ? 0 : f.lists.across();
     d.down = f.lists.down();
     auto* to = reinterpret_cast<std::uint32_t*>(d.calls.buffer.mapped);
-    std::uint32_t* call = to + kHeader;
+    std::uint32_t* call = to + kCallsHeader;
     d.items = 0;
     for (const std::vector<TileCall>* list : {&spheres_, &cylinders_, &triangles_})
         for (const TileCall& c : *list) {
@@ -297,6 +296,7 @@ void ListedFrames::uploadCalls(ListedFrame& f, float small, std::uint64_t room) 
     to[1] = d.items;
     to[2] = f.lists.down();
     std::memcpy(to + 3, &small, sizeof small);
+    to[4] = d.share = share;
 }
 
 namespace {

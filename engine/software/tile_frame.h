@@ -122,7 +122,7 @@ private:
     void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept, bool all,
                       bool clears, const char* name) const;
     static void writeSeeds(ListedFrame& frame);
-    void uploadCalls(ListedFrame& frame, float small, std::uint64_t room) const;
+    void uploadCalls(ListedFrame& frame, float small, std::uint64_t room, std::uint32_t share) const;
     const MeasuredPrimitives& measuredPrimitives(const Representation& representation, const SceneView& seen);
     void upload(ListedFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
     void uploadEdges(ListedFrame& frame, graph::Extent image, const EdgePlaces* places) const;

@@ -4,6 +4,7 @@
 layout(set = 0, binding = CALLS, std430) readonly buffer Calls {
     uint callCount, items, down;  // `down`: bins per column, for lists
     float small;                  // half a width below which a primitive may lie between pixel centres, pixels
+    uint share, unused;           // `share`: invocations that find the bins of a primitive together
     uvec2 calls[];
 };
 

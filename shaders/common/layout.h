@@ -66,7 +66,6 @@ const int kEverywhereId = 54;  // bool: draw every pixel as an edge, where a bin
 const int kListedId = 55;      // bool: samples of an edge search lists, not only neighbours
 const int kRowsId = 56;        // bool: edges are coded words among the other pixels
 const int kLayerId = 57;       // of translucent triangles: 0 the nearest
-const int kShareId = 59;       // invocations that find the bins of a primitive together
 const int kClearsId = 58;      // bool: compute also writes pixels that show nothing
 // Density maps between translucent layers.
 const int kBehindLayerId = 70;  // bool: only parts behind a layer

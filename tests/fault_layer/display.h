@@ -47,7 +47,7 @@ bool isDisplayExtension(std::string_view name);
 bool isDisplayFeature(VkStructureType type);
 bool isPresentNumber(VkStructureType type);
 void addDisplayExtensions(std::vector<VkExtensionProperties>& extensions);
-/// What a surface supports.
+/// Fills in the structures of a surface's capabilities.
 void tellDisplay(void* chain);
 
 /// Flags of swapchains that the second version needs.

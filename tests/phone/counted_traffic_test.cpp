@@ -81,7 +81,7 @@ TEST(CountedTraffic, SumsTheRegionsOfARenderPass) {
         EXPECT_GT(traffic.plannedWritten, 0u);
         EXPECT_TRUE(traffic.counters.empty());
     }
-    // What tells of the memory itself comes first.
+    // Counters of the memory itself take precedence.
     const Counters counters;
     const CountedTraffic both = counted(Visibility::fragdepth, false);
     EXPECT_EQ(both.regions.size(), 5u);

@@ -158,7 +158,8 @@ TEST(SelfTest, OrderThatNobodyPromisesIsTakenIfItIsFoundRight) {
     const DeviceInfo device = Renderer(options).stats().device;
     const std::optional<SelfTest> test = keptSelfTest(options.selfTests, device.driverKey);
     ASSERT_TRUE(test);
-    EXPECT_EQ(findOutcome(*test, Visibility::rasterOrder), Outcome::right);  // by lavapipe, which keeps the order, too
+    // The software device below the layer keeps the order.
+    EXPECT_EQ(findOutcome(*test, Visibility::rasterOrder), Outcome::right);
     const auto keep = [&](const std::string& order) {
         std::ofstream(folder / ("devices/paths-" + device.driverKey))
             << "nacre self-test 6\nencoded right 2 4 8 1 0 0 0 0\n"

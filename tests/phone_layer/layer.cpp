@@ -465,7 +465,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetDeviceProcAddr(VkDevice of, const ch
     return nextDeviceCall(of, name);
 }
 
-/// What an older loader does not know.
+/// Functions that an older loader does not know.
 PFN_vkVoidFunction physicalDeviceCall(std::string_view name) {
     if (name != "vkEnumeratePhysicalDeviceQueueFamilyPerformanceCountersByRegionARM" || !countsRegions())
         return nullptr;

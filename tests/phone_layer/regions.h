@@ -30,7 +30,7 @@ constexpr std::uint32_t kFirstCounterId = 70;
 constexpr VkExtent2D kRegion{48, 40};
 constexpr std::uint32_t kCountersAtOnce = 2, kRegionAlignment = 64, kRowAlignment = 512;
 
-inline std::mutex regionsMutex;  // of what follows
+inline std::mutex regionsMutex;  // guards the two maps below
 inline std::map<VkDeviceAddress, std::pair<VkBuffer, VkDeviceSize>> addressedBuffers;
 inline std::map<VkBuffer, VkDeviceSize> bufferSizes;
 
@@ -75,7 +75,7 @@ inline VKAPI_ATTR VkDeviceAddress VKAPI_CALL GetBufferDeviceAddressKHR(VkDevice 
     std::abort();
 }
 
-/// What the device writes, before the render pass begins: nothing else reads it.
+/// Writes the counters of a render pass before it begins: nothing reads them until it has ended.
 inline void writeRegions(VkCommandBuffer commands, const void* chain, VkExtent2D area, std::size_t subpasses,
                          std::uint32_t views) {
     const auto* wanted = chained<VkRenderPassPerformanceCountersByRegionBeginInfoARM>(
