@@ -49,7 +49,7 @@ public:
         const Sphere& s = r_.spheres[i];
         if (ofSphere_.size() == 1) all(i, s, seen), ends.push_back(static_cast<std::uint32_t>(seen.size()));
         if (ofSphere_.size() == 1) return;
-        const NearSpheres near = surfaces_.nearOf(i);
+        const NearSpheres near = surfaces_.findNear(i);
         std::vector<glm::vec3> open;
         for (const glm::vec3& normal : ofSphere_)
             if (!near.bury(s.center + s.radius * normal)) open.push_back(normal);

@@ -93,7 +93,7 @@ bool NearSpheres::bury(const glm::vec3& point) const {
     return false;
 }
 
-NearSpheres NearestSurface::nearOf(std::uint32_t sphere) const {
+NearSpheres NearestSurface::findNear(std::uint32_t sphere) const {
     NearSpheres near;
     const auto visit = [&](std::uint32_t item) {
         if (item >= r_.spheres.size() || !isOpaque(item)) return true;

@@ -40,13 +40,13 @@ public:
     /// The representation outlives this.
     explicit NearestSurface(const Representation& r);
 
-    NearSpheres nearOf(std::uint32_t sphere) const;
+    NearSpheres findNear(std::uint32_t sphere) const;
     /// Whether an opaque sphere other than `self` contains this point.
     bool buries(std::uint32_t self, const glm::vec3& point) const;
     /// Translucent primitives, primitives with other copies and models that do not occlude are not met.
     /// @param self  the primitive that the ray leaves @param direction  unit length
     std::optional<SurfaceHit> from(std::uint32_t self, const glm::vec3& start, const glm::vec3& direction) const;
-    /// The same in a scene of spheres alone. @param near  nearOf(self)
+    /// The same in a scene of spheres alone. @param near  findNear(self)
     std::optional<SurfaceHit> from(std::uint32_t self, const glm::vec3& start, const glm::vec3& direction,
                                    const NearSpheres& near) const;
 
