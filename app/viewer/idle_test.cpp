@@ -32,6 +32,9 @@ void IdleTest::begin(const DeviceOptions& options, const DeviceInfo& device) {
     thread_ = startThread([this, alone, device] {
         try {
             testPaths(alone, device, &stop_);
+            DeviceInfo tested = device;
+            addSelfTest(tested, alone.selfTests);
+            foundNone_ = tested.visibility == "none";
         } catch (const std::exception&) {
             // The next start tests what is missing.
         }

@@ -23,12 +23,14 @@ public:
     /// Stops the test early; begin() continues with the interrupted path.
     void stop() { stop_ = true; }
     bool running() const { return running_; }
+    /// Whether a test has ended, and no path drew right.
+    bool foundNone() const { return foundNone_; }
 
 private:
     void join();
 
     std::thread thread_;
-    std::atomic<bool> stop_{false}, running_{false};
+    std::atomic<bool> stop_{false}, running_{false}, foundNone_{false};
     bool needless_ = false;
 };
 

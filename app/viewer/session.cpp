@@ -224,6 +224,7 @@ void Session::setIdleTests(bool on) {
 double Session::testWhileIdle(double now, double wake) {
     constexpr double kIdleSeconds = 1;
     if (!renderer_) return wake;
+    if (idleTest_.foundNone()) open(now);  // refuses the device, and says why
     const std::uint64_t frames = renderer_->stats().windowFrames;
     if (std::exchange(framesBefore_, frames) != frames) {
         frameAt_ = now;

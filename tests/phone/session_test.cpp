@@ -353,6 +353,25 @@ TEST(PhoneSession, ShowsAPictureBeforeItTestsTheDeviceAndUsesTheResultAtTheNextS
     }
 }
 
+TEST(PhoneSession, GivesUpADeviceWhereNoPathDrawsRight) {
+    const test::TemporaryFolder folder;
+    Host host;
+    const Phone phone("dispatch");
+    PhoneSession session(onPhone(host, folder / "cache"), makeView("/far/water.xyz"));
+    begin(session);
+    std::string why;
+    try {
+        host.run(session);
+        EXPECT_GT(countFrames(session), 0u) << "no picture before the test";
+        EXPECT_TRUE(session.testing());
+        awaitTest(session);
+        host.run(session);
+    } catch (const Error& error) {
+        why = error.what();
+    }
+    EXPECT_NE(why.find("no path draws right"), std::string::npos) << why;
+}
+
 /// One start of the program, by the next test.
 TEST(PhoneStart, InTheFolderThatIsNamed) {
     const char* folder = std::getenv("NACRE_START_IN");
