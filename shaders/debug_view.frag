@@ -1,23 +1,22 @@
 #version 440
-// Intermediate images of a frame as a picture. One variant per view:
-//   DEPTH NORMALS      of the surface layer            ID OCCLUSION   of the identity layer
-//   ENCODED            the encoded depth attachment    PLATES         the prepass's depth, over the shaded picture
-//   OVERDRAW TILES     sums of fragments               PATCHES        the occlusion atlas
+// Intermediate images of a frame as a picture, by kDebugView (engine/debug_view.h).
+//   NUMBERS   of the identity layer     UNDER   with a second image: the picture below
 // The target or, with kCoded, this shader applies sRGB coding: linearFromSrgb() undoes it for raw numbers.
 #extension GL_GOOGLE_include_directive : require
 #include "common/view.glsl"
 #include "common/encoding.glsl"
 #include "common/srgb.glsl"
 
-#if defined(ID) || defined(OCCLUSION)
+#ifdef NUMBERS
 layout(set = 0, binding = 0) uniform usampler2D source;
 #else
 layout(set = 0, binding = 0) uniform sampler2D source;
 #endif
-#if defined(PLATES) || defined(TILES)
+#ifdef UNDER
 layout(set = 0, binding = 1) uniform sampler2D under;
 #endif
 layout(location = 0) out vec4 color;
+layout(constant_id = kDebugViewId) const int kDebugView = 0;
 layout(constant_id = kTileId) const int kTile = 16;
 layout(constant_id = kCodedId) const bool kCoded = false;
 
@@ -41,52 +40,48 @@ vec3 numberColor(uint number) {
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-#if defined(DEPTH)
-    vec4 surface = texelFetch(source, pixel, 0);
-    if (surface.yzw == vec3(0.0)) discard;
-    color = vec4(linearFromSrgb(vec3(1.0 - clamp(encodedDepth(surface.x), 0.0, 1.0))), 1.0);
-#elif defined(NORMALS)
-    vec4 surface = texelFetch(source, pixel, 0);
-    if (surface.yzw == vec3(0.0)) discard;
-    color = vec4(linearFromSrgb(surface.yzw * 0.5 + 0.5), 1.0);
-#elif defined(ID)
-    uint atom = texelFetch(source, pixel, 0).x;
-    if (atom == 0u) discard;
-    color = vec4(linearFromSrgb(numberColor(atom)), 1.0);
-#elif defined(OCCLUSION)
+#if defined(NUMBERS)
     uvec2 identity = texelFetch(source, pixel, 0).xy;
     if (identity.x == 0u) discard;
-    color = vec4(vec3(uintBitsToFloat(identity.y)), 1.0);
-#elif defined(ENCODED)
-    vec4 e = texelFetch(source, pixel, 0);
-    if (kDepthSteps == 0)
-        color = vec4(linearFromSrgb(e.xxx), 1.0);
-    else
-        color = vec4(linearFromSrgb(vec3(toStep(e.x), kDepthChannels > 1 ? toStep(e.y) : 0,
-                                kDepthChannels > 2 ? toStep(e.z) : 0) / float(kDepthSteps)), 1.0);
-#elif defined(PLATES)
-    vec4 picture = texelFetch(under, pixel, 0);
-    if (picture.a == 0.0) discard;
-    if (kCoded) picture.rgb = linearFromSrgb(picture.rgb);
-    bool plate = texelFetch(source, pixel, 0).x < 1.0;
-    color = vec4(plate ? picture.rgb : mix(picture.rgb, vec3(1.0), 0.6), 1.0);
-#elif defined(OVERDRAW)
-    float fragments = texelFetch(source, pixel, 0).x * 255.0;
-    if (fragments < 0.5) discard;
-    color = vec4(linearFromSrgb(heat(fragments)), 1.0);
-#elif defined(TILES)
-    ivec2 inTile = pixel % kTile;
-    bool edge = inTile.x == 0 || inTile.y == 0;
-    float mean = texelFetch(source, pixel / kTile, 0).x;
-    vec3 tile = mean > 0.0 ? heat(mean) : vec3(0.93);
-    if (mean > 0.0 && texelFetch(under, pixel, 0).x == 0.0) tile = mix(tile, vec3(1.0), 0.45);
-    color = vec4(linearFromSrgb(edge ? tile * 0.8 : tile), 1.0);
-#elif defined(PATCHES)
-    // Shows the atlas on the plane z = 0, as large as the scene; it pans and zooms with the view without rotation.
-    vec2 size = vec2(textureSize(source, 0));
-    vec2 texel = planePoint(gl_FragCoord.xy) * vec2(1.0, -1.0) * view.perRange * max(size.x, size.y) + 0.5 * size;
-    if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, size))) discard;
-    color = vec4(vec3(texelFetch(source, ivec2(texel), 0).x), 1.0);
+    color.rgb = kDebugView == kDebugId ? linearFromSrgb(numberColor(identity.x)) : vec3(uintBitsToFloat(identity.y));
+#elif defined(UNDER)
+    if (kDebugView == kDebugPlates) {
+        vec4 picture = texelFetch(under, pixel, 0);
+        if (picture.a == 0.0) discard;
+        if (kCoded) picture.rgb = linearFromSrgb(picture.rgb);
+        bool plate = texelFetch(source, pixel, 0).x < 1.0;
+        color.rgb = plate ? picture.rgb : mix(picture.rgb, vec3(1.0), 0.6);
+    } else {
+        ivec2 inTile = pixel % kTile;
+        bool edge = inTile.x == 0 || inTile.y == 0;
+        float mean = texelFetch(source, pixel / kTile, 0).x;
+        vec3 tile = mean > 0.0 ? heat(mean) : vec3(0.93);
+        if (mean > 0.0 && texelFetch(under, pixel, 0).x == 0.0) tile = mix(tile, vec3(1.0), 0.45);
+        color.rgb = linearFromSrgb(edge ? tile * 0.8 : tile);
+    }
+#else
+    if (kDebugView == kDebugEncoded) {
+        vec4 here = texelFetch(source, pixel, 0);
+        vec3 steps = vec3(toStep(here.x), kDepthChannels > 1 ? toStep(here.y) : 0,
+                          kDepthChannels > 2 ? toStep(here.z) : 0) / float(kDepthSteps);
+        color.rgb = linearFromSrgb(kDepthSteps == 0 ? here.xxx : steps);
+    } else if (kDebugView == kDebugOverdraw) {
+        float fragments = texelFetch(source, pixel, 0).x * 255.0;
+        if (fragments < 0.5) discard;
+        color.rgb = linearFromSrgb(heat(fragments));
+    } else if (kDebugView == kDebugPatches) {
+        // Shows the atlas on the plane z = 0, as large as the scene; it pans and zooms with the view without rotation.
+        vec2 size = vec2(textureSize(source, 0));
+        vec2 texel = planePoint(gl_FragCoord.xy) * vec2(1.0, -1.0) * view.perRange * max(size.x, size.y) + 0.5 * size;
+        if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, size))) discard;
+        color.rgb = vec3(texelFetch(source, ivec2(texel), 0).x);
+    } else {  // of the surface layer: Z, and the normal
+        vec4 surface = texelFetch(source, pixel, 0);
+        if (surface.yzw == vec3(0.0)) discard;
+        color.rgb = linearFromSrgb(kDebugView == kDebugNormals
+                                       ? surface.yzw * 0.5 + 0.5
+                                       : vec3(1.0 - clamp(encodedDepth(surface.x), 0.0, 1.0)));
+    }
 #endif
-    if (kCoded) color.rgb = srgbFromLinear(color.rgb);
+    color = vec4(kCoded ? srgbFromLinear(color.rgb) : color.rgb, 1.0);
 }

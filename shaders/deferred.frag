@@ -18,12 +18,9 @@
 #ifdef INPUT
 layout(input_attachment_index = 0, set = 0, binding = 3) uniform usubpassInput primitives;
 uint primitiveHere() { return subpassLoad(primitives).x; }
-#elif defined(EYES)
-layout(set = 0, binding = 3) uniform usampler2DArray primitives;
-uint primitiveHere() { return texelFetch(primitives, ivec3(gl_FragCoord.xy, gl_ViewIndex), 0).x; }
 #else
-layout(set = 0, binding = 3) uniform usampler2D primitives;
-uint primitiveHere() { return texelFetch(primitives, ivec2(gl_FragCoord.xy), 0).x; }
+layout(set = 0, binding = 3) uniform usampler2D primitivesOfView;
+uint primitiveHere() { return texelFetch(primitivesOfView, ivec2(gl_FragCoord.xy), 0).x; }
 #endif
 layout(set = 0, binding = 4, std430) readonly buffer Shapes { uvec4 shapes[]; };
 vec4 shapeAt(uint i) { return uintBitsToFloat(shapes[i]); }
@@ -56,11 +53,8 @@ struct Shown {
 uint placed(uint number) {
     uvec2 at = kCopies ? divided(number - 1u, view.primitives) : uvec2(0u, number - 1u);
     copyIndex = at.x;
-#ifdef EYES  // rows of the second view follow those of the first
-    copyRow0 = copyRows[3u * at.x + (gl_ViewIndex == 0 ? 0u : view.numberBefore)];
-#else
-    copyRow0 = copyRows[3u * at.x];
-#endif
+    // Rows of the second view follow those of the first.
+    copyRow0 = copyRows[3u * at.x + (viewIndex() == 0 ? 0u : view.numberBefore)];
     copyRow1 = copyRows[3u * at.x + 1u];
     copyRow2 = copyRows[3u * at.x + 2u];
     return at.y;

@@ -70,12 +70,9 @@ layout(input_attachment_index = 0, set = 0, binding = 3) uniform subpassInputMS 
 layout(input_attachment_index = 0, set = 0, binding = 3) uniform subpassInput nearest;
 vec4 nearestDepth() { return subpassLoad(nearest); }
 #endif
-#elif defined(SAMPLED) && defined(EYES)
-layout(set = 0, binding = 3) uniform sampler2DArray nearest;
-vec4 nearestDepth() { return texelFetch(nearest, ivec3(gl_FragCoord.xy, gl_ViewIndex), 0); }
 #elif defined(SAMPLED)
-layout(set = 0, binding = 3) uniform sampler2D nearest;
-vec4 nearestDepth() { return texelFetch(nearest, ivec2(gl_FragCoord.xy), 0); }
+layout(set = 0, binding = 3) uniform sampler2D nearestOfView;
+vec4 nearestDepth() { return texelFetch(nearestOfView, ivec2(gl_FragCoord.xy), 0); }
 #endif
 
 void main() {

@@ -2,8 +2,8 @@
 // Ambient occlusion, one batch of directions: tests every texel of the list against each depth map of the batch, and
 // adds up the cosines of the maps where it is front-most. One read and one write of its sum.
 // CYLINDER, VERTEX: texels of cylinders, of meshes. WHOLE: one value per sphere, tested at its point facing the light.
-// HEIGHTS: the maps are a buffer of heights from tile_depth.comp; else an image of encoded depth.
-// BITS: with HEIGHTS, from map_heights.comp.
+// HEIGHTS: the maps are a buffer of heights, with kOrderedBits from map_heights.comp, else from tile_depth.comp; without
+// HEIGHTS an image of encoded depth.
 // TEXELS: these and the directions are read as texels.
 // NARROW: directions take few words (layout.h), for drivers that load them in every invocation.
 // PAIRS: an invocation tests two texels, and loads each direction once for both.
@@ -17,9 +17,7 @@
 #include "common/layout.h"
 #include "common/texel.glsl"
 #include "common/encoding.glsl"
-#ifdef BITS
 #include "common/ordered.glsl"
-#endif
 
 layout(local_size_x = 64) in;
 
@@ -31,12 +29,10 @@ layout(set = 0, binding = 3, std430) buffer Sums { vec2 sums[]; };  // accumulat
 #if defined(TEXELS)
 layout(set = 0, binding = 4) uniform samplerBuffer heightTexels;  // Å
 float heightAt(int i) { return texelFetch(heightTexels, i).x; }
-#elif defined(BITS)
-layout(set = 0, binding = 4, std430) readonly buffer Heights { uint heights[]; };
-float heightAt(int i) { return fromOrderedBits(heights[i]); }  // Å
 #elif defined(HEIGHTS)
-layout(set = 0, binding = 4, std430) readonly buffer Heights { float heights[]; };  // Å
-float heightAt(int i) { return heights[i]; }
+layout(constant_id = kOrderedBitsId) const bool kOrderedBits = false;
+layout(set = 0, binding = 4, std430) readonly buffer Heights { uint heights[]; };  // bits of Å
+float heightAt(int i) { return kOrderedBits ? fromOrderedBits(heights[i]) : uintBitsToFloat(heights[i]); }
 #else
 layout(set = 0, binding = 4) uniform sampler2D depthMaps;
 #endif

@@ -7,7 +7,7 @@
 
 #if defined(INPUT)
 layout(input_attachment_index = 0, set = 0, binding = 0) uniform subpassInput picture;
-#elif defined(EYES)
+#elif defined(LAYER)
 layout(set = 0, binding = 0) uniform sampler2DArray picture;
 #else
 layout(set = 0, binding = 0) uniform sampler2D picture;
@@ -19,10 +19,10 @@ layout(constant_id = kCodedId) const bool kCoded = false;  // the target takes s
 layout(push_constant) uniform Push {
     vec4 scale;  // xy: 1 / pixels of the part of the target; z: weight of the picture
     vec4 red, green, blue;  // shares of the picture's channels in the target's; red.w, green.w: its corner;
-                            // blue.w: layer of the picture, with EYES
+                            // blue.w: layer of the picture, with LAYER
 };
 
-#ifdef EYES
+#ifdef LAYER
 vec3 AT(vec2 place) { return vec3(place, blue.w); }
 ivec3 AT(ivec2 texel) { return ivec3(texel, int(blue.w)); }
 #else

@@ -2,7 +2,6 @@
 // Finds the bins that each primitive may touch. Run twice: first counts the entries of each bin, then writes them. Several
 // invocations share the bins of a primitive, so that large ones do not take long.
 //   CYLINDERS, TRIANGLES   the scene has some
-//   WRITE                  writes entries; otherwise counts them
 #extension GL_GOOGLE_include_directive : require
 #define TILES
 #define COPY_OF_PIXEL
@@ -15,6 +14,7 @@
 #include "common/list_layout.glsl"
 
 layout(local_size_x = 64) in;
+layout(constant_id = kWritesId) const bool kWrites = false;
 layout(push_constant) uniform Push { TileConstants push; };
 layout(set = 0, binding = 3, std430) buffer Work { uint work[]; };
 
@@ -92,15 +92,15 @@ bool findReach(uint item, inout Reach r) {
 
 void add(Reach r, uvec2 at) {
     uint bin = at.y * view.across + at.x;
-#ifdef WRITE
-    uint bins = view.across * down, place = atomicAdd(work[bins + bin], 1u), entry = 2u * (bins + place);
-    if (place >= kNoRoom) return;
-    work[entry] = r.step;
-    work[entry + 1u] = r.number;
-#else
-    atomicAdd(work[bin], 1u);
-    if (r.small) atomicOr(work[bin], kSmallBit);
-#endif
+    if (kWrites) {
+        uint bins = view.across * down, place = atomicAdd(work[bins + bin], 1u), entry = 2u * (bins + place);
+        if (place >= kNoRoom) return;
+        work[entry] = r.step;
+        work[entry + 1u] = r.number;
+    } else {
+        atomicAdd(work[bin], 1u);
+        if (r.small) atomicOr(work[bin], kSmallBit);
+    }
 }
 
 void main() {

@@ -63,7 +63,10 @@ gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const A
         d.name = "occlusion accumulation, vertices";
         d.code = NACRE_ACCUMULATION(Vertex);
     }
-    if (heights) d.code = questionsToTileMaps(accumulation.texels, context.device.caps().tiles);
+    if (heights) {
+        d.code = questionsToTileMaps(accumulation.texels, context.device.caps().tiles);
+        d.constants.set(layout::kOrderedBitsId, context.device.caps().tiles.lists);
+    }
     const graph::EncodedFormat& encoded = context.device.caps().encodedMaps;
     d.constants.set(layout::kBatchId, accumulation.batch);
     d.constants.set(layout::kDepthChannelsId, accumulation.encoded ? encoded.channels : 1);

@@ -3,8 +3,8 @@
 #include <array>
 #include <span>
 
+#include "engine/gpu/two_view_shader.h"
 #include "engine/passes/bindings.h"
-#include "engine/passes/eyes.h"
 #include "engine/passes/full_screen.h"
 #include "shaders.h"
 
@@ -69,7 +69,7 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
 
 FullScreenPass makeFullScreen(const gpu::PipelineContext& context, const SceneView& view,
                               const DeferredPass& deferred) {
-    FullScreenPass pass{forViews(context, chooseShader(deferred).of(view)), {}, {}};
+    FullScreenPass pass{gpu::forViews(chooseShader(deferred).of(view), context.views), {}, {}};
     if (deferred.rims)
         for (int i = 0; i < 4; ++i)
             pass.constants.set(layout::kClearId + i, deferred.rims->clear.value[static_cast<std::size_t>(i)]);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/passes/bindings.h"
-#include "engine/passes/eyes.h"
 #include "shaders.h"
 #include "shaders/common/layout.h"
 
@@ -68,7 +67,7 @@ const gpu::Layout& resampleLayout(gpu::PipelineContext& context, const Resamplin
 FullScreenPass makePass(const Resampling& how) {
     FullScreenPass pass{shaders::resampleFragment, {}, {}};
     if (how.from == NearestFrom::inputAttachment) pass.fragment = shaders::resampleInputFragment;
-    if (how.layer) pass.fragment = forEyes(pass.fragment, "resample"), pass.detail = "layer";
+    if (how.layer) pass.fragment = shaders::resampleLayerFragment, pass.detail = "layer";
     pass.blend = how.add ? gpu::Blend::add : gpu::Blend::replace;
     pass.constants.set(layout::kSamplesId, how.samples);
     pass.constants.set(layout::kCodedId, how.coded);

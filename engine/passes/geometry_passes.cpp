@@ -15,7 +15,7 @@ GeometryPass opaquePrepass(bool triangles) {
 
 GeometryPass depthEncoding(const Encoding& encoding) {
     GeometryPass pass{NACRE_SHADERS(geometry, , encode, )};
-    pass.fetched.triangle = {shaders::geometryTriangleFetchedVertex, {shaders::encodeTriangleFetched, {}}};
+    pass.fetched.triangle = {shaders::geometryTriangleFetchedVertex, NACRE_STAGE(encodeTriangleFetched)};
     pass.encoding = encoding;
     pass.blend = gpu::Blend::minimum;
     return pass;
@@ -23,14 +23,14 @@ GeometryPass depthEncoding(const Encoding& encoding) {
 
 GeometryPass orderedDepth(const Reads& reads) {
     GeometryPass pass{NACRE_SHADERS(geometry, Reads, encode, Ordered)};
-    pass.fetched.triangle = {shaders::geometryTriangleFetchedReadsVertex, {shaders::encodeTriangleFetchedOrdered, {}}};
+    pass.fetched.triangle = {shaders::geometryTriangleFetchedReadsVertex, NACRE_STAGE(encodeTriangleFetchedOrdered)};
     pass.reads = reads;
     return pass;
 }
 
 GeometryPass nearestDepth() {
     GeometryPass pass{NACRE_SHADERS(geometry, , nearest, )};
-    pass.fetched.triangle = {shaders::geometryTriangleFetchedVertex, {shaders::nearestTriangleFetched, {}}};
+    pass.fetched.triangle = {shaders::geometryTriangleFetchedVertex, NACRE_STAGE(nearestTriangleFetched)};
     pass.depth = gpu::DepthUse::write;
     pass.colorsWritten = 0;
     return pass;

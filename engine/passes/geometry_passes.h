@@ -20,13 +20,11 @@
             NACRE_SHADERS(atom, , identity, variant)                                    \
     }
 /// Shaders of colour that fetch attributes instead of taking them from varyings.
-#define NACRE_FETCHED(variant)                                                            \
-    nacre::passes::FetchedShaders {                                                       \
-        {shaders::lookSphereFetchedVertex, {shaders::colorSphereFetched##variant, {}}}, { \
-            shaders::geometryTriangleFetchedReadsVertex, {                                \
-                shaders::colorTriangleFetched##variant, {}                                \
-            }                                                                             \
-        }                                                                                 \
+#define NACRE_FETCHED(variant)                                                                      \
+    nacre::passes::FetchedShaders {                                                                 \
+        {shaders::lookSphereFetchedVertex, NACRE_STAGE(colorSphereFetched##variant)}, {             \
+            shaders::geometryTriangleFetchedReadsVertex, NACRE_STAGE(colorTriangleFetched##variant) \
+        }                                                                                           \
     }
 
 namespace nacre::passes {

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "engine/gpu/two_view_shader.h"
 #include "engine/passes/bindings.h"
 #include "engine/passes/corners.h"
-#include "engine/passes/eyes.h"
 #include "engine/scene/color/colors.h"
 
 namespace nacre::passes {
@@ -163,12 +163,13 @@ gpu::GraphicsPipeline describePipeline(gpu::PipelineContext& context, const Scen
                                        const Draw& drawn) {
     gpu::GraphicsPipeline d = context.pipeline();
     d.detail = drawName(drawn);
-    d.vertex = forViews(context, drawn.shaders.vertex);
-    d.fragment = forViews(context, drawn.shaders.fragment.of(view));
+    d.vertex = gpu::forViews(drawn.shaders.vertex, context.views);
+    d.fragment = gpu::forViews(drawn.shaders.fragment.of(view), context.views);
     setGeometryConstants(d.constants, view, pass.rim);
     d.constants.set(layout::kSnapId, context.device.caps().snapPixels);
     if (pass.rim > 0) d.constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
     if (pass.looks) setShadingConstants(d.constants, view);
+    if (pass.distances) d.constants.set(layout::kDistancesId, true);
     d.constants.set(layout::kDepthChannelsId, pass.encoding.channels);
     d.constants.set(layout::kDepthStepsId, pass.encoding.steps);
     d.constants.set(layout::kCornersId, drawn.corners.count);

@@ -12,14 +12,11 @@
 
 namespace nacre::passes {
 
-/// A fragment stage, and its variant that counts fragments.
+/// A stage that shades fragments.
 struct Stage {
     gpu::ShaderWords plain;
-    gpu::ShaderWords counting = {};  ///< empty: made from the other stage
-    gpu::ShaderWords of(const SceneView& view) const {
-        if (!view.fragments) return plain;
-        return counting.empty() ? gpu::countingShader(plain) : counting;
-    }
+    /// As it is, or counting its fragments.
+    gpu::ShaderWords of(const SceneView& view) const { return view.fragments ? gpu::countingShader(plain) : plain; }
 };
 #define NACRE_STAGE(name) \
     nacre::passes::Stage { shaders::name }
@@ -64,9 +61,10 @@ struct GeometryPass {
     gpu::DepthUse depth = gpu::DepthUse::test;
     gpu::Blend blend = gpu::Blend::replace;
     std::uint32_t colorsWritten = 1;
-    bool plates = false;   ///< draw spheres as plates, not impostors
-    bool streams = false;  ///< the fragment stage also reads the streams
-    float rim = 0;         ///< width of the rim around a primitive, Å at z = 0; 0: that of its outline
+    bool plates = false;     ///< draw spheres as plates, not impostors
+    bool streams = false;    ///< the fragment stage also reads the streams
+    bool distances = false;  ///< numbers of primitives come with their Z
+    float rim = 0;           ///< width of the rim around a primitive, Å at z = 0; 0: that of its outline
 };
 
 enum class Primitive : std::uint8_t { sphere, cylinder, triangle };

@@ -37,10 +37,8 @@ const gpu::Layout& sortLayout(gpu::PipelineContext& context) {
 
 gpu::ComputePipeline binPipeline(gpu::PipelineContext& context, const SceneView& view, bool writes) {
     const TileScene scene = tileScene(*view.buffers);
-    gpu::ComputePipeline d{context.pass,
-                           writes ? NACRE_TILE_SCENE(tileBinsWrite, ) : NACRE_TILE_SCENE(tileBinsCount, ),
-                           {},
-                           *binLayout(context).pipeline};
+    gpu::ComputePipeline d{context.pass, NACRE_TILE_SCENE(tileBins), {}, *binLayout(context).pipeline};
+    d.constants.set(layout::kWritesId, writes);
     setTileView(d.constants, view, view.rims.widest());
     return d;
 }

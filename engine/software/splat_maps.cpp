@@ -32,7 +32,7 @@ const gpu::Layout& splatLayout(gpu::PipelineContext& context) {
 gpu::ComputePipeline splatPipeline(gpu::PipelineContext& context, const passes::SceneBuffers& buffers) {
     const passes::TileScene scene = passes::tileScene(buffers);
     using passes::TileScene;
-    gpu::ComputePipeline d{"depth maps by compute", NACRE_TILE_SCENE(mapHeights, ), {}, *splatLayout(context).pipeline};
+    gpu::ComputePipeline d{"depth maps by compute", NACRE_TILE_SCENE(mapHeights), {}, *splatLayout(context).pipeline};
     d.constants.set(layout::kCopiesId, true);
     return d;
 }

@@ -19,15 +19,11 @@ inline TileScene tileScene(const SceneBuffers& scene) {
 }
 
 /// Variants of a stage, by the scene's primitives and by the location of its data.
-#define NACRE_TILE_SCENE(name, counting)                                  \
-    (scene == TileScene::triangles   ? shaders::name##Triangles##counting \
-     : scene == TileScene::cylinders ? shaders::name##Cylinders##counting \
-                                     : shaders::name##Spheres##counting)
-#define NACRE_TILE_SHADER(name) (texels ? NACRE_TILE_SCENE(name##Texels, ) : NACRE_TILE_SCENE(name##Storage, ))
-/// As a Stage: optimised shaders have their own counting variant (shaders/shaders.cmake).
-#define NACRE_TILE_STAGE(name)                                                                  \
-    (texels ? Stage{NACRE_TILE_SCENE(name##Texels, ), NACRE_TILE_SCENE(name##Texels, Counting)} \
-            : Stage{NACRE_TILE_SCENE(name##Storage, )})
+#define NACRE_TILE_SCENE(name)                                  \
+    (scene == TileScene::triangles   ? shaders::name##Triangles \
+     : scene == TileScene::cylinders ? shaders::name##Cylinders \
+                                     : shaders::name##Spheres)
+#define NACRE_TILE_SHADER(name) (texels ? NACRE_TILE_SCENE(name##Texels) : NACRE_TILE_SCENE(name##Storage))
 
 /// Sets one binding after another.
 class TileBindings {

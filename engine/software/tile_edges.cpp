@@ -17,7 +17,7 @@ constexpr auto kFindStorage = asStorage(kFindTexels);
 constexpr std::array kColorTexels{kTexel};
 constexpr auto kColorStorage = asStorage(kColorTexels);
 
-Stage sampleStage(bool texels, TileScene scene) { return NACRE_TILE_STAGE(tileEdges); }
+Stage sampleStage(bool texels, TileScene scene) { return {NACRE_TILE_SHADER(tileEdges)}; }
 
 const gpu::Layout& findLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"edge pixels", context.device.caps().tiles.texels ? kFindTexels : kFindStorage,
@@ -111,7 +111,7 @@ void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const grap
         {"edge colours", texels ? kColorTexels : kColorStorage, kDraw, sizeof(layout::TileConstants)});
     gpu::GraphicsPipeline d = context.pipeline();
     d.detail = "tiles";
-    d.vertex = shaders::tilePlaceVertex;
+    d.vertex = shaders::tileSpanVertex;
     d.fragment = texels ? shaders::edgeColorTexels : shaders::edgeColorStorage;
     d.constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
     d.constants.set(layout::kCodedId, view.coded);

@@ -50,10 +50,8 @@ std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device& device, const passes::
     return std::make_unique<ListedMaps>(device, scene, representation, pixels, radius, across, std::move(occluders));
 }
 
-#define NACRE_QUESTIONS(of)                                   \
-    (caps.lists    ? shaders::occlusionAccumulate##of##Bits   \
-     : caps.texels ? shaders::occlusionAccumulate##of##Texels \
-                   : shaders::occlusionAccumulate##of##Storage)
+#define NACRE_QUESTIONS(of) \
+    (caps.texels && !caps.lists ? shaders::occlusionAccumulate##of##Texels : shaders::occlusionAccumulate##of##Storage)
 gpu::ShaderWords questionsToTileMaps(Texels texels, const graph::TileCaps& caps) {
     switch (texels) {
         case Texels::spheres:

@@ -29,21 +29,20 @@ gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded, bool r
 }
 
 Stage layerShader(bool texels) {
-    return texels ? Stage{shaders::tileTranslucentTexels, shaders::tileTranslucentTexelsCounting}
-                  : NACRE_STAGE(tileTranslucentStorage);
+    return texels ? NACRE_STAGE(tileTranslucentTexels) : NACRE_STAGE(tileTranslucentStorage);
 }
 
 Stage shadeShader(Output output, bool texels, TileScene scene, bool depth) {
-    if (depth) return NACRE_TILE_STAGE(tileColorDepth);
+    if (depth) return {NACRE_TILE_SHADER(tileColorDepth)};
     switch (output) {
         case Output::surface:
-            return NACRE_TILE_STAGE(tileSurface);
+            return {NACRE_TILE_SHADER(tileSurface)};
         case Output::identity:
-            return NACRE_TILE_STAGE(tileIdentity);
+            return {NACRE_TILE_SHADER(tileIdentity)};
         case Output::color:
             break;
     }
-    return NACRE_TILE_STAGE(tileColor);
+    return {NACRE_TILE_SHADER(tileColor)};
 }
 
 const gpu::Layout& nearestLayout(gpu::PipelineContext& context, bool shades) {

@@ -1,7 +1,2 @@
-// Counts shaded fragments, in the variants that `nacre bench` uses.
-#ifdef COUNT
-layout(set = 1, binding = 0, std430) buffer Counter { uint shaded; };
-void countFragment() { atomicAdd(shaded, 1u); }
-#else
+/// Counts a shaded fragment where engine/gpu/counting_shader.h fills it, as `nacre bench` asks.
 void countFragment() {}
-#endif

@@ -53,10 +53,12 @@ const int kMaterialId = 34;     // of colours without their own
 const int kOwnMaterialId = 35;  // bool: some colours have their own material
 const int kCopyColorsId = 32;   // colours that copies of an assembly take in turn; 0: they look the same
 // Pictures.
-const int kCodedId = 40;    // bool: the target takes sRGB-coded colour unchanged
-const int kSamplesId = 41;  // n x n texels of a picture per pixel; 0: bilinear
-const int kTileId = 42;     // tile width of debug views, pixels
-const int kClearId = 43;    // float, four of them: clear colour of a picture, linear and premultiplied
+const int kCodedId = 40;      // bool: the target takes sRGB-coded colour unchanged
+const int kSamplesId = 41;    // n x n texels of a picture per pixel; 0: bilinear
+const int kTileId = 42;       // tile width of debug views, pixels
+const int kClearId = 43;      // float, four of them: clear colour of a picture, linear and premultiplied
+const int kDebugViewId = 47;  // number of a DebugView (engine/debug_view.h), some of which are:
+const int kDebugEncoded = 2, kDebugPlates = 3, kDebugOverdraw = 4, kDebugPatches = 6, kDebugId = 7, kDebugNormals = 8;
 // Drawing by tiles.
 const int kLanesId = 50;       // lanes of the subgroup that draws a tile
 const int kTilesInBinId = 51;  // per side, of tiles that share a list
@@ -67,14 +69,17 @@ const int kListedId = 55;      // bool: samples of an edge search lists, not onl
 const int kRowsId = 56;        // bool: edges are coded words among the other pixels
 const int kLayerId = 57;       // of translucent triangles: 0 the nearest
 const int kClearsId = 58;      // bool: compute also writes pixels that show nothing
+const int kWritesId = 59;      // bool: entries of bins are written; false: counted
 // Density maps between translucent layers.
 const int kBehindLayerId = 70;  // bool: only parts behind a layer
 const int kBeforeLayerId = 71;  // bool: only parts in front of a layer
+const int kDistancesId = 73;    // bool: numbers of primitives come with their Z
 // The occlusion bake.
-const int kBatchId = 60;       // depth maps per batch
-const int kMapsAcrossId = 61;  // maps per row of the image
-const int kTapsId = 62;        // pixels sampled per texel of a depth map: 1, 2 or 4
-const int kSpreadId = 63;      // float: distance of the taps, pixels
+const int kBatchId = 60;        // depth maps per batch
+const int kMapsAcrossId = 61;   // maps per row of the image
+const int kTapsId = 62;         // pixels sampled per texel of a depth map: 1, 2 or 4
+const int kSpreadId = 63;       // float: distance of the taps, pixels
+const int kOrderedBitsId = 64;  // bool: heights are words that have the order of their floats
 
 /// Z of a far plane that clips nothing; for a near plane -kNoPlane.
 constexpr float kNoPlane = 1e30f;

@@ -2,11 +2,9 @@
 #ifndef NACRE_VIEW_GLSL
 #define NACRE_VIEW_GLSL
 #extension GL_GOOGLE_include_directive : require
-#ifdef EYES
-#extension GL_EXT_multiview : require
-#endif
 #include "layout.h"
 #include "turn.glsl"
+#include "view_index.glsl"
 
 #ifdef TILES
 // Copied once at the start of main(): lavapipe 22.3 gathers push constants lane by lane at each use.
@@ -30,16 +28,16 @@ uint copyIndex = 0u;
 #define copyRow2 view.row2
 #endif
 
-// EYES: a draw call draws two views, which differ by a shift and by their axis. The members for outlines, which such
-// frames lack, hold those of the second view.
-#if defined(EYES) && !defined(COPY_OF_PIXEL)
-#define copyShift (gl_ViewIndex == 0 ? view.row0.w : view.contourWidth)
-#else
+// The views of a draw call differ by a shift and by their axis. The members for outlines, which frames of two views
+// lack, hold those of the second view.
+#if defined(TILES) || defined(COPY_OF_PIXEL)
 #define copyShift copyRow0.w
+#else
+#define copyShift (viewIndex() == 0 ? view.row0.w : view.contourWidth)
 #endif
 vec2 axisPixel() {
-#ifdef EYES
-    if (gl_ViewIndex > 0)
+#ifndef TILES
+    if (viewIndex() > 0)
         return (kQuarterTurns & 1) == 1 ? vec2(view.axisPixel.x, view.contourDepth)
                                         : vec2(view.contourDepth, view.axisPixel.y);
 #endif

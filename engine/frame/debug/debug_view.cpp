@@ -7,19 +7,21 @@ namespace nacre::passes {
 namespace {
 
 constexpr Type kLayers[] = {kSampled, kSampled};
+static_assert(layout::kDebugEncoded == int(DebugView::encoded) && layout::kDebugPlates == int(DebugView::plates) &&
+              layout::kDebugOverdraw == int(DebugView::overdraw) && layout::kDebugPatches == int(DebugView::patches) &&
+              layout::kDebugId == int(DebugView::id) && layout::kDebugNormals == int(DebugView::normals));
 
 gpu::ShaderWords chooseShader(DebugView view) {
-    static const gpu::ShaderWords kShaders[] = {{},
-                                                shaders::debugDepth,
-                                                shaders::debugEncoded,
-                                                shaders::debugPlates,
-                                                shaders::debugOverdraw,
-                                                shaders::debugOcclusion,
-                                                shaders::debugPatches,
-                                                shaders::debugId,
-                                                shaders::debugNormals,
-                                                shaders::debugTiles};
-    return kShaders[static_cast<std::size_t>(view)];
+    switch (view) {
+        case DebugView::occlusion:
+        case DebugView::id:
+            return shaders::debugNumbers;
+        case DebugView::plates:
+        case DebugView::tiles:
+            return shaders::debugTwoImages;
+        default:
+            return shaders::debugImage;
+    }
 }
 
 void drawShown(gpu::PassContext& context, const SceneView& view, FullScreenPass pass, std::uint32_t tile,
@@ -45,7 +47,9 @@ void drawDebugView(gpu::PassContext& context, const SceneView& view, DebugView w
                    vk::ImageView source, vk::ImageView under) {
     // Always written, even if the shader reads one image: lavapipe accesses both.
     const vk::ImageView images[] = {source, under ? under : source};
-    drawShown(context, view, {chooseShader(what), {}, debugViewNames()[static_cast<std::size_t>(what)]}, tile, images);
+    FullScreenPass pass{chooseShader(what), {}, debugViewNames()[static_cast<std::size_t>(what)]};
+    pass.constants.set(layout::kDebugViewId, static_cast<std::int32_t>(what));
+    drawShown(context, view, std::move(pass), tile, images);
 }
 
 void drawTileMean(gpu::PassContext& context, const SceneView& view, std::uint32_t tile, vk::ImageView source) {

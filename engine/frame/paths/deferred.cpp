@@ -15,10 +15,10 @@ namespace {
 /// The number of every pixel's nearest primitive, counted from 1 over all copies, and its depth by gl_FragDepth.
 /// @param distance  also store its Z next to the number
 passes::GeometryPass nearestPrimitive(bool distance) {
-    static const passes::PrimitiveShaders kNumbers = NACRE_SHADERS(number, , identify, ),
-                                          kDistances = NACRE_SHADERS(number, , identify, Distance);
-    passes::GeometryPass pass{distance ? kDistances : kNumbers};
+    static const passes::PrimitiveShaders kNumbers = NACRE_SHADERS(number, , identify, );
+    passes::GeometryPass pass{kNumbers};
     pass.depth = gpu::DepthUse::write;
+    pass.distances = distance;
     return pass;
 }
 
