@@ -229,6 +229,26 @@ class FilesTest(ServedTest):
         self.assertEqual(old, server.ask("picture?size=64x64&input=maps/a.ccp4")[2])
         self.assertEqual(server.stop(), 0)
 
+    def test_maps_are_bounded_by_memory(self):
+        """By their headers, before memory is taken, whoever reads them: the worker of pictures, or that of /info."""
+        server = Server(PROGRAM, self.folder, "--root", str(self.root), "--jobs", "1")
+        self.addCleanup(server.process.kill)
+        cell, nodes = bytearray(ccp4()), bytearray(ccp4())
+        struct.pack_into("<3i", cell, 28, 900, 900, 900)
+        struct.pack_into("<i", cell, 88, 19)  # by whose symmetry the cell is filled
+        struct.pack_into("<3i", nodes, 0, 600, 600, 600)
+        for name, data in (("cell.ccp4", cell), ("nodes.ccp4", nodes), ("empty.dx", dx().replace(b"8 8 8", b"600 600 600").replace(b"items 512", b"items 216000000"))):
+            (self.root / "maps" / name).write_bytes(data)
+            (self.root / "maps" / "vast.mvsj").write_text(volume_scene(name, "dx" if name.endswith("dx") else "map"))
+            before = server.most_address_space()
+            for query, body in ((f"&input=maps/{name}", None), ("&input=maps/vast.mvsj", None), ("", bytes(data))):
+                status, _, told = server.ask("picture?size=64x64" + query, body)
+                self.assertEqual(status, 422, (name, query, told[:200]))
+            self.assertEqual(server.ask(f"info?input=maps/{name}")[0], 422)
+            if not SANITIZED:
+                self.assertLess(server.most_address_space() - before, 512 << 20, name)
+        self.assertEqual(server.stop(), 0)
+
     def test_scenes_show_maps(self):
         for format, name in (("map", "a.ccp4"), ("dx", "a.dx")):
             status, _, below = self.picture(f"maps/{format}.mvsj")

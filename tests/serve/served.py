@@ -101,6 +101,10 @@ class Server:
         fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rpartition(")")[2].split()
         return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
+    def most_address_space(self):
+        """Bytes that it had at most."""
+        return 1024 * int(re.search(r"VmPeak:\s+(\d+) kB", pathlib.Path(f"/proc/{self.process.pid}/status").read_text()).group(1))
+
     def stop(self):
         self.process.send_signal(signal.SIGTERM)
         code = self.process.wait(120 * SLOWER)
