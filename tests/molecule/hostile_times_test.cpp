@@ -6,11 +6,13 @@
 #include <ctime>
 
 #include "engine/molecule/chain_summary.h"
+#include "engine/molecule/chemistry/chemistry.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/occlusion/atlas_layout.h"
 #include "engine/occlusion/open_texels.h"
 #include "engine/scene/build/representation.h"
 #include "tests/molecule/bcif_writer.h"
+#include "tests/molecule/build_molecule.h"
 #include "tests/molecule/expect_error.h"
 
 namespace nacre {
@@ -184,6 +186,25 @@ std::string atomLine(int serial, int residue, const char* name, glm::vec3 at) {
     std::snprintf(text, sizeof text, "ATOM  %5d  %-3s ALA A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", serial,
                   name, residue, static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z));
     return text;
+}
+
+TEST(HostileTimes, RingsOfBondsAtRandom) {
+    // 803,254 rings, whose sums grow long. Work on them is bounded.
+    constexpr std::uint32_t kAtoms = 50'000;
+    MoleculeText text;
+    text.residue("LIG");
+    for (std::uint32_t i = 0; i < kAtoms; ++i) text.atom("C", "C", scattered(i, 90));
+    std::uint32_t random = 1;
+    const auto any = [&] { return (random = 1664525 * random + 1013904223) % kAtoms; };
+    for (std::uint32_t i = 0; i < 4 * kAtoms; ++i) {
+        const auto [a, b] = std::minmax({any(), any()});
+        if (a != b) text.molecule.bonds.push_back({a, b});
+    }
+    const auto atoms = drawnAtoms(text.molecule, {.water = true, .hydrogens = true});
+    std::size_t rings = 0;
+    EXPECT_LT(seconds([&] { rings = perceiveChemistry(text.molecule, atoms).rings.size(); }), kGenerous);
+    EXPECT_GT(rings, 100'000u);
+    EXPECT_LT(rings, 500'000u);
 }
 
 TEST(HostileTimes, BondsOfEveryAtomWithEveryOther) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "engine/molecule/chemistry/steps.h"
 
@@ -164,39 +163,70 @@ private:
     std::vector<std::int64_t> left_;   ///< per part
 };
 
-/// Sparse Gaussian elimination over GF(2): basis cycles by their first bond.
+/// Sparse Gaussian elimination over GF(2): basis cycles by their last bond. In lattices, whose cycles come in the order
+/// of their bonds, sums stay shorter than by the first one.
 class CycleBasis {
 public:
-    CycleBasis(const Chemistry& chemistry, const std::vector<std::uint8_t>& cyclic) : left_(chemistry, cyclic) {}
+    CycleBasis(const Chemistry& chemistry, const std::vector<std::uint8_t>& cyclic)
+        : rows_(chemistry.order.size()), left_(chemistry, cyclic) {}
 
-    /// Whether a cycle is no sum of those added so far. @param add  adds it if so
-    bool independent(const Cycle& cycle, bool add) {
-        std::int64_t& left = left_.at(cycle.atoms.front());
-        if (left == 0) return false;
-        std::vector<std::uint32_t> bonds = cycle.bonds;
-        for (int step = 0; !bonds.empty(); ++step) {
-            if (step > kMostSteps || bonds.size() > kMostBonds) return true;
-            const auto known = rows_.find(bonds.front());
-            if (known == rows_.end()) {
-                if (!add) return true;
-                rows_.emplace(bonds.front(), std::move(bonds));
-                --left;
-                return true;
+    enum class Kind {
+        sum,          ///< of cycles added so far
+        independent,  ///< of them
+        unknown       ///< after many steps
+    };
+
+    /// @param cycle  if independent, has its rest after this, so that another call goes on from there
+    Kind reduce(Cycle& cycle) {
+        if (left_.at(cycle.atoms.front()) == 0 || visited_ > kMostVisited) return Kind::sum;
+        sum_.assign(cycle.bonds.rbegin(), cycle.bonds.rend());
+        for (int step = 0; !sum_.empty(); ++step) {
+            if (step > kMostSteps || sum_.size() > kMostBonds) return Kind::unknown;
+            const std::vector<std::uint32_t>& row = rows_[sum_.front()];
+            if (row.empty()) {
+                cycle.bonds.assign(sum_.rbegin(), sum_.rend());
+                return Kind::independent;
             }
-            std::vector<std::uint32_t> sum;
-            std::set_symmetric_difference(bonds.begin(), bonds.end(), known->second.begin(), known->second.end(),
-                                          std::back_inserter(sum));
-            bonds = std::move(sum);
+            addRow(row);
         }
-        return false;
+        return Kind::sum;
+    }
+
+    void add(Cycle& cycle) {
+        if (reduce(cycle) != Kind::independent) return;
+        --left_.at(cycle.atoms.front());
+        rows_[sum_.front()] = sum_;
     }
 
 private:
     // In a cage of thousands of rings, sums grow long. After this many steps a ring is kept.
     static constexpr int kMostSteps = 500;
     static constexpr std::size_t kMostBonds = 200;
-    std::map<std::uint32_t, std::vector<std::uint32_t>> rows_;
+    static constexpr std::size_t kMostVisited = 500'000'000;  // in all sums; beyond, atoms count as outside of rings
+
+    /// Does not branch on comparisons, which are unpredictable.
+    void addRow(const std::vector<std::uint32_t>& row) {
+        visited_ += sum_.size() + row.size();
+        next_.resize(sum_.size() + row.size());
+        const std::uint32_t *a = sum_.data(), *const endOfA = a + sum_.size(),
+                            *b = row.data(), *const endOfB = b + row.size();
+        std::uint32_t* to = next_.data();
+        while (a != endOfA && b != endOfB) {
+            const std::uint32_t left = *a, right = *b;
+            *to = std::max(left, right);
+            to += left != right;
+            a += left >= right;
+            b += right >= left;
+        }
+        to = std::copy(b, endOfB, std::copy(a, endOfA, to));
+        next_.resize(static_cast<std::size_t>(to - next_.data()));
+        sum_.swap(next_);
+    }
+
+    std::vector<std::vector<std::uint32_t>> rows_;  ///< by their last bond, which stands first
     CyclesLeft left_;
+    std::vector<std::uint32_t> sum_, next_;  ///< descending
+    std::size_t visited_ = 0;
 };
 
 /// Largest mean torsion (degrees) of a flat ring of five and of six, as Open Babel has them for planar rings.
@@ -266,12 +296,12 @@ void findRings(ChemistryWork& work) {
     CycleBasis basis(chemistry, work.inRing);
     for (std::size_t begin = 0, end = 0; begin < cycles.size(); begin = end) {
         while (end < cycles.size() && cycles[end].bonds.size() == cycles[begin].bonds.size()) ++end;
-        std::vector<std::uint8_t> kept(end - begin);
-        for (std::size_t i = begin; i < end; ++i) kept[i - begin] = basis.independent(cycles[i], false);
+        std::vector<CycleBasis::Kind> kinds;
+        for (std::size_t i = begin; i < end; ++i) kinds.push_back(basis.reduce(cycles[i]));
         for (std::size_t i = begin; i < end; ++i)
-            if (kept[i - begin]) basis.independent(cycles[i], true);
+            if (kinds[i - begin] == CycleBasis::Kind::independent) basis.add(cycles[i]);
         for (std::size_t i = begin; i < end; ++i)
-            if (kept[i - begin]) addRing(work, std::move(cycles[i].atoms));
+            if (kinds[i - begin] != CycleBasis::Kind::sum) addRing(work, std::move(cycles[i].atoms));
     }
 }
 
