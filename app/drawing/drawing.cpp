@@ -149,6 +149,10 @@ void Drawing::compose(const PictureDescription& picture) {
 
 /// @returns whether anything differs
 bool Drawing::update(const PictureDescription& description, const std::optional<Bounds>& frame, const Molecule* now) {
+    if (by_ == CameraBy::description) {
+        PictureDescription near = description;
+        if (lookIntoCrystal(facts_->molecule(), near)) return update(near, frame, now);
+    }
     const Facets parts = difference(description_, description);
     if (scene_ && parts == 0) return false;
     const Molecule& first = facts_->molecule();

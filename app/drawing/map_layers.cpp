@@ -273,16 +273,19 @@ std::optional<Bounds> frameWithoutAtoms(const Molecule& molecule, const PictureD
     return bounds;
 }
 
-void lookIntoCrystal(const Molecule& molecule, PictureDescription& d) {
+bool lookIntoCrystal(const Molecule& molecule, PictureDescription& d) {
     constexpr double kMargin = 1.2;
     const MapOptions& maps = d.maps;
-    if (!molecule.atoms.empty() || maps.files.empty() || d.given.contains("map-around")) return;
+    if (!molecule.atoms.empty() || maps.files.empty() || d.given.contains("map-around")) return false;
+    if (maps.around || maps.aroundFocus) return false;
     const std::shared_ptr<const DensityMap> map = loadMap(maps.files.front(), mapLimits(d.input));
-    if (!map->periodic || ofMap(maps.slices, 0).axis >= 0 || pickMapStyle(*map, maps, 0) != MapStyle::mesh) return;
+    if (!map->periodic || ofMap(maps.slices, 0).axis >= 0 || pickMapStyle(*map, maps, 0) != MapStyle::mesh)
+        return false;
     const std::optional<Bounds> whole = frameWithoutAtoms(molecule, d);
     d.maps.aroundFocus = true;
     if (whole && !d.camera.isPlaced())
         d.camera.zoom *= std::max(1.0, whole->radius / (kMargin * maps.reach.value_or(maps.usualReach())));
+    return true;
 }
 
 MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, const glm::dvec3& center,

@@ -85,7 +85,8 @@ std::vector<Option> mapRows() {
             "map-width", "PIXELS", "=", "Width of map lines and dots in pixels, 0.5 to 10",
             [](T text, P& d) { d.maps.width = parseNumber(text, 0.5, kWidestWire); }, printNumber<&P::maps, &M::width>),
         row(
-            "map-around", "SEL|focus[,RADIUS]", "all drawn atoms, 4 Å, for crystals; else the whole map",
+            "map-around", "SEL|focus[,RADIUS]",
+            "all drawn atoms, 4 Å, for crystals, or without atoms focus; else the whole map",
             "Draw maps within RADIUS (2 Å) of the atoms of a selection only; focus: within RADIUS (10 Å) of what the "
             "camera\nlooks at",
             [](T text, P& d) { parseMapAround(text, d.maps); }, [](const P& d) { return mapAroundText(d.maps); }),

@@ -158,6 +158,29 @@ TEST_F(DrawingTest, ALevelMakesContoursAndNoScene) {
     }
 }
 
+TEST(LoneCrystal, IsDrawnFromNearUnlessTheMapsPartIsGiven) {
+    constexpr int kNodes = 10;
+    std::vector<float> values(kNodes * kNodes * kNodes);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i % 7);
+    keepMap("lone.ccp4",
+            std::make_shared<const DensityMap>(mapOfValues(
+                "lone.ccp4", glm::ivec3(kNodes), {glm::dvec3(100), glm::dvec3(90)}, {}, true, std::move(values))));
+    PictureDescription picture;
+    picture.input.path = "lone.ccp4";
+    picture.maps.files = {"lone.ccp4"};
+    Drawing near;
+    near.prepare(Molecule(), picture);
+    EXPECT_NEAR(near.run.zoom, near.radius() / (1.2 * kMapReachOfFocus), 1e-6);
+    const std::size_t wires = near.maps().shown.wires.size();
+    near.prepare(Molecule(), picture);
+    EXPECT_EQ(near.counts().scenes, 1) << "nothing differs";
+    picture.given.insert("map-around");
+    Drawing whole;
+    whole.prepare(Molecule(), picture);
+    EXPECT_LT(whole.run.zoom, 0.5 * near.run.zoom);
+    EXPECT_GT(whole.maps().shown.wires.size(), 10 * wires);
+}
+
 TEST_F(DrawingTest, MapsGoWithTheFocusOfTheCamera) {
     keepBall("ball");
     set("map", "ball");
