@@ -11,7 +11,6 @@
 #include <memory>
 #include <string>
 
-#include "app/drawing/scenes.h"
 #include "app/input/map_input.h"
 #include "app/picture/options.h"
 #include "app/viewer/viewer.h"

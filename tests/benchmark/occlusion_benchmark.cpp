@@ -4,7 +4,6 @@
 //   bake/NAME    the whole bake; `large/` before it is a million atoms, to be filtered out where there is no time
 //   paths/NAME/  the same by every path of the depth maps
 //   floor/NAME   reading each of its depth maps once and writing each texel once
-//   maps/...     twelve depth maps of 4HHB in a batch: ways to draw them compared
 // --benchmark_enable_random_interleaving=true lets the machine's moods meet all of them; minima are what counts. The
 // column CPU and the counters are processor time of all cores, which other programs disturb least.
 
@@ -22,8 +21,6 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/occlusion/bake.h"
-#include "engine/occlusion/directions.h"
-#include "tests/benchmark/batch_maps.h"
 #include "tests/benchmark/occlusion_floor.h"
 #include "tests/support/test_data.h"
 
@@ -123,49 +120,6 @@ void floorAlone(benchmark::State& state, const Subject& subject) {
     for (auto _ : state) floor.run(static_cast<std::uint32_t>(subject.directions));
 }
 
-constexpr std::uint32_t kMaps = test::BatchMaps::kMaps;
-
-/// 4HHB's maps as its bake has them.
-struct Batch {
-    Stage& stage = findStage(kSubjects[1]);
-    std::vector<glm::dmat3> frames = [] {
-        std::vector<glm::dmat3> all = occlusionDirections(128);
-        all.resize(kMaps);
-        return all;
-    }();
-    occlusion::DepthMaps tiled{stage.device, stage.buffers, stage.scene, OcclusionMaps::tiles, 32u << 20};
-    test::BatchMaps ways{stage.scene, frames, tiled.pixels()};
-
-    Batch() {
-        const auto tiles = ways.depths(test::BatchWay::tiles);
-        if (tiles != ways.depths(test::BatchWay::layers) || tiles != ways.depths(test::BatchWay::multiview))
-            throw std::runtime_error("tiles, layers and multiview give different depth maps");
-        const auto covered = std::count_if(tiles.begin(), tiles.end(), [](float d) { return d < 1; });
-        if (static_cast<std::size_t>(covered) < tiles.size() / 10) throw std::runtime_error("empty depth maps");
-    }
-    static Batch& instance() {
-        static Batch batch;
-        return batch;
-    }
-};
-
-void drawBatch(benchmark::State& state, test::BatchWay way) {
-    const Batch& batch = Batch::instance();
-    for (auto _ : state) batch.ways.draw(way);
-}
-
-/// The engine's compute path, with its lists.
-void drawByTiles(benchmark::State& state) {
-    Batch& batch = Batch::instance();
-    Stage& stage = batch.stage;
-    for (auto _ : state) {
-        graph::Graph g("batch by tiles");
-        gpu::Imports imports;
-        g.output(*batch.tiled.declare(g, imports, batch.frames, occlusion::DepthMaps::kMostPerBatch, 0).heights);
-        stage.executor.run(g, imports);
-    }
-}
-
 benchmark::internal::Benchmark* withStatistics(benchmark::internal::Benchmark* b, int repetitions) {
     return b->Unit(benchmark::kMillisecond)
         ->MeasureProcessCPUTime()
@@ -203,13 +157,6 @@ int main(int argc, char** argv) try {
                                              [s, maps = maps](benchmark::State& state) { bakeAll(state, s, maps); }),
                 3)
                 ->Iterations(1);
-    using Way = test::BatchWay;
-    constexpr std::pair<const char*, Way> kWays[] = {
-        {"maps/tiles", Way::tiles}, {"maps/layers", Way::layers}, {"maps/multiview", Way::multiview}};
-    const auto way = [](benchmark::internal::Benchmark* b) { withStatistics(b, 7)->Iterations(1); };
-    for (const auto& [name, w] : kWays)
-        way(benchmark::RegisterBenchmark(name, [w = w](benchmark::State& state) { drawBatch(state, w); }));
-    way(benchmark::RegisterBenchmark("maps/by_tiles", drawByTiles));
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 } catch (const std::exception& error) {

@@ -18,7 +18,6 @@
 
 #include "app/viewer/player.h"
 #include "engine/milliseconds.h"
-#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/selection/selection.h"
 #include "engine/renderer.h"

@@ -3,7 +3,6 @@
 // in it one for each pair of shapes, with the fragments that each pass shades and milliseconds of a frame, the least of
 // five.
 
-#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
