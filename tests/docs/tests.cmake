@@ -5,7 +5,6 @@ foreach(test docs figures json)
 endforeach()
 add_test(NAME docs/tutorial COMMAND ${CMAKE_SOURCE_DIR}/tools/draw_tutorial --program $<TARGET_FILE:nacre-cli>
                                     --into ${CMAKE_CURRENT_BINARY_DIR} --data none)
-add_test(NAME docs/contributing COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/contributing_test.py ${CMAKE_SOURCE_DIR})
 # Figures that docs/measurements.md states, and the tool that measures them.
 add_test(NAME docs/measure COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/measure_test.py ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR})
 set_tests_properties(docs/docs docs/figures docs/json docs/measure docs/tutorial PROPERTIES TIMEOUT 300 ENVIRONMENT "${on_lavapipe}")

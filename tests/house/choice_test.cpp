@@ -39,14 +39,5 @@ TEST(House, OneFileDecidesHowAFrameIsDrawn) {
     EXPECT_GT(here, 10u);
 }
 
-TEST(House, DecisionsAreFoundHoweverTheyAreWritten) {
-    EXPECT_TRUE(decides("if (path == Visibility::tiles)"));
-    EXPECT_TRUE(decides("return Visibility::tiles != options.path;"));
-    EXPECT_TRUE(decides("    case Visibility::encoded:"));
-    EXPECT_TRUE(decides("device_.caps().software"));
-    EXPECT_TRUE(decides("if (kind == graph::DeviceKind::software)"));
-    EXPECT_FALSE(decides("constexpr Visibility kPaths[] = {Visibility::encoded};"));
-}
-
 }  // namespace
 }  // namespace nacre::test

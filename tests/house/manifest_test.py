@@ -42,9 +42,6 @@ class Manifest(unittest.TestCase):
             self.assertEqual(ports[name].get("features", []), features, name)
         self.assertFalse(ports.keys() & {"fribidi", "glib", "graphite2", "gnutls", "ffmpeg"})
 
-    def test_the_list_says_when_it_was_made(self):
-        self.assertRegex((THIRD_PARTY / "vcpkg_ports.txt").read_text(), r"20\d\d-\d\d-\d\d")
-
     def test_ports_of_our_own_are_found_and_whole(self):
         configuration = json.loads((THIRD_PARTY / "vcpkg-configuration.json").read_text())
         for overlay in configuration["overlay-ports"]:

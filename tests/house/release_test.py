@@ -64,16 +64,6 @@ class Workflows(unittest.TestCase):
                 scripts.add(script[1])
         self.assertLessEqual({".ci/run", "tools/test", "tools/nacre", "tools/release"}, scripts)
 
-    def test_steps_are_written_once(self):
-        """What more than one job does is a workflow of its own."""
-        seen = {}
-        for file, workflow in WORKFLOWS.items():
-            for name, job in workflow["jobs"].items():
-                for step in job.get("steps", []):
-                    if re.match(PREPARES, step.get("run", "")):
-                        self.assertNotIn(step["run"], seen, f"{file}, {name}: also in {seen.get(step['run'])}")
-                        seen[step["run"]] = f"{file}, {name}"
-
     def test_workflows_that_are_called_take_what_they_are_given(self):
         called = set()
         for file, workflow in WORKFLOWS.items():
@@ -120,10 +110,6 @@ class Release(unittest.TestCase):
                     self.assertIn(f"{words[0]}:{len(words)}", re.split(r"[ |]+", kinds.strip()), f"{file}: {line}")
                     calling.add(file)
         self.assertLessEqual({"ci.yml", "phones.yml", "release.yml"}, calling)
-
-    def test_gradle_is_the_wrappers(self):
-        for file in WORKFLOWS:
-            self.assertNotIn("setup-gradle", (FOLDER / file).read_text(), file)
 
     def test_the_tag_is_the_version(self):
         self.assertEqual(release("check", f"v{VERSION}").returncode, 0)
