@@ -6,7 +6,6 @@
 #include <string_view>
 
 #include "engine/devices.h"
-#include "engine/error.h"
 #include "engine/frame/geometry.h"
 #include "engine/frame/scene_frames.h"
 #include "engine/gpu/performance_counters.h"

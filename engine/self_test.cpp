@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <span>
 #include <sstream>
 #include <vector>
 

@@ -12,7 +12,6 @@
 #include <fstream>
 #include <vector>
 
-#include "app/cli/command_spec.h"
 #include "app/input/input_files.h"
 #include "engine/error.h"
 

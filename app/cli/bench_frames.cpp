@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "app/cli/stats.h"
-#include "app/drawing/scenes.h"
 #include "app/drawing/stereo.h"
 #include "engine/devices.h"
 #include "engine/error.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/quaternion.hpp>
 #include <memory>
 #include <optional>
 
@@ -13,12 +12,10 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/progress.h"
 #include "app/drawing/aim.h"
-#include "app/drawing/complete.h"
 #include "app/drawing/drawing.h"
 #include "app/files/messages.h"
 #include "app/images/image_file.h"
 #include "engine/error.h"
-#include "engine/scene/color/palettes.h"
 
 namespace nacre::app {
 namespace {

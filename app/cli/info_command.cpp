@@ -19,7 +19,6 @@
 #include "app/files/messages.h"
 #include "app/input/input_files.h"
 #include "app/input/map_input.h"
-#include "app/input/read_input.h"
 #include "app/picture/input_names.h"
 #include "engine/error.h"
 #include "engine/molecule/text.h"

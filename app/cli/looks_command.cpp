@@ -11,7 +11,6 @@
 #include "app/files/messages.h"
 #include "app/images/image_file.h"
 #include "app/picture/looks.h"
-#include "engine/error.h"
 
 namespace nacre::app {
 namespace {

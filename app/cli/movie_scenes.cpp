@@ -6,7 +6,6 @@
 #include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
 #include "app/drawing/complete.h"
-#include "app/drawing/scenes.h"
 #include "app/files/messages.h"
 #include "app/input/input_files.h"
 #include "app/input/read_input.h"

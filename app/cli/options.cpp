@@ -9,9 +9,7 @@
 #include "app/drawing/complete.h"
 #include "app/export/scene_files.h"
 #include "app/files/output_file.h"
-#include "app/input/input_files.h"
 #include "app/picture/option_values.h"
-#include "engine/error.h"
 #include "engine/graph/capability_sets.h"
 
 namespace nacre::app {

@@ -9,7 +9,6 @@
 #include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
 #include "app/drawing/drawing.h"
-#include "app/drawing/scenes.h"
 #include "engine/device_caps.h"
 #include "engine/error.h"
 #include "engine/frame/effects/lens/lens.h"

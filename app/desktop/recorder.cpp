@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "app/files/output_file.h"
-#include "app/input/input_files.h"
 #include "app/picture/option_text.h"
 #include "engine/error.h"
 #include "engine/threads.h"

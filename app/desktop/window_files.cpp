@@ -15,7 +15,6 @@
 #include "app/images/image_file.h"
 #include "app/input/input_files.h"
 #include "app/mvs/write_scene.h"
-#include "app/picture/appearance_values.h"
 #include "app/picture/picture_names.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"

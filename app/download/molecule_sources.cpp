@@ -9,7 +9,6 @@
 #include "app/download/load_molecule.h"
 #include "app/files/cache_folder.h"
 #include "app/files/printable.h"
-#include "app/input/input_files.h"
 #include "app/input/read_input.h"
 #include "app/mvs/scene_file.h"
 #include "engine/error.h"

@@ -1,8 +1,5 @@
 #include "app/drawing/cell_frame.h"
 
-#include <array>
-#include <glm/geometric.hpp>
-
 #include "app/annotation/placed_words.h"
 #include "engine/molecule/crystal.h"
 

@@ -3,7 +3,6 @@
 // work that its changes affect.
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>

@@ -14,7 +14,6 @@
 #include "engine/scene/build/scene_layers.h"
 #include "engine/scene/instances/sphere_levels.h"
 #include "engine/scene/view/shared_frame.h"
-#include "engine/scene/view/uncover.h"
 
 namespace nacre::app {
 namespace {

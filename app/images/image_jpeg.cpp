@@ -1,13 +1,10 @@
 #include <csetjmp>
-#include <cstdio>
 // jpeglib.h needs both headers above.
 #include <jpeglib.h>
 
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "app/images/image_writers.h"

@@ -7,7 +7,6 @@
 #include <bit>
 #include <cstring>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "app/images/image_writers.h"

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "app/picture/appearance_values.h"
 #include "app/picture/option_values.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"

@@ -16,7 +16,6 @@
 #include <functional>
 #include <glm/common.hpp>
 #include <set>
-#include <sstream>
 
 #include "app/files/output_file.h"
 #include "app/input/map_input.h"

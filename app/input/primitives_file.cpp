@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "app/files/json_text.h"
-#include "app/picture/appearance_values.h"
 #include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
 #include "app/picture/words.h"

@@ -3,10 +3,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <glm/geometric.hpp>
 #include <map>
 #include <set>
 #include <string_view>

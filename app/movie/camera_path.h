@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string_view>

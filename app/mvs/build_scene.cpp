@@ -5,7 +5,6 @@
 #include "app/mvs/animation.h"
 #include "app/mvs/camera_nodes.h"
 #include "app/mvs/clip_nodes.h"
-#include "app/mvs/node_table.h"
 #include "app/mvs/scene_parts.h"
 #include "app/mvs/scene_primitives.h"
 #include "app/mvs/scene_volumes.h"

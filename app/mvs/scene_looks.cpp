@@ -8,7 +8,6 @@
 #include "app/mvs/primitive_values.h"
 #include "app/mvs/scene_parts.h"
 #include "app/mvs/value_palette.h"
-#include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/color/colors.h"

@@ -10,7 +10,6 @@
 
 #include "app/mvs/node_table.h"
 #include "app/mvs/primitive_values.h"
-#include "app/picture/appearance_values.h"
 #include "engine/error.h"
 #include "engine/molecule/assemblies.h"
 #include "engine/molecule/crystal.h"

@@ -9,7 +9,6 @@
 #include "app/mvs/primitive_values.h"
 #include "engine/error.h"
 #include "engine/molecule/text.h"
-#include "engine/volume/read_map.h"
 
 namespace nacre::app::mvs {
 namespace {

@@ -10,7 +10,6 @@
 #include "app/mvs/scene_parts.h"
 #include "app/mvs/write_nodes.h"
 #include "app/picture/option_text.h"
-#include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/build/scene_layers.h"

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "app/panel/panel_state.h"
-#include "app/panel/words.h"
 #include "app/picture/words.h"
 
 namespace nacre::app {

@@ -6,7 +6,6 @@
 
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
-#include "app/picture/appearance_values.h"
 #include "app/picture/looks.h"
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"

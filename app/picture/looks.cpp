@@ -9,7 +9,6 @@
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
 #include "app/picture/saved_view.h"
-#include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 
 namespace nacre::app {

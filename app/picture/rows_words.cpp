@@ -1,6 +1,5 @@
 // The words in the picture.
 
-#include "app/picture/appearance_values.h"
 #include "app/picture/rows.h"
 
 namespace nacre::app {

@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/picture/appearance_values.h"
 #include "app/picture/label_fields.h"
 #include "app/picture/option_text.h"
 #include "app/picture/option_values.h"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app/drawing/focus.h"
-#include "app/drawing/scenes.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"

@@ -1,6 +1,5 @@
 #include "app/viewer/loader.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/drawing/default_look.h"

@@ -1,12 +1,8 @@
 #include "app/viewer/picture_words.h"
 
-#include <algorithm>
-
-#include "app/annotation/painter.h"
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
 #include "engine/error.h"
-#include "engine/scene/view/orientation.h"
 
 namespace nacre::app {
 bool PictureWords::place(double now) {

@@ -1,7 +1,5 @@
 #include "app/viewer/presets.h"
 
-#include <algorithm>
-
 #include "app/picture/appearance_values.h"
 #include "app/picture/looks.h"
 

@@ -1,6 +1,5 @@
 #include "app/viewer/reading.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/picture/input_names.h"

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <thread>
-#include <utility>
 
 #include "app/download/molecule_sources.h"
 #include "app/files/cache_folder.h"

@@ -3,7 +3,6 @@
 
 #include <list>
 #include <map>
-#include <memory>
 
 #include "engine/gpu/pipeline.h"
 #include "engine/gpu/recording.h"

@@ -5,7 +5,6 @@
 // nothing.
 
 #include <array>
-#include <cstdint>
 
 #include "engine/results.h"
 

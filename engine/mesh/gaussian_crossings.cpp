@@ -1,7 +1,6 @@
 #include "engine/mesh/gaussian_crossings.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -18,7 +18,6 @@
 #include "engine/mesh/mesh_measures.h"
 #include "engine/mesh/probe_field.h"
 #include "engine/mesh/surface_field.h"
-#include "engine/molecule/element.h"
 #include "engine/threads.h"
 
 namespace nacre {

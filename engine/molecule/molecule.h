@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <map>
 #include <memory>
 #include <optional>

@@ -1,6 +1,5 @@
 #include "engine/molecule/space_group.h"
 
-#include <algorithm>
 #include <cctype>
 #include <exception>
 #include <gemmi/symmetry.hpp>

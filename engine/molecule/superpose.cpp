@@ -4,7 +4,6 @@
 #include <cmath>
 #include <gemmi/qcp.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <vector>
 
 namespace nacre {

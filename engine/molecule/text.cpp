@@ -1,7 +1,5 @@
 #include "engine/molecule/text.h"
 
-#include <cmath>
-
 #include "engine/molecule/floating_point.h"
 #include "engine/molecule/read.h"
 

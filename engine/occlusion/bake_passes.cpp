@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <glm/matrix.hpp>
-#include <glm/vec2.hpp>
 
 #include "engine/occlusion/bake.h"
 #include "engine/occlusion/pipelines.h"

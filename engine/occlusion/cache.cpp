@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <type_traits>
 
 #include "engine/occlusion/bounced_light.h"
 #include "engine/scene/build/translucency.h"

@@ -1,7 +1,6 @@
 #include "engine/occlusion/light_spots.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <span>
 #include <stop_token>
 #include <vector>

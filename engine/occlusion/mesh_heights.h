@@ -2,10 +2,7 @@
 // Draws triangles on depth maps in host memory. Triangles of a cartoon or surface are smaller than a map pixel: drawing
 // them costs less than listing them for tiles.
 
-#include <cstdint>
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <span>
 #include <vector>
 
 #include "engine/occlusion/occluder_mesh.h"

@@ -3,7 +3,6 @@
 #include <future>
 #include <system_error>
 #include <type_traits>
-#include <utility>
 
 namespace nacre::occlusion {
 

@@ -5,8 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "engine/scene/instances/mesh_levels.h"
-
 namespace nacre {
 namespace {
 

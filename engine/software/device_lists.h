@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 #include "engine/gpu/execute.h"
 #include "engine/passes/scene_view.h"

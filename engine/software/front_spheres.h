@@ -2,7 +2,6 @@
 // Finds the few spheres that may be nearest at a pixel's centre, among millions of sub-pixel ones.
 
 #include <cstdint>
-#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 

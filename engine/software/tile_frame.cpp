@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <span>
-#include <utility>
 
 #include "engine/passes/view_constants.h"
 #include "engine/threads.h"

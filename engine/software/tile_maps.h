@@ -2,7 +2,6 @@
 // Depth maps of a batch by tiles: finds the nearest primitives per tile from lists in depth order, in parts small
 // enough for the frame time. The maps are heights in a buffer, as texels. The host draws triangles.
 
-#include <glm/mat3x3.hpp>
 #include <memory>
 #include <span>
 #include <vector>

@@ -2,9 +2,7 @@
 // A density map: values on the nodes of a grid. Plain data.
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <glm/matrix.hpp>
 #include <limits>
 #include <optional>

@@ -1,5 +1,4 @@
 // Gaussian cube files: densities, potentials and orbitals. Format: gaussian.com/cubegen.
-#include <algorithm>
 #include <cmath>
 
 #include "engine/volume/map_grid.h"

@@ -1,6 +1,5 @@
 // DSN6 and BRIX, the maps of O and of the Electron Density Server: a header of 512 bytes, then bricks of 8 x 8 x 8
 // bytes. DSN6 is described at uoxray.uoregon.edu/tnt/manual/node104.html, BRIX in the manual of O.
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 

@@ -1,7 +1,6 @@
 #pragma once
 // A crystal's cell, and its conversion to Cartesian coordinates.
 
-#include <array>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 

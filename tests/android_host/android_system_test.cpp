@@ -1,7 +1,6 @@
 // What Android asks of an app besides windows and documents: Back, the system's bars, a main thread that never hangs,
 // the display's rate, heat, mice and pens, the size of text.
 
-#include <chrono>
 #include <cmath>
 #include <future>
 #include <sstream>

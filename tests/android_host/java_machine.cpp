@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <climits>
 #include <clocale>
 #include <cstring>
 #include <cuchar>

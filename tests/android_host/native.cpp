@@ -2,7 +2,6 @@
 
 #include <android/log.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cstdarg>
 #include <cstdio>

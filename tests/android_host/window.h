@@ -3,7 +3,6 @@
 
 #include <android/native_window.h>
 
-#include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <string>

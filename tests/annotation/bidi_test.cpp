@@ -5,7 +5,6 @@
 #include <fribidi.h>
 #include <gtest/gtest.h>
 
-#include <map>
 #include <random>
 #include <string>
 #include <vector>

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "app/annotation/layout.h"
-#include "app/annotation/visual_text.h"
 #include "engine/scene/color/palettes.h"
 #include "tests/annotation/paper.h"
 

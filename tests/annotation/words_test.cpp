@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <stdexcept>
 
 #include "app/annotation/placed_words.h"
 #include "app/picture/saved_view.h"

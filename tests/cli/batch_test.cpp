@@ -3,11 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <csignal>
 #include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
 
 #include "tests/cli/batch_jobs.h"
 #include "tests/support/measured_run.h"

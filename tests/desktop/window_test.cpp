@@ -6,7 +6,6 @@
 #include <cmath>
 #include <csignal>
 #include <fstream>
-#include <glm/gtc/quaternion.hpp>
 #include <random>
 
 #include "tests/desktop/x_session.h"

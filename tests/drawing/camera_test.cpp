@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 

@@ -7,7 +7,6 @@
 #include "app/drawing/drawing.h"
 #include "app/input/read_input.h"
 #include "app/picture/options.h"
-#include "app/picture/saved_view.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/read.h"

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
 
 #include "app/drawing/cell_frame.h"

@@ -2,14 +2,12 @@
 
 #include <execinfo.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 
 #include "tests/fault_layer/state.h"
 

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <string_view>
 #include <tuple>
-#include <type_traits>
 
 #include "tests/fault_layer/state.h"
 

@@ -1,7 +1,6 @@
 // When a window's frames start, by a display with a clock of its own (tests/fault_layer/display.h), which tells when it
 // shows a frame: VK_KHR_present_wait, and its second version.
 
-#include "engine/error.h"
 #include "tests/faults/fault_run.h"
 #include "tests/support/headless_surface.h"
 

@@ -1,7 +1,6 @@
 // libFuzzer target for MolViewSpec scenes: JSON or an archive, with a structure in place of all that it names. Any
 // bytes are drawn or refused by one of the exceptions that the program shows.
 
-#include <stdexcept>
 #include <string>
 
 #include "app/mvs/build_scene.h"

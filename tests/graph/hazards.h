@@ -1,7 +1,6 @@
 #pragma once
 // What may go wrong with one resource: stages, accesses and layouts, by the rules of the Vulkan specification.
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>

@@ -2,7 +2,6 @@
 // Judges a plan by walking through it as a device would: layouts, hazards, and what every image holds. Written from the
 // Vulkan specification's rules, apart from the planner; it shares no table with it.
 
-#include <map>
 #include <string>
 #include <vector>
 

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <csignal>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "app/picture/picture_names.h"

@@ -9,7 +9,6 @@
 #include <limits>
 #include <random>
 
-#include "engine/error.h"
 #include "engine/mesh/cartoon.h"
 #include "engine/mesh/surface.h"
 #include "engine/molecule/drawn_atoms.h"

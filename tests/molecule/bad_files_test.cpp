@@ -1,7 +1,6 @@
 // Every malformed or hostile file ends in a molecule or in one clear line. The table says which, and why.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "tests/molecule/expect_error.h"

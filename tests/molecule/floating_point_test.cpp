@@ -6,7 +6,6 @@
 
 #include <array>
 #include <bit>
-#include <clocale>
 #include <cmath>
 #include <random>
 #include <string>

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/molecule/build_molecule.h"
 #include "tests/molecule/build_peptide.h"
 

@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <sstream>
 
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"

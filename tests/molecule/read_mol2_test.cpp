@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/molecule/element.h"
 #include "tests/molecule/expect_error.h"
 #include "tests/support/test_data.h"
 

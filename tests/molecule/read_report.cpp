@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "engine/error.h"
 #include "engine/molecule/chemistry/drawn_orders.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/read.h"

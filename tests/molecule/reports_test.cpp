@@ -16,7 +16,6 @@
 #include "engine/molecule/selection/selection.h"
 #include "engine/molecule/text.h"
 #include "tests/molecule/expect_error.h"
-#include "tests/molecule/text_file.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {

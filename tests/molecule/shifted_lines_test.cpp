@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/molecule/element.h"
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/read.h"
 

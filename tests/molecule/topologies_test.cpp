@@ -2,13 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
-#include "engine/molecule/element.h"
 #include "engine/molecule/trajectory/trajectory.h"
 #include "tests/molecule/expect_error.h"
 #include "tests/molecule/gsd_writer.h"

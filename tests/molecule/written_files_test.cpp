@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
 #include <map>
 #include <set>
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <vector>
 
 #include "tests/movie/films.h"
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "app/mvs/animation.h"
 #include "tests/mvs/small_scene.h"

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "tests/mvs/small_scene.h"
 
 namespace nacre::app::mvs {

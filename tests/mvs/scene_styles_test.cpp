@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/mvs/molstar_radii.h"
-#include "app/mvs/node_table.h"
 #include "engine/error.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/scene/build/mesh_scene.h"

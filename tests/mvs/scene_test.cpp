@@ -10,7 +10,6 @@
 #include <numbers>
 
 #include "app/mvs/annotations.h"
-#include "app/mvs/build_scene.h"
 #include "app/mvs/node_table.h"
 #include "app/mvs/scene_file.h"
 #include "engine/error.h"

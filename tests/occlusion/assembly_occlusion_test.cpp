@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/gpu/caps.h"
 #include "engine/occlusion/bake.h"
-#include "engine/occlusion/copies.h"
 #include "engine/occlusion/depth_maps.h"
 #include "tests/renderer/meshes.h"
 #include "tests/renderer/scenes.h"

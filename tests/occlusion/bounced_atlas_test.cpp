@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "engine/molecule/selection/selection.h"
-#include "engine/occlusion/bake_preparation.h"
 #include "engine/occlusion/bounced_light.h"
 #include "engine/scene/build/translucency.h"
 #include "tests/reference/ambient_occlusion.h"

@@ -1,6 +1,5 @@
 // Light in clefts, against paths that bounce from surface to surface.
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <iostream>
 

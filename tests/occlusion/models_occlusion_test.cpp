@@ -1,7 +1,6 @@
 // Models that are drawn over one another do not darken each other.
 
 #include <algorithm>
-#include <cmath>
 
 #include "tests/occlusion/scenes.h"
 

@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -1,10 +1,6 @@
 // Baked occlusion against ray-traced, cosine-weighted occlusion.
 
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <map>
-#include <random>
 
 #include "tests/occlusion/scenes.h"
 #include "tests/occlusion/traced_points.h"

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/trigonometric.hpp>
 #include <string_view>
 
 #include "tests/renderer/scenes.h"

@@ -1,7 +1,6 @@
 #include "tests/occlusion/traced_light.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <numbers>
 #include <random>
 

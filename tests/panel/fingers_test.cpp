@@ -1,6 +1,5 @@
 // The panel under fingers: what they hit is large enough, and lists go on when they are let go.
 
-#include <cmath>
 #include <set>
 
 #include "app/panel/theme.h"

@@ -2,7 +2,6 @@
 
 #include "app/panel/panel.h"
 
-#include "app/panel/theme.h"
 #include "app/picture/appearance_values.h"
 #include "app/picture/options.h"
 #include "tests/panel/panel_bench.h"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/input/read_input.h"
 #include "tests/panel/panel_bench.h"

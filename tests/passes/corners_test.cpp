@@ -8,7 +8,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <numbers>
 #include <vector>
 
 namespace nacre::passes {

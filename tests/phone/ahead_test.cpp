@@ -2,7 +2,6 @@
 // a smaller or a refined picture waits for one; and shapes stay while a zoom goes to and fro. In a window that
 // nobody sees, which SwiftShader has, as a phone (tests/phone_layer), since software devices have one shape alone.
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>

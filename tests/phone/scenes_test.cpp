@@ -7,7 +7,6 @@
 
 #include "app/phone/session.h"
 #include "engine/error.h"
-#include "engine/scene/build/scene_guide.h"
 #include "tests/phone/run_to_rest.h"
 #include "tests/support/headless_surface.h"
 #include "tests/support/temporary_folder.h"

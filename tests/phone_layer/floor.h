@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
-#include <vector>
 
 #include "tests/phone_layer/profiles.h"
 

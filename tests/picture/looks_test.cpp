@@ -5,7 +5,6 @@
 #include <fstream>
 #include <set>
 
-#include "app/picture/appearance_values.h"
 #include "app/picture/options.h"
 #include "app/picture/saved_view.h"
 #include "engine/error.h"

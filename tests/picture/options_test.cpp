@@ -8,7 +8,6 @@
 
 #include "app/picture/option_json.h"
 #include "app/picture/saved_view.h"
-#include "engine/error.h"
 
 namespace nacre::app {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "engine/graph/encoded_format.h"
 
-#include "tests/reference/ray_caster.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {

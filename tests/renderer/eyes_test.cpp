@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/graph/capability_sets.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {

@@ -3,7 +3,6 @@
 
 #include "engine/scene/instances/mesh_levels.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/error.h"

@@ -2,7 +2,6 @@
 // Meshes that tests make themselves.
 
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>

@@ -1,7 +1,6 @@
 // Four samples of a pixel in one fragment, resolved in the render pass: exact coverage, nearer to a picture of many
 // samples, and nothing else of the renderer changes by it.
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/error.h"

@@ -1,7 +1,5 @@
 // Parts of a picture are the picture: no seam, whatever the path, the samples and the effects.
 
-#include <array>
-
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {

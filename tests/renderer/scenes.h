@@ -6,7 +6,6 @@
 #include <cctype>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <vector>
 

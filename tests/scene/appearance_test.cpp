@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "engine/error.h"
-#include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/build/representation.h"

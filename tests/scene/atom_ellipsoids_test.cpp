@@ -11,7 +11,6 @@
 #include <glm/matrix.hpp>
 #include <set>
 
-#include "engine/mesh/ellipsoids.h"
 #include "engine/molecule/displacement.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"

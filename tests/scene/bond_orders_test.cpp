@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <numeric>
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"

@@ -3,10 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 #include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-#include <numbers>
 #include <numeric>
 
 #include "engine/error.h"

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
-
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <set>
 
-#include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/color/colors.h"

@@ -4,15 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <glm/geometric.hpp>
-#include <set>
 
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/read.h"
 #include "engine/scene/build/representation.h"
 #include "engine/scene/color/colors.h"
-#include "engine/scene/view/shared_frame.h"
 #include "tests/molecule/build_peptide.h"
 
 namespace nacre {

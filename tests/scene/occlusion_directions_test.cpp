@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 #include <random>
 
 #include "engine/occlusion/directions.h"

@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
 
-#include "engine/error.h"
 #include "engine/volume/read_map.h"
 
 namespace nacre::test {

@@ -10,7 +10,6 @@
 #include <limits>
 #include <set>
 
-#include "engine/scene/view/camera.h"
 #include "tests/software/listed_scene.h"
 
 namespace nacre::test {

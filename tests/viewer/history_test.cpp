@@ -10,7 +10,6 @@
 #include "app/picture/appearance_values.h"
 #include "app/viewer/parts.h"
 #include "app/viewer/viewer.h"
-#include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 

@@ -8,7 +8,6 @@
 #include "app/input/read_input.h"
 #include "app/picture/options.h"
 #include "app/viewer/file_kind.h"
-#include "app/viewer/presets.h"
 #include "tests/molecule/build_peptide.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/viewer_bench.h"

@@ -2,15 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <set>
 
-#include "app/drawing/scenes.h"
 #include "app/input/map_input.h"
 #include "app/input/read_input.h"
 #include "app/viewer/viewer.h"
-#include "engine/error.h"
-#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 
 namespace nacre::app {

@@ -8,7 +8,6 @@
 
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
-#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 
 namespace nacre::app {

@@ -1,7 +1,6 @@
 // Writes the built-in samples as files: `write_samples FOLDER` writes NAME.pdb, .sdf, .xyz, .bcif and .mmtf for each of
 // them. What other programs make of the text ones becomes the files of all other formats: see write_files.sh.
 
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <fstream>

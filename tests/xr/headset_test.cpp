@@ -13,7 +13,6 @@
 
 #include "app/xr/xr_session.h"
 #include "engine/error.h"
-#include "engine/scene/build/representation.h"
 #include "engine/srgb.h"
 #include "tests/support/no_cache.h"
 #include "tests/xr_runtime/runtime.h"

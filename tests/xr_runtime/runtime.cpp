@@ -4,8 +4,6 @@
 #include <cstring>
 #include <deque>
 #include <map>
-#include <memory>
-#include <numbers>
 #include <optional>
 
 #include "tests/xr_runtime/loader_negotiation.h"

@@ -5,7 +5,6 @@
 
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/chemistry/steps.h"
-#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
 
 namespace nacre {

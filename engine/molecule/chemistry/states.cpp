@@ -1,6 +1,5 @@
 // Charges, hydrogens and hybridisation at neutral pH, and delocalised bonds.
 
-#include <algorithm>
 #include <utility>
 
 #include "engine/molecule/bonds/residue_templates.h"

@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "engine/molecule/assemblies.h"
 #include "engine/molecule/formats/mmcif_model.h"

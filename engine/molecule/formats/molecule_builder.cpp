@@ -7,7 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/text.h"
 

@@ -6,7 +6,6 @@
 
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/element.h"
 #include "engine/molecule/formats/id_index.h"
 #include "engine/molecule/formats/molecule_builder.h"
 #include "engine/molecule/formats/pdb_fields.h"

@@ -1,5 +1,4 @@
 // AMBER's topologies (PRMTOP, PARM7): sections of %FLAG and %FORMAT, such as 20a4 or 5E16.8.
-#include <cmath>
 #include <map>
 #include <vector>
 

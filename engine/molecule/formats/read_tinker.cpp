@@ -1,9 +1,7 @@
 // Tinker XYZ and ARC: frames of a count and a title, possibly a line with the periodic box, then lines of number, name,
 // position, type and bonded atoms.
 #include <algorithm>
-#include <cmath>
 
-#include "engine/molecule/element.h"
 #include "engine/molecule/formats/frames.h"
 #include "engine/molecule/formats/pdb_fields.h"
 #include "engine/molecule/text.h"

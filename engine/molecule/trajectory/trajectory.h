@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>

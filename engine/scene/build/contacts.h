@@ -6,7 +6,6 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "engine/molecule/chemistry/interactions.h"
 #include "engine/molecule/selection/selection.h"

@@ -9,7 +9,6 @@
 #include <unordered_set>
 
 #include "engine/error.h"
-#include "engine/molecule/element.h"
 #include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/atom_groups.h"
 #include "engine/scene/build/bond_drawing.h"

@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "engine/error.h"
-#include "engine/molecule/element.h"
 #include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/atom_groups.h"
 #include "engine/scene/build/bond_drawing.h"

@@ -1,7 +1,6 @@
 #include "engine/scene/view/cut_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/geometric.hpp>
 
 #include "engine/scene/build/map_scene.h"

@@ -1,7 +1,6 @@
 #include "engine/scene/view/orientation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

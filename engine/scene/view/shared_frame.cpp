@@ -1,6 +1,5 @@
 #include "engine/scene/view/shared_frame.h"
 
-#include <algorithm>
 #include <functional>
 #include <span>
 #include <vector>

@@ -3,7 +3,6 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -11,7 +10,6 @@
 
 #include "app/cli/options.h"
 #include "app/picture/option_text.h"
-#include "engine/error.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/color/palettes.h"
 #include "tests/support/run_program.h"
