@@ -80,8 +80,8 @@ enum class OcclusionMaps {
 };
 
 struct DeviceOptions {
-    bool validate = false;  ///< Khronos validation layer, with synchronization validation
-    std::string device;     ///< number in `nacre devices`, or part of the name; empty: the best one
+    bool validate = false;    ///< Khronos validation layer, with synchronization validation
+    std::string device = {};  ///< number in `nacre devices`, or part of the name; empty: the best one
     Visibility visibility = Visibility::automatic;
     EncodedDepth encoded = EncodedDepth::automatic;
     Multisampling multisampling = Multisampling::automatic;  ///< `four`: @throws Error where the path cannot

@@ -73,7 +73,7 @@ struct RenderSettings {
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha, 0..1
     bool fine = false;                            ///< pictures: 32 bits per channel, linear, instead of 8, sRGB-coded
     bool lighting = true;                         ///< off: base colour times occlusion
-    Effects effects;                              ///< layers and picks have no contours
+    Effects effects = {};                         ///< layers and picks have no contours
     /// Largest error of a mesh's outline, in distances between samples (a quarter of a pixel at edges). The coarsest
     /// level within it is drawn. 0: the finest level.
     double meshError = 0.25;
@@ -83,8 +83,8 @@ struct RenderSettings {
     /// Only for scenes without other primitives.
     std::uint64_t levelsFrom = std::uint64_t{1} << 25;
     DebugView debug = DebugView::none;  ///< for pictures and window frames, not for layers and picks
-    OcclusionSettings occlusion;
-    FrameTuning tuning;
+    OcclusionSettings occlusion = {};
+    FrameTuning tuning = {};
 
     /// The settings of a frame: all except the strings and callbacks of the bake.
     RenderSettings ofFrame() const {

@@ -19,8 +19,7 @@ bool NativeWindow::set(ANativeWindow* window) {
 }
 
 SurfaceSource NativeWindow::makeSurface(std::shared_ptr<NativeWindow> window) {
-    SurfaceSource source;
-    source.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_KHR_ANDROID_SURFACE_EXTENSION_NAME};
+    SurfaceSource source{.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_KHR_ANDROID_SURFACE_EXTENSION_NAME}};
     source.create = [window = std::move(window)](VkInstance instance) {
         const std::lock_guard lock(window->mutex_);
         VkAndroidSurfaceCreateInfoKHR info{};

@@ -35,9 +35,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
     Progress progress;
     for (std::size_t i = 0; i < devices.size(); ++i) {
         if (options.selfTest) {
-            DeviceOptions device;
-            device.device = std::to_string(i);
-            device.selfTests = folder;
+            DeviceOptions device{.device = std::to_string(i), .selfTests = folder};
             forgetSelfTest(folder, devices[i].driverKey);
             progress.begin("testing device " + std::to_string(i));
             devices[i].selfTest = describe(testPaths(device, devices[i]));

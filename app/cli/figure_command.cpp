@@ -28,9 +28,7 @@ void paintLetter(const WordPainter& painter, const std::string& letter, const Pi
     constexpr double kLarger = 1.6;  // than other text
     const double usual = panel.words.size > 0 ? panel.words.size : usualTextSize(picture.width, picture.height);
     const double size = kLarger * usual;
-    View view;
-    view.width = picture.width;
-    view.height = picture.height;
+    View view{.width = picture.width, .height = picture.height};
     Marks marks = painter.layOut({}, view, size, panel.words.color, panel.background);
     marks.texts.push_back({{0.5 * size, 1.1 * size}, size, letter, 0});
     painter.paint(marks, picture.rgba.data(), picture.width, 0, picture.height);

@@ -114,9 +114,7 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     // The window's own size uses the window's anti-aliasing; other sizes use that of pictures.
     picture.supersample = asShown ? viewer().frames().mostSamples() : RenderSettings::kEdges;
     if (transparent) picture.background = {0, 0, 0, 0};
-    PictureFormat format;
-    format.alpha = transparent;
-    format.dpi = dpi;
+    PictureFormat format{.alpha = transparent, .dpi = dpi};
     writePicture(file, viewer().frames().draw(renderer(), std::move(picture), marked), format);
 }
 
@@ -217,8 +215,7 @@ void WindowSession::captureFrame() {
         std::optional<OutputFile> file;
         if (!renderer().startedByRenderDoc()) file.emplace(freeName(viewer().document()->view.input.path, ".rdc"));
         renderer().beginCapture(file ? captureStem(*file) : "");
-        WindowFrame frame;
-        frame.overlay = panel_->draw(viewer(), window_.size(), now());
+        WindowFrame frame{.overlay = panel_->draw(viewer(), window_.size(), now())};
         const bool shown = renderer().present(viewer().frames().settings(), frame) == FrameOutcome::shown;
         const std::string written = renderer().endCapture();
         if (!shown) throw Error("cannot capture", "", "the window is changing");

@@ -161,8 +161,7 @@ Molecule fetch(const DiskCache& cache, const Source& source, const std::string& 
 }  // namespace
 
 HttpLimits httpLimits(const Environment& environment) {
-    HttpLimits limits;
-    limits.certificates = environment("NACRE_CA_FILE");
+    HttpLimits limits{.certificates = environment("NACRE_CA_FILE")};
     const std::string seconds = environment("NACRE_DOWNLOAD_TIMEOUT");
     if (seconds.empty()) return limits;
     long value = 0;

@@ -76,8 +76,7 @@ const std::optional<Selection>& uncoveredBy(const Aim& aim) {
 
 Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, const AimScene& shown, const Size& size) {
     const Representation& scene = shown.scene;
-    Aimed result;
-    result.camera = camera;
+    Aimed result{.camera = camera};
     if (!aim.any() && !aim.fits) return result;
     const std::vector<glm::dvec4> all = aim.any() ? drawnBalls(scene) : std::vector<glm::dvec4>();
     if (aim.principal) {

@@ -76,9 +76,7 @@ void placeFog(const Representation& scene, RenderSettings& settings) {
 
 /// Whether the scene has a surface that gets caps where it is cut.
 bool hasSolidSurface(const Representation& scene) {
-    Clip cut;
-    cut.near = 0;
-    return needsCaps(scene, cut) &&
+    return needsCaps(scene, Clip{.near = 0}) &&
            std::ranges::any_of(scene.meshes, [](const MeshRun& mesh) { return mesh.surface && mesh.closed; });
 }
 
@@ -107,8 +105,7 @@ Rebuild rebuildFor(const PictureDescription& before, const PictureDescription& a
                               ? before.aim.uncover != after.aim.uncover
                               : parts && (uncoveredBy(before.aim) || uncoveredBy(after.aim) || before.aim.spares ||
                                           after.aim.spares);  // depends on the view
-    Rebuild rebuild;
-    rebuild.molecule = has(parts, Facet::input) || has(parts, Facet::frame);
+    Rebuild rebuild{.molecule = has(parts, Facet::input) || has(parts, Facet::frame)};
     // Maps and primitives decide whether all atoms may be hidden.
     rebuild.scene = has(parts, Facet::scene) || uncovers || before.drawsBeside() != after.drawsBeside();
     rebuild.maps = has(parts, Facet::map) || (after.maps.aroundFocus && has(parts, Facet::view));
@@ -159,8 +156,7 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
         !scene_ || rebuild.molecule || rebuild.scene || first.atoms.empty() || (cutsScene_ && has(parts, Facet::view));
     description_ = description;
     if (another) rebuildScene(frame, now);
-    Aimed aim;
-    aim.camera = cameraFor(description_.stereo, description_.camera);
+    Aimed aim{.camera = cameraFor(description_.stereo, description_.camera)};
     if (description_.aim.center) aim.camera.center = scene_->center;
     const bool follow = description_.maps.aroundFocus && !description_.maps.files.empty();
     const auto drawMaps = [&] {

@@ -301,9 +301,7 @@ std::shared_ptr<const DensityMap> electrostaticPotential(const ResidueFacts& fac
         runIn(folder, {"pdb2pqr", "--ff=AMBER", "--whitespace", folder / "molecule.pdb", folder / "charged.pqr"});
         if (!fs::exists(folder / "charged.pqr")) fail("pdb2pqr: " + lastLine(folder / "pdb2pqr.log"));
     }
-    ReadOptions reading;
-    reading.format = Format::pqr;
-    const Molecule charged = readMolecule(kName, readContents(folder / "charged.pqr"), reading);
+    const Molecule charged = readMolecule(kName, readContents(folder / "charged.pqr"), {.format = Format::pqr});
     if (!stated)
         if (const std::string names = leftOut(molecule, atoms, charged); !names.empty())
             warning = "it leaves out " + names + ": AMBER's force field has no charges for them";

@@ -70,10 +70,7 @@ std::vector<Interaction> listInteractions(const Molecule& molecule, const Contac
                                           const std::string& assembly) {
     const InteractionQuery query = interactionQuery(molecule, contacts);
     if (assembly.empty()) return InteractionFinder(molecule, contacts.rules).find(molecule, query);
-    RepresentationOptions look;
-    look.style = Style::licorice;
-    look.contacts = contacts;
-    look.assembly = assembly;
+    RepresentationOptions look{.style = Style::licorice, .assembly = assembly, .contacts = contacts};
     std::vector<Interaction> found;
     for (DrawnContact& contact :
          represent(molecule, drawnAtoms(molecule, {.water = true, .hydrogens = true}), look).contacts)

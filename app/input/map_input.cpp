@@ -24,8 +24,7 @@ struct FileState {
 };
 std::optional<FileState> readState(const std::string& path) {
     std::error_code error;
-    FileState state;
-    state.size = fs::file_size(path, error);
+    FileState state{.size = fs::file_size(path, error)};
     if (error) return {};
     state.time = fs::last_write_time(path, error);
     return error ? std::nullopt : std::optional(state);

@@ -279,8 +279,7 @@ std::optional<double> easedByName(std::string_view easing, double time) {
 }
 
 CameraTransition readTransition(const Node& node) {
-    CameraTransition transition;
-    transition.seconds = readDuration(node) / 1000;
+    CameraTransition transition{.seconds = readDuration(node) / 1000};
     if (node.param("easing")) transition.easing = nodeText(node, "easing");
     if (node.param("trajectory")) transition.trajectory = nodeText(node, "trajectory");
     return transition;

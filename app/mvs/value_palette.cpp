@@ -149,8 +149,7 @@ struct Scale {
 };
 
 Scale makeScale(const Json& palette, const std::vector<AnnotationRow>& rows) {
-    Scale scale;
-    scale.used = readWord(palette, "mode", "normalized") != "absolute";
+    Scale scale{.used = readWord(palette, "mode", "normalized") != "absolute"};
     if (!scale.used) return scale;
     double least = kInfinity, largest = -kInfinity;
     for (const AnnotationRow& row : rows)

@@ -148,9 +148,7 @@ WrittenScene rewriteScene(const PictureDescription& d, const SceneCamera& camera
     root["children"].push_back(canvasNode(d));
     root["children"].push_back(cameraNode(camera));
     scene["kind"] = "single";
-    WrittenScene written;
-    written.json = jsonText(scene);
-    written.notes = listNotes(d);
+    WrittenScene written{.json = jsonText(scene), .notes = listNotes(d)};
     if (d.look.style || !d.look.rules.empty())
         written.notes.push_back("the scene keeps its own representations: styles and rules are left out");
     namespace fs = std::filesystem;

@@ -55,10 +55,7 @@ PhoneSession::PhoneSession(PhoneHost host, const PictureDescription& first, doub
 SessionHost PhoneSession::sessionHost() {
     SessionHost session;
     session.device = [this] {
-        DeviceOptions device;
-        device.validate = host_.validate;
-        device.surface = host_.surface;
-        device.selfTests = kept(host_, "devices");
+        DeviceOptions device{.validate = host_.validate, .surface = host_.surface, .selfTests = kept(host_, "devices")};
         return device;
     };
     session.loadPipelines = [this] { return loadPipelineCache(kept(host_, "pipelines.bin")); };

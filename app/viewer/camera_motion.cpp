@@ -106,11 +106,7 @@ void CameraMotion::fit(double now) {
 }
 
 void CameraMotion::reset(double now) {
-    Camera to;
-    to.projection = camera_.projection;
-    to.fovDegrees = camera_.fovDegrees;
-    to.center = camera_.center;
-    fly(to, now);
+    fly(Camera{.projection = camera_.projection, .fovDegrees = camera_.fovDegrees, .center = camera_.center}, now);
 }
 
 void CameraMotion::setRocking(bool on) {

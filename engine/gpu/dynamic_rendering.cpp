@@ -177,9 +177,7 @@ RenderingFormats DynamicRendering::findFormats(std::uint32_t s) const {
         const auto it = std::find(list.begin(), list.end(), a);
         return it == list.end() ? kNone : static_cast<std::uint32_t>(it - list.begin());
     };
-    RenderingFormats formats;
-    formats.colorCount = colorCount_;
-    formats.viewMask = plan_.viewMask;
+    RenderingFormats formats{.colorCount = colorCount_, .viewMask = plan_.viewMask};
     for (std::size_t i = 0; i < colorCount_; ++i) {
         formats.colors[i] = plan_.attachments[colors_[i]].format;
         formats.locations[i] = findIndex(subpass.colors, colors_[i]);

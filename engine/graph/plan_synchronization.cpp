@@ -20,8 +20,7 @@ struct Track {
 };
 
 Track makeTrack(const State& state) {
-    Track track;
-    track.layout = state.layout;
+    Track track{.layout = state.layout};
     if (state.access & kWriteAccess) {
         track.writeStages = state.stages;
         track.writeAccess = state.access & kWriteAccess;

@@ -54,9 +54,7 @@ std::vector<Peptide> wholeBackbones(const ResidueFacts& facts) {
     for (std::uint32_t r = 0; r < found.size(); ++r) {
         const auto& atoms = found[r].atoms;
         if (std::find(atoms.begin(), atoms.end(), kNone) != atoms.end()) continue;
-        Peptide peptide;
-        peptide.residue = r;
-        peptide.model = molecule.chains[molecule.residues[r].chain].model;
+        Peptide peptide{.residue = r, .model = molecule.chains[molecule.residues[r].chain].model};
         glm::dvec3* places[] = {&peptide.n, &peptide.ca, &peptide.c, &peptide.o};
         for (std::size_t i = 0; i < 4; ++i) *places[i] = molecule.atoms[atoms[i]].position;
         peptides.push_back(peptide);

@@ -45,7 +45,7 @@ constexpr std::size_t kMaxAtoms = 50'000'000;
 constexpr int kAllModels = 0;
 
 struct ReadOptions {
-    std::optional<Format> format;                 ///< empty: detected, from the content first, the name second
+    std::optional<Format> format = {};            ///< empty: detected, from the content first, the name second
     int model = 1;                                ///< 1-based model, frame or record, or kAllModels
     std::size_t maxBytes = std::size_t{1} << 31;  ///< largest text accepted, after inflation
     std::size_t maxAtoms = kMaxAtoms;             ///< of the model that is read; reading stops at one more

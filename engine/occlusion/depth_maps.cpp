@@ -198,8 +198,7 @@ passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t mo
 std::uint64_t DepthMaps::instancesThatFit() const {
     const graph::GeometryCaps& caps = device_.caps().plan.geometry;
     if (caps.mostVertexBytes == 0) return ~std::uint64_t{0};
-    passes::PrimitiveCounts counts;
-    counts.radiusPixels = radiusPixels();
+    passes::PrimitiveCounts counts{.radiusPixels = radiusPixels()};
     const passes::SphereShapes shapes =
         passes::chooseShapes(PlateShape::automatic, ImpostorShape::automatic, caps, counts);
     const passes::PassCost plates = passes::computeCost(passes::Handed::plates, caps.storesVaryings, shapes);

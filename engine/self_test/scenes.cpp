@@ -23,9 +23,7 @@ std::uint32_t makeColor(std::uint32_t atom) {
 
 Representation sample(const char* name, Style style) {
     const Molecule molecule = sampleMolecule(name);
-    RepresentationOptions look;
-    look.style = style;
-    return represent(molecule, drawnAtoms(molecule), look);
+    return represent(molecule, drawnAtoms(molecule), RepresentationOptions{.style = style});
 }
 
 Representation colored(Style style) {
@@ -223,10 +221,7 @@ std::vector<TimedScene> timedScenes() {
 
 RenderSettings testSettings(const Representation& r, Projection projection, std::uint32_t pixels) {
     RenderSettings s;
-    Camera camera;
-    camera.projection = projection;
-    camera.rotationDegrees = {20, 30, 40};
-    s.view = makeView(camera, r.radius, pixels, pixels);
+    s.view = makeView(Camera{.projection = projection, .rotationDegrees = {20, 30, 40}}, r.radius, pixels, pixels);
     s.supersample = 1;
     s.background = {0, 0, 0, 0};
     s.lighting = false;

@@ -14,11 +14,7 @@ namespace nacre::test {
 namespace {
 
 Renderer& expectingRenderer() {
-    static Renderer renderer = [] {
-        DeviceOptions device;
-        device.visibility = Visibility::fragdepth;
-        return Renderer(device);
-    }();
+    static Renderer renderer = [] { return Renderer(DeviceOptions{.visibility = Visibility::fragdepth}); }();
     return renderer;
 }
 

@@ -31,8 +31,7 @@ double distanceTo(const Box& box, const glm::dvec2& at) {
 TEST(WordLayout, TheMoleculeStandsBesideTitleLegendAndScaleBar) {
     const std::vector<glm::dvec4> ball{{0, 0, 0, 10}};
     for (const auto& [width, height, zoom] : {std::tuple{400u, 400u, 1.0}, {600u, 300u, 1.0}, {300u, 500u, 0.9}}) {
-        Camera camera;
-        camera.zoom = zoom;
+        Camera camera{.zoom = zoom};
         const View view = makeView(camera, 10, width, height);
         PlacedWords words;
         EXPECT_EQ(besideWords(view, words, 14, ball, zoom, measureWidth).pixelsPerAngstrom, view.pixelsPerAngstrom);
@@ -188,8 +187,7 @@ TEST(WordLayout, LabelsOfWhatLiesBehindAtomsAreLeftOut) {
     Representation r;
     PlacedWords words = twoInARow(r);
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-        Camera camera;
-        camera.projection = projection;
+        Camera camera{.projection = projection};
         const View front = makeView(camera, r.radius, 300, 300);
         EXPECT_EQ(listTexts(layOut(words, front, 12, {}, kWhite, measureWidth)), one);
         camera.rotationDegrees = {0, 180, 0};
@@ -198,9 +196,7 @@ TEST(WordLayout, LabelsOfWhatLiesBehindAtomsAreLeftOut) {
         camera.rotationDegrees = {0, 60, 0};
         EXPECT_EQ(listTexts(layOut(words, makeView(camera, r.radius, 300, 300), 12, {}, kWhite, measureWidth)), both);
         // What a plane cuts away hides nothing.
-        Clip clip;
-        clip.near = 0;
-        EXPECT_EQ(listTexts(layOut(words, front, 12, {}, kWhite, measureWidth, clip)), both);
+        EXPECT_EQ(listTexts(layOut(words, front, 12, {}, kWhite, measureWidth, Clip{.near = 0})), both);
     }
     const View front = makeView(Camera{}, r.radius, 300, 300);
     Representation same;
@@ -243,9 +239,7 @@ TEST(WordLayout, LabelsStayWithWhatTheyNameFromPictureToPicture) {
         std::map<std::string, glm::dvec2> before;
         int count = 0;
         for (int frame = 0; frame < 120; ++frame) {
-            Camera camera;
-            camera.rotationDegrees = {0, 3.0 * frame, 0};
-            const View view = makeView(camera, r.radius, 500, 500);
+            const View view = makeView(Camera{.rotationDegrees = {0, 3.0 * frame, 0}}, r.radius, 500, 500);
             const Marks marks = layOut(words, view, 14, {}, kWhite, measureWidth, {}, remembers ? &memory : nullptr);
             std::map<std::string, glm::dvec2> now;
             for (const PlacedLabel& label : words.labels) {
@@ -293,8 +287,7 @@ TEST(WordLayout, TheAxesTurnWithTheView) {
     constexpr double kEm = 20;
     glm::dvec2 middle(0);
     const auto laid = [&](const glm::dvec3& degrees) {
-        Camera camera;
-        camera.rotationDegrees = degrees;
+        Camera camera{.rotationDegrees = degrees};
         const Marks marks = layOut(words, makeView(camera, 10, 600, 400), kEm, {}, kWhite, measureWidth);
         EXPECT_EQ(marks.texts.size(), 3u);
         EXPECT_EQ(marks.shapes.size(), 6u);  // a shaft and a head each
@@ -325,9 +318,7 @@ TEST(WordLayout, TheAxesTurnWithTheView) {
     const std::vector<glm::dvec4> ball{{0, 0, 0, 10}};
     std::optional<glm::dvec2> pan;
     for (int i = 0; i < 50; ++i) {
-        Camera camera;
-        camera.rotationDegrees = {37.0 * i, 61.0 * i, 11.0 * i};
-        const View view = makeView(camera, 10, 400, 400);
+        const View view = makeView(Camera{.rotationDegrees = {37.0 * i, 61.0 * i, 11.0 * i}}, 10, 400, 400);
         const View beside = besideWords(view, words, kEm, ball, 1, measureWidth);
         EXPECT_NEAR(glm::distance(pan.value_or(beside.pan), beside.pan), 0, 1e-6);
         pan = beside.pan;

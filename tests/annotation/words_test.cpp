@@ -71,8 +71,7 @@ TEST(Words, TheFinestFieldSaysWhatALabelIsFor) {
 
 TEST(Words, AtomsDrawnAsLinesAreLabelledAndMeasured) {
     Molecule molecule = sampleMolecule("dna");
-    RepresentationOptions lines;
-    lines.style = Style::line;
+    RepresentationOptions lines{.style = Style::line};
     const Representation scene = represent(molecule, drawnAtoms(molecule, {}), lines);
     Words words;
     words.labels.push_back(parseLabel("chain A and resi 2 and name P={atom}"));

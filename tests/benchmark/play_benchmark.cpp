@@ -104,8 +104,7 @@ int main(int argc, char** argv) {
         if (argc > 3 && std::string(argv[3]) != "none") look.contacts.of = parseSelection(argv[3]);
         const auto moving = std::make_shared<app::MovingPicture>(*molecule, picture);
         Renderer renderer{DeviceOptions{}};
-        RenderSettings settings;
-        settings.view = makeView(Camera{}, moving->radius(), kWidth, kHeight);
+        RenderSettings settings{.view = makeView(Camera{}, moving->radius(), kWidth, kHeight)};
         settings.occlusion.directions = 0;
         settings.supersample = 1;
         renderer.setScene(moving->moved(*molecule));

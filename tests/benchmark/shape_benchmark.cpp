@@ -38,9 +38,7 @@ constexpr Shapes kShapes[] = {{"off", PlateShape::none, "octagon", ImpostorShape
                               {"octagon", PlateShape::octagon, "square", ImpostorShape::square}};
 
 RenderSettings makeSettings(const View& view, const Shapes& shapes) {
-    RenderSettings settings;
-    settings.view = view;
-    settings.supersample = 1;
+    RenderSettings settings{.view = view, .supersample = 1};
     settings.occlusion.directions = 0;
     settings.tuning.plates = shapes.plateShape;
     settings.tuning.impostor = shapes.impostorShape;
@@ -78,9 +76,7 @@ int main(int argc, char** argv) try {
     if (argc < 2) throw std::runtime_error("shape_benchmark FILE [WxH...]");
     const Molecule molecule = readMoleculeFile(argv[1]);
     const Representation scene = represent(molecule, drawnAtoms(molecule), {Style::spacefill});
-    DeviceOptions device;
-    device.visibility = Visibility::encoded;
-    Renderer renderer(device);
+    Renderer renderer(DeviceOptions{.visibility = Visibility::encoded});
     renderer.setScene(scene);
     std::vector<std::string> sizes(argv + 2, argv + argc);
     if (sizes.empty()) sizes = {"640x960"};

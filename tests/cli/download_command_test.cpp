@@ -29,8 +29,7 @@ protected:
     }
 
     RunOptions options(const std::string& way) const {
-        RunOptions options;
-        options.environment = {{"NACRE_PDB_URL", server_.base(way)}, {"NACRE_CACHE", folder_ / "cache"}};
+        RunOptions options{.environment = {{"NACRE_PDB_URL", server_.base(way)}, {"NACRE_CACHE", folder_ / "cache"}}};
         return options;
     }
     static MeasuredRun info(const RunOptions& options) {

@@ -298,10 +298,7 @@ Molecule twoModels() {
 
 TEST(Info, HowOftenInteractionsAreThere) {
     const Molecule molecule = twoModels();
-    ContactOptions contacts;
-    contacts.of = parseSelection("chain A");
-    contacts.with = parseSelection("chain B");
-    contacts.kinds = {true};
+    ContactOptions contacts{.of = parseSelection("chain A"), .with = parseSelection("chain B"), .kinds = {true}};
     const ContactFrequencies found = contactFrequencies(molecule, contacts, {});
     EXPECT_EQ(found.of, 2u);
     ASSERT_EQ(found.contacts.size(), 32u);

@@ -115,12 +115,10 @@ TEST(Progress, AnErrorOnATerminalIsOneLineByItself) {
 TEST(Threads, HowManyThereAreChangesNoByte) {
     const TemporaryFolder folder;
     for (const char* threads : {"1", "2"}) {
-        test::RunOptions options;
-        options.environment = {{"LP_NUM_THREADS", threads}};
         const MeasuredRun run =
             test::runMeasured({"render", "sample:dna", "-o", folder / (std::string(threads) + ".png"), "--layers",
                                folder / (std::string(threads) + ".exr"), "--size", "160x120", "--occlusion", "32"},
-                              options);
+                              test::RunOptions{.environment = {{"LP_NUM_THREADS", threads}}});
         ASSERT_EQ(run.code, 0) << run.err;
     }
     EXPECT_EQ(test::readContents(folder / "1.png"), test::readContents(folder / "2.png"));

@@ -144,8 +144,7 @@ TEST(SeveralInputs, AreAlignedByStructure) {
 }
 
 TEST(SeveralInputs, HaveColorsThatTheChainsOfTheFirstDoNotHave) {
-    RepresentationOptions look;
-    look.color = ColorScheme::element;
+    RepresentationOptions look{.color = ColorScheme::element};
     colorApart({"a", "b", "c"}, look);
     ASSERT_EQ(look.rules.size(), 2u);
     for (const Rule& rule : look.rules)

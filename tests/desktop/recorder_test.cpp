@@ -164,10 +164,7 @@ TEST(Recorder, RecordsWhenItsProgramIsGoneFromDisk) {
 }
 
 TEST(Recorder, AsksForWhatTheWindowShows) {
-    RecordingWish wish;
-    wish.motion = RecordingWish::Motion::models;
-    wish.size = {64, 48};
-    wish.path = "movie.mp4";
+    RecordingWish wish{.motion = RecordingWish::Motion::models, .size = {64, 48}, .path = "movie.mp4"};
     PictureDescription shown;
     shown.input.path = "/data/md.gro";
     shown.input.trajectory.path = "/data/md.xtc";

@@ -132,8 +132,7 @@ TEST_F(Download, PredictionsByTheListThatNamesThem) {
 }
 
 TEST_F(Download, OtherModelsOfWhatIsKept) {
-    ReadOptions second;
-    second.model = 2;
+    ReadOptions second{.model = 2};
     for (int turn = 0; turn < 2; ++turn) try {
             get("ok", "pdb:1bna", second);
             ADD_FAILURE();

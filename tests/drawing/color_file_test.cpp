@@ -103,9 +103,7 @@ TEST(ColorSource, IsWrittenAsItIsRead) {
 /// Colours of some atoms of glucose-like numbering: 1CRN, whose residues are A 1 to A 46.
 Representation crambin(const std::vector<std::string>& tables, const std::string& rule = "") {
     const Molecule m = readMoleculeFile(test::dataFile("1crn.pdb"));
-    RepresentationOptions look;
-    look.style = Style::spacefill;
-    look.color = Coloring::uniform(0xff111111);
+    RepresentationOptions look{.style = Style::spacefill, .color = Coloring::uniform(0xff111111)};
     for (const std::string& table : tables) look.colorFrom.push_back(parseColorSource(table));
     if (!rule.empty()) look.rules.push_back(parseColorBy(rule));
     return represent(m, drawnAtoms(m), withTables(look));
@@ -136,9 +134,7 @@ TEST(ColorFrom, ValuesRunAlongARampAsBFactorsDo) {
     for (std::size_t i = 0; i < m.atoms.size(); ++i)
         table += ";" + std::to_string(i + 1) + "," + std::to_string(m.atoms[i].temperatureFactor);
     const Representation mine = crambin({table});
-    RepresentationOptions look;
-    look.style = Style::spacefill;
-    look.color = ColorScheme::bFactor;
+    RepresentationOptions look{.style = Style::spacefill, .color = ColorScheme::bFactor};
     const Representation theirs = represent(m, drawnAtoms(m), look);
     ASSERT_EQ(mine.spheres.size(), theirs.spheres.size());
     for (std::size_t i = 0; i < mine.spheres.size(); ++i)

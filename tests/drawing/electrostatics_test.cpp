@@ -19,11 +19,7 @@
 namespace nacre::app {
 namespace {
 
-Molecule makePqr(const std::string& atoms) {
-    ReadOptions reading;
-    reading.format = Format::pqr;
-    return readMolecule("ions.pqr", atoms, reading);
-}
+Molecule makePqr(const std::string& atoms) { return readMolecule("ions.pqr", atoms, {.format = Format::pqr}); }
 
 std::string catchError(const Molecule& molecule, const InputOptions& input = {}) {
     try {

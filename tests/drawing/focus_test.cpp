@@ -60,9 +60,7 @@ TEST_F(FocusTest, GoesWithTheCamera) {
 
 TEST_F(FocusTest, IsWhereALensIsSharp) {
     const auto depth = [&] {
-        RenderSettings settings;
-        settings.effects = picture.effects;
-        settings.view = makeView(picture.camera, 12, 256, 256);
+        RenderSettings settings{.view = makeView(picture.camera, 12, 256, 256), .effects = picture.effects};
         focusLens(molecule, picture, kCenter, settings);
         return settings.effects.depthOfField.focus;
     };

@@ -55,8 +55,7 @@ TEST(Export, RefusesInstancesInVeryManyCopies) {
     scene.copies.transforms = {glm::dmat4x3(1.0)};
     scene.copies.lists = {{0}};
     scene.copies.spheres = {{0, static_cast<std::uint32_t>(scene.spheres.size()), 0, {}, 10}};
-    ExportOptions options;
-    options.instances = true;
+    ExportOptions options{.instances = true};
     EXPECT_EQ(exportScene(glucose, scene, options).instances.size(), 3u);
     // Carbon, hydrogen and oxygen.
     scene.copies.lists[0].resize(kMostExportCopies / 3 + 1);
@@ -148,9 +147,7 @@ TEST(Export, AGlbHasChainsColoursAndInstances) {
     EXPECT_FALSE(plain.contains("extensionsUsed"));
     EXPECT_TRUE(plain["meshes"][0]["primitives"][0]["attributes"].contains("COLOR_0"));
 
-    ExportOptions options;
-    options.instances = true;
-    const ExportScene scene = exported(dna, Style::licorice, options);
+    const ExportScene scene = exported(dna, Style::licorice, ExportOptions{.instances = true});
     const nlohmann::json instanced = glbJson(glbFile(scene, {"DNA", 1}));
     EXPECT_EQ(instanced["extensionsRequired"][0], "EXT_mesh_gpu_instancing");
     std::size_t balls = 0;
@@ -197,8 +194,7 @@ TEST(Export, OcclusionDarkensColoursAndIsAnAttribute) {
     baked.sphereEdge = baked.around = baked.along = 4;
     baked.width = baked.sphereRows = baked.cylinderRows = 64;
     baked.texels.assign(64 * 256, 51);
-    ExportOptions options;
-    options.occlusion = &baked;
+    ExportOptions options{.occlusion = &baked};
     for (const Style style : {Style::spacefill, Style::licorice, Style::surface}) {
         const std::string file = glbFile(exported(glucose, style, options), {"glucose", 1});
         const nlohmann::json json = glbJson(file);
@@ -221,8 +217,7 @@ TEST(Export, OcclusionDarkensColoursAndIsAnAttribute) {
 
 TEST(Export, WhatIsTranslucentIsBlended) {
     const Molecule glucose = sampleMolecule("glucose");
-    RepresentationOptions look;
-    look.style = Style::surface;
+    RepresentationOptions look{.style = Style::surface};
     for (const double opacity : {1.0, 0.25}) {
         look.surfaceOpacity = opacity;
         const Representation scene = represent(glucose, drawnAtoms(glucose), look);
@@ -232,8 +227,7 @@ TEST(Export, WhatIsTranslucentIsBlended) {
     }
     look.style = Style::ballAndStick;
     look.atomOpacity = 0.25;
-    ExportOptions options;
-    options.instances = true;
+    ExportOptions options{.instances = true};
     const Representation scene = represent(glucose, drawnAtoms(glucose), look);
     for (const auto& material : glbJson(glbFile(exportScene(glucose, scene, options), {"glucose", 1}))["materials"]) {
         EXPECT_EQ(material["alphaMode"], "BLEND");
@@ -243,9 +237,7 @@ TEST(Export, WhatIsTranslucentIsBlended) {
 
 TEST(Export, SticksOfInstancesStandWhereThoseOfTrianglesDo) {
     const Molecule glucose = sampleMolecule("glucose");
-    ExportOptions options;
-    options.instances = true;
-    const ExportScene scene = exported(glucose, Style::licorice, options);
+    const ExportScene scene = exported(glucose, Style::licorice, ExportOptions{.instances = true});
     double length = 0;
     for (const ExportInstances& part : scene.instances)
         for (const ExportInstances::Place& place : part.places) {

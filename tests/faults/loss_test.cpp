@@ -71,11 +71,8 @@ TEST(LossInFlight, GivesUpThePicturesThatAreStarted) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     RenderSettings s = settings(r, 48, Projection::orthographic);
     s.occlusion.directions = 0;
-    DeviceOptions options;
-    options.validate = true;
-    options.visibility = Visibility::tiles;
     const auto run = [&](std::optional<Renderer>& renderer) {
-        renderer.emplace(options);
+        renderer.emplace(DeviceOptions{.validate = true, .visibility = Visibility::tiles});
         renderer->setScene(r);
         for (int i = 0; i < 4; ++i) {
             renderer->startCoded(s, true);

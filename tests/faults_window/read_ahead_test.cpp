@@ -41,10 +41,7 @@ private:
     app::SessionHost host() {
         app::SessionHost host;
         host.device = [this] {
-            DeviceOptions options;
-            options.validate = true;
-            options.visibility = path_;
-            options.surface = headlessSurface();
+            DeviceOptions options{.validate = true, .visibility = path_, .surface = headlessSurface()};
             return options;
         };
         host.loadPipelines = [] { return std::vector<std::byte>(); };
@@ -105,11 +102,7 @@ TEST_P(ReadAhead, TheFirstPictureWaitsForNoPipeline) {
 }
 
 TEST(ReadAheadOf, AnyQualityOfFrames) {
-    DeviceOptions options;
-    options.validate = true;
-    options.visibility = Visibility::encoded;
-    options.surface = headlessSurface();
-    Renderer renderer(options);
+    Renderer renderer(DeviceOptions{.validate = true, .visibility = Visibility::encoded, .surface = headlessSurface()});
     renderer.setScene({});
     const Representation like = scene("sample:glucose", Style::spacefill);
     RenderSettings s = settings(like, 64, Projection::orthographic);
@@ -123,9 +116,7 @@ TEST(ReadAheadOf, AnyQualityOfFrames) {
         s.lighting = quality != Quality::kept;
         waitForPipelines();
         faults::reset();
-        WindowFrame frame;
-        frame.quality = quality;
-        renderer.expectScene(like, s, frame);
+        renderer.expectScene(like, s, WindowFrame{.quality = quality});
         waitForPipelines();
         EXPECT_GT(faults::count(kMakes[0]), 0u);
     }

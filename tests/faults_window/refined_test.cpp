@@ -13,11 +13,7 @@ TEST(Refined, TakesTwoImagesMoreHoweverManySamplesThereAre) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     faults::setWindowSize(96, 96);
     for (const Visibility path : {Visibility::encoded, Visibility::fragdepth, Visibility::deferred}) {
-        DeviceOptions options;
-        options.validate = true;
-        options.visibility = path;
-        options.surface = headlessSurface();
-        Renderer renderer(options);
+        Renderer renderer(DeviceOptions{.validate = true, .visibility = path, .surface = headlessSurface()});
         renderer.setScene(r);
         RenderSettings s = settings(r, 96, Projection::orthographic);
         s.occlusion.directions = 0;

@@ -86,10 +86,7 @@ private:
         return host;
     }
     static DeviceOptions options() {
-        DeviceOptions options;
-        options.validate = true;
-        options.visibility = Visibility::encoded;
-        options.surface = headlessSurface();
+        DeviceOptions options{.validate = true, .visibility = Visibility::encoded, .surface = headlessSurface()};
         return options;
     }
     static app::Sources sources() {

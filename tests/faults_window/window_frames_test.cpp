@@ -90,9 +90,7 @@ TEST(WindowFrames, TwoEyesByEveryPathAreValid) {
         RenderSettings s = settings(r, 96, Projection::perspective);
         EXPECT_EQ(renderer.present(s, {}), FrameOutcome::resized);
         const PixelSize size = renderer.windowSize();
-        Camera camera;
-        camera.projection = Projection::perspective;
-        s.view = makeView(camera, r.radius, size.width, size.height);
+        s.view = makeView(Camera{.projection = Projection::perspective}, r.radius, size.width, size.height);
         const Overlay overlay = triangle();
         for (const bool beside : {true, false}) {
             View middle = s.view;

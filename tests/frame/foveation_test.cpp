@@ -200,8 +200,7 @@ Decision chooseFoveation(const graph::FrameCaps& caps, const RenderSettings& set
 
 TEST(Foveation, IsChosenForHeadsetsAloneElseTheReason) {
     graph::FrameCaps caps = graph::capabilitySet("turnip");
-    RenderSettings plain;
-    plain.view = headsetEye(false);
+    RenderSettings plain{.view = headsetEye(false)};
     plain.view.other = View::OtherEye{-1, 1};
     EXPECT_EQ(chooseFoveation(caps, plain).how, "by a fragment density map");
     EXPECT_EQ(chooseFoveation(caps, plain, {}, false).how, "");

@@ -72,8 +72,7 @@ TEST(FramePace, WaitsOnFastDisplaysAlone) {
 }
 
 TEST(FramePace, FollowsTheDisplayAndTheScene) {
-    ComputedDisplay display;
-    display.later = 1;
+    ComputedDisplay display{.later = 1};
     display.run(100);
     ASSERT_EQ(display.pace.state(), State::waiting);
     display.interval = 2;  // slower, as is a display that saves power
@@ -88,8 +87,7 @@ TEST(FramePace, FollowsTheDisplayAndTheScene) {
 }
 
 TEST(FramePace, HitchesAreNoRate) {
-    ComputedDisplay display;
-    display.later = 1;
+    ComputedDisplay display{.later = 1};
     for (int i = 0; i < 2000; ++i) display.frame(i % 20 == 0 ? 7 : 0);
     EXPECT_EQ(display.pace.state(), State::waiting);
 }

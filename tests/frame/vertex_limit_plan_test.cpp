@@ -139,8 +139,7 @@ TEST(VertexLimitOfPlans, IsNeverExceeded) {
 
 TEST(VertexLimitOfPlans, OfADrawIsEvenlyShared) {
     const std::array<std::uint64_t, 3> all{100, 10, 37};
-    graph::Share share;
-    share.bytes = {128, 368, 60};
+    graph::Share share{.bytes = {128, 368, 60}};
     for (const std::uint32_t count : {1u, 2u, 3u, 7u, 50u}) {
         share.count = count;
         std::array<std::uint64_t, 3> next{};

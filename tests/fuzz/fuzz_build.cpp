@@ -27,11 +27,8 @@ void require(bool holds, const char* what) {
 
 void draw(Molecule molecule, unsigned style, unsigned look) {
     if (look & 1) molecule = withMissingHydrogens(molecule);
-    DrawnAtomsOptions shown;
-    shown.water = look & 2;
-    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, shown);
-    RepresentationOptions options;
-    options.style = static_cast<Style>(style % 8);
+    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, DrawnAtomsOptions{.water = (look & 2) != 0});
+    RepresentationOptions options{.style = static_cast<Style>(style % 8)};
     options.surface.resolution = 1.2;
     options.bondOrders = look & 4 ? BondOrders::on : BondOrders::ligands;
     if (look & 8) options.color = ColorScheme::chain;
@@ -50,9 +47,7 @@ void draw(Molecule molecule, unsigned style, unsigned look) {
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     nacre::setThreadsPerTask(1);  // starting others takes longer than their work
     if (size < 2) return 0;
-    ReadOptions reading;
-    reading.maxBytes = std::size_t{1} << 20;
-    reading.maxAtoms = kMostAtoms;
+    ReadOptions reading{.maxBytes = std::size_t{1} << 20, .maxAtoms = kMostAtoms};
     try {
         draw(readMolecule("input", std::string(reinterpret_cast<const char*>(data + 2), size - 2), reading), data[0],
              data[1]);

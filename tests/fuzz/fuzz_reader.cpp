@@ -49,14 +49,11 @@ void check(const nacre::Molecule& molecule) {
 void draw(const nacre::Molecule& molecule, std::size_t choice) {
     const std::vector<std::uint32_t> drawn = nacre::drawnAtoms(molecule);
     if (drawn.empty() || drawn.size() > 20000) return;
-    nacre::RepresentationOptions look;
-    look.style = static_cast<nacre::Style>(choice % 5);
+    nacre::RepresentationOptions look{.style = static_cast<nacre::Style>(choice % 5)};
     look.surface.resolution = nacre::kCoarsestSurface;
     if (choice / 5 % 2 && !molecule.assemblies.empty()) look.assembly = molecule.assemblies.front().id;
     nacre::Representation scene = nacre::represent(molecule, drawn, look);
-    nacre::RenderSettings settings;
-    settings.supersample = 1;
-    settings.view = nacre::makeView({}, scene.radius, 24, 24);
+    nacre::RenderSettings settings{.view = nacre::makeView({}, scene.radius, 24, 24), .supersample = 1};
     settings.occlusion.directions = 1;
     static nacre::Renderer renderer{nacre::DeviceOptions{}};
     renderer.setScene(std::move(scene));

@@ -19,9 +19,7 @@ struct Drawn {
 };
 
 Drawn drawn(Visibility path, OcclusionMaps maps) {
-    DeviceOptions options;
-    options.visibility = path;
-    Renderer renderer(options);
+    Renderer renderer(DeviceOptions{.visibility = path});
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     renderer.setScene(r);
     RenderSettings s = settings(r, 80, Projection::perspective);

@@ -241,9 +241,7 @@ TEST(CartoonResidues, DisulphidesAreSticksOfTheirAtoms) {
     EXPECT_GT(mesh.triangles.size(), without);
     for (const std::uint32_t atom : {2u, 3u, 7u, 8u})
         EXPECT_TRUE(std::count(mesh.atoms.begin(), mesh.atoms.end(), atom)) << atom;
-    CartoonOptions off;
-    off.disulfides = false;
-    EXPECT_EQ(makeCartoon(molecule, off).triangles.size(), without);
+    EXPECT_EQ(makeCartoon(molecule, CartoonOptions{.disulfides = false}).triangles.size(), without);
 }
 
 TEST(CartoonResidues, BasesArePlatesOrRungs) {
@@ -272,9 +270,7 @@ TEST(CartoonResidues, BasesArePlatesOrRungs) {
 
 TEST(CartoonResidues, SugarsArePlatesOfTheirRings) {
     const Molecule dna = sampleMolecule("dna");
-    CartoonOptions options;
-    options.bases = BaseForm::rings;
-    const Mesh mesh = makeCartoon(dna, options);
+    const Mesh mesh = makeCartoon(dna, CartoonOptions{.bases = BaseForm::rings});
     // Each ring atom is a corner of its residue's plates, in the ring's mean plane.
     for (const Atom& atom : dna.atoms) {
         const std::string_view name = atom.name.view();
@@ -289,8 +285,7 @@ TEST(CartoonResidues, SugarsArePlatesOfTheirRings) {
 
 TEST(CartoonResidues, NucleotidesShowTheColourOfACarbon) {
     Molecule dna = sampleMolecule("dna");
-    CartoonOptions options;
-    options.bases = BaseForm::none;
+    CartoonOptions options{.bases = BaseForm::none};
     const auto collectNames = [&](const Mesh& mesh) {
         std::set<std::string_view> names;
         for (const std::uint32_t atom : mesh.atoms) names.insert(dna.atoms[atom].name.view());

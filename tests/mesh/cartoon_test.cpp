@@ -167,10 +167,7 @@ TEST(Cartoon, EveryFormIsClosedAndBelongsToResidues) {
     const Molecule molecule = buildChain(30, -57, -47);
     for (const HelixForm form : {HelixForm::ribbon, HelixForm::tube, HelixForm::cylinder})
         for (const bool putty : {false, true}) {
-            CartoonOptions options;
-            options.helices = form;
-            options.putty = putty;
-            const Mesh mesh = makeCartoon(molecule, options);
+            const Mesh mesh = makeCartoon(molecule, CartoonOptions{.helices = form, .putty = putty});
             expectSound(mesh, molecule.atoms.size());
             std::set<std::uint32_t> owners(mesh.atoms.begin(), mesh.atoms.end());
             EXPECT_EQ(owners.size(), molecule.residues.size());
@@ -186,8 +183,7 @@ TEST(Cartoon, PuttyIsWideWhereBFactorsAre) {
     std::vector<glm::vec3> places;
     for (int i = 0; i < 21; ++i) places.emplace_back(0, 0, 3.8 * i);
     Molecule molecule = alphaCarbons(places);
-    CartoonOptions options;
-    options.putty = true;
+    CartoonOptions options{.putty = true};
     const auto radius = [&](double z) {
         double most = 0;
         for (const glm::vec3& p : makeCartoon(molecule, options).positions)
@@ -207,9 +203,7 @@ TEST(Cartoon, FoldsMayReachHalfAResidueFarther) {
     std::vector<SecondaryStructure> folds = all(molecule, SecondaryStructure::none);
     for (std::size_t i = 4; i < 8; ++i) folds[i] = SecondaryStructure::strand;
     const auto strand = [&](double overhang) {
-        CartoonOptions options;
-        options.overhang = overhang;
-        const Mesh mesh = makeCartoon(molecule, folds, options);
+        const Mesh mesh = makeCartoon(molecule, folds, CartoonOptions{.overhang = overhang});
         expectSound(mesh, molecule.atoms.size());
         std::pair<double, double> ends(1e9, -1e9);  // of what is wider than a coil
         for (const glm::vec3& p : mesh.positions)
@@ -223,10 +217,7 @@ TEST(Cartoon, FoldsMayReachHalfAResidueFarther) {
     EXPECT_NEAR(later - last, 1.65, 0.5);
     const Molecule helix = buildChain(30, -57, -47);
     for (const HelixForm form : {HelixForm::ribbon, HelixForm::tube, HelixForm::cylinder}) {
-        CartoonOptions options;
-        options.helices = form;
-        options.overhang = 0.5;
-        expectSound(makeCartoon(helix, options), helix.atoms.size());
+        expectSound(makeCartoon(helix, CartoonOptions{.helices = form, .overhang = 0.5}), helix.atoms.size());
     }
 }
 
@@ -242,9 +233,7 @@ TEST(Cartoon, WidthsAreScaled) {
     };
     EXPECT_NEAR(reach({}, 1), 0.25, 0.01);
     EXPECT_NEAR(reach({}, 3), 0.75, 0.03);
-    CartoonOptions tube;
-    tube.putty = true;
-    tube.tube = 0.2;
+    CartoonOptions tube{.putty = true, .tube = 0.2};
     EXPECT_NEAR(reach(tube, 1), 0.2, 0.01);
     EXPECT_NEAR(reach(tube, 2), 0.4, 0.02);
 }
@@ -260,10 +249,8 @@ TEST(Cartoon, StraightOrTurningBackItStaysWhole) {
     for (const auto& places : {line, back, corners})
         for (const auto kind : {SecondaryStructure::none, SecondaryStructure::helix, SecondaryStructure::strand})
             for (const HelixForm form : {HelixForm::ribbon, HelixForm::tube, HelixForm::cylinder}) {
-                CartoonOptions options;
-                options.helices = form;
                 const Molecule molecule = alphaCarbons(places);
-                const Mesh mesh = makeCartoon(molecule, all(molecule, kind), options);
+                const Mesh mesh = makeCartoon(molecule, all(molecule, kind), CartoonOptions{.helices = form});
                 EXPECT_FALSE(mesh.triangles.empty());
                 for (const glm::vec3& n : mesh.normals) ASSERT_NEAR(glm::length(n), 1, 1e-4);
                 for (const glm::vec3& p : mesh.positions) ASSERT_LT(glm::length(p), 60);

@@ -40,10 +40,7 @@ Mesh makeSurface(const Molecule& molecule, const SurfaceOptions& options = {}) {
 }
 
 SurfaceOptions at(double resolution, double probe = 1.4, SurfaceKind kind = SurfaceKind::solventExcluded) {
-    SurfaceOptions options;
-    options.resolution = resolution;
-    options.probe = probe;
-    options.kind = kind;
+    SurfaceOptions options{.kind = kind, .probe = probe, .resolution = resolution};
     return options;
 }
 

@@ -17,8 +17,7 @@ namespace nacre {
 namespace {
 
 ReadOptions model(int number) {
-    ReadOptions options;
-    options.model = number;
+    ReadOptions options{.model = number};
     return options;
 }
 

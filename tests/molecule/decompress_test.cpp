@@ -44,16 +44,13 @@ TEST(Decompress, ABombIsRefusedEarly) {
     std::string bomb;
     for (int i = 0; i < 32; ++i) bomb += member;  // 2 GiB when inflated
     ASSERT_LT(bomb.size(), std::size_t{4} << 20);
-    ReadOptions small;
-    small.maxBytes = 100'000;
-    test::expectError("bomb.pdb.gz", bomb, {"limit of 100000 bytes"}, small);
+    test::expectError("bomb.pdb.gz", bomb, {"limit of 100000 bytes"}, {.maxBytes = 100'000});
     test::expectError("bomb.pdb.gz", bomb, {"100-fold"});
     test::expectError("bomb.pdb.gz", test::gzipBytes(std::string(std::size_t{1} << 20, '\0'), 256), {"100-fold"});
 }
 
 TEST(Decompress, TheLimitHoldsForPlainTextToo) {
-    ReadOptions options;
-    options.maxBytes = kUnpacked.size();
+    ReadOptions options{.maxBytes = kUnpacked.size()};
     EXPECT_EQ(readMolecule("water.xyz", kUnpacked, options).atoms.size(), 3u);
     EXPECT_EQ(readMolecule("water.xyz.gz", test::gzipBytes(kUnpacked), options).atoms.size(), 3u);
     options.maxBytes -= 1;
@@ -100,9 +97,7 @@ TEST_P(EachCompression, WhatIsDamagedIsAnError) {
 
 TEST_P(EachCompression, ABombIsRefusedEarly) {
     const std::string bomb = GetParam().pack(std::string(std::size_t{65} << 20, '\0'));
-    ReadOptions small;
-    small.maxBytes = 100'000;
-    test::expectError("bomb.pdb", bomb, {"limit of 100000 bytes"}, small);
+    test::expectError("bomb.pdb", bomb, {"limit of 100000 bytes"}, {.maxBytes = 100'000});
     test::expectError("bomb.pdb", bomb, {"100-fold"});
 }
 

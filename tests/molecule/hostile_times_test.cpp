@@ -103,9 +103,7 @@ TEST(HostileTimes, AnOverlayOfAThousandModelsIsNot) {
             text += "C " + std::to_string(i % 7 * 3 - 9) + " " + std::to_string(i / 7 % 7 * 3 - 9) + " " +
                     std::to_string(i / 49 * 3 - 9) + "\n";
     }
-    ReadOptions options;
-    options.model = kAllModels;
-    const Molecule molecule = readMolecule("a.xyz", text, options);
+    const Molecule molecule = readMolecule("a.xyz", text, {.model = kAllModels});
     const Representation r = represent(molecule, drawnAtoms(molecule, {}), {});
     EXPECT_EQ(r.spheres.size(), 300'000u);
     EXPECT_EQ(r.sphereModels.size(), 1000u);
@@ -120,15 +118,12 @@ Molecule lonelyModels(int count) {
                       i % 100 * 4.0, i / 100 % 100 * 4.0, i / 10000 * 4.0);
         text += "MODEL\n" + std::string(line) + "ENDMDL\n";
     }
-    ReadOptions options;
-    options.model = kAllModels;
-    return readMolecule("a.pdb", text, options);
+    return readMolecule("a.pdb", text, {.model = kAllModels});
 }
 
 TEST(HostileTimes, CartoonsOfManyModels) {
     const Molecule molecule = lonelyModels(20'000);
-    RepresentationOptions look;
-    look.style = Style::cartoon;
+    RepresentationOptions look{.style = Style::cartoon};
     EXPECT_LT(seconds([&] { EXPECT_FALSE(represent(molecule, drawnAtoms(molecule, {}), look).triangles.empty()); }),
               kGenerous);
     const Molecule more = lonelyModels(64'000);
@@ -273,8 +268,7 @@ TEST(HostileTimes, ManyChainsOfOneSequence) {
     EXPECT_LT(seconds([&] {
                   const Molecule molecule = readMolecule("a.cif", text);
                   EXPECT_EQ(summariseChains(molecule).size(), 100'000u);
-                  RepresentationOptions look;
-                  look.color = ColorScheme::entity;
+                  RepresentationOptions look{.color = ColorScheme::entity};
                   const auto drawn = drawnAtoms(molecule, {});
                   EXPECT_EQ(represent(molecule, drawn, look).spheres.size(), 100'000u);
               }),

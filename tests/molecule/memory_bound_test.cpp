@@ -30,8 +30,7 @@ TEST(MemoryBound, EveryReaderStopsAtTheFirstAtomTooMany) {
         }
         if (molecule.atoms.size() < 2) continue;
         if (const auto format = formatFromName(molecule.file.format)) formats.insert(*format);
-        ReadOptions options;
-        options.maxAtoms = molecule.atoms.size();
+        ReadOptions options{.maxAtoms = molecule.atoms.size()};
         EXPECT_EQ(readMoleculeFile(path, options).atoms.size(), molecule.atoms.size()) << file;
         --options.maxAtoms;
         try {

@@ -20,10 +20,7 @@ using test::TemporaryFolder;
 
 /// @param held  bytes of text that are held whole
 ReadOptions of(int model, std::size_t held, bool others = false) {
-    ReadOptions options;
-    options.model = model;
-    options.heldText = held;
-    options.others = others;
+    ReadOptions options{.model = model, .heldText = held, .others = others};
     return options;
 }
 

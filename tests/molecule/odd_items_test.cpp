@@ -136,12 +136,10 @@ TEST(OddPdb, ConectOverDistancesThatNoBondHas) {
     EXPECT_NE(note.why.find("distance"), std::string::npos);
     EXPECT_EQ(read.file.conectUniquePairs, 2) << "the file states";
     // Of another model.
-    ReadOptions second;
-    second.model = 2;
     const std::string models = "MODEL        1\n" + rowOfCarbons(4, 1.5, "") + "ENDMDL\nMODEL        2\n" +
                                rowOfCarbons(2, 25, "") + rowOfCarbons(2, 1.5, "") + "ENDMDL\nCONECT    1    2\n";
     EXPECT_EQ(readMolecule("a.pdb", models).bonds.size(), 3u);
-    for (const Bond& bond : readMolecule("a.pdb", models, second).bonds)
+    for (const Bond& bond : readMolecule("a.pdb", models, {.model = 2}).bonds)
         EXPECT_NE(bond.source, BondSource::file) << "25 Å";
     // Beads have no nearer neighbours.
     const Molecule beads = readMolecule("a.pdb", rowOfCarbons(4, 8, "CONECT    1    2\nCONECT    2    3\n"));

@@ -113,9 +113,7 @@ TEST(PackedScenes, LargeTextsOfPetWorldAreNotSplitIntoModels) {
     for (const bool atomsFirst : {false, true}) {
         const test::TemporaryFolder folder;
         std::ofstream(folder / "world.cif") << petworld(atomsFirst);
-        ReadOptions options;
-        options.heldText = 100;
-        const Molecule world = readMoleculeFile(folder / "world.cif", options);
+        const Molecule world = readMoleculeFile(folder / "world.cif", {.heldText = 100});
         EXPECT_EQ(world.atoms.size(), 3u);
         EXPECT_EQ(world.file.models, 1);
     }

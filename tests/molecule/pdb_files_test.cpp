@@ -18,9 +18,7 @@ namespace nacre {
 namespace {
 
 Molecule readFile(const std::string& file, int model = 1) {
-    ReadOptions options;
-    options.model = model;
-    return formatRow(Format::pdb).read(file, test::readText(test::dataFile(file)), options);
+    return formatRow(Format::pdb).read(file, test::readText(test::dataFile(file)), {.model = model});
 }
 
 void expectCounts(const std::string& file, const nlohmann::json& expected) {

@@ -11,9 +11,7 @@ namespace nacre {
 namespace {
 
 Molecule readText(const std::string& text, int model = 1) {
-    ReadOptions options;
-    options.model = model;
-    return formatRow(Format::pdb).read("x.pdb", text, options);
+    return formatRow(Format::pdb).read("x.pdb", text, {.model = model});
 }
 
 const std::string kCarbon = "HETATM    1  C1  LIG A   1       1.000   2.000   3.000  1.00 10.00           C  \n";
@@ -166,8 +164,7 @@ TEST(PdbLines, ConectInsideAModelIsThatModelsAlone) {
 TEST(PdbLines, ConectBetweenTwoEndsIsThatStructuresAlone) {
     // Files of several structures in a row, each numbered from 1.
     const std::string one = kCarbon + kOxygen + "CONECT    1    2    2\nEND\n", two = kCarbon + kOxygen + "END\n";
-    ReadOptions second;
-    second.model = 2;
+    ReadOptions second{.model = 2};
     EXPECT_EQ(readMolecule("m.pdb", one + two).file.conectUniquePairs, 1);
     EXPECT_EQ(readMolecule("m.pdb", one + two, second).file.conectUniquePairs, 0);
     EXPECT_EQ(readMolecule("m.pdb", two + one).file.conectUniquePairs, 0);

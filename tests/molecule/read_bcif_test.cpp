@@ -39,8 +39,7 @@ TEST(ReadBcif, IsTheSameAsMmcif) {
         EXPECT_EQ(a.file.title, b.file.title);
         EXPECT_EQ(a.warnings, b.warnings);
     }
-    ReadOptions options;
-    options.model = 17;
+    ReadOptions options{.model = 17};
     expectSameAtoms(readMoleculeFile(dataFile("1l2y.bcif"), options),
                     readMoleculeFile(dataFile("1l2y.cif.gz"), options));
     options.model = 39;

@@ -101,9 +101,7 @@ TEST(ReadCml, Faults) {
     test::expectError("a", inMolecule(kTwoAtoms + kTwoAtoms), {"two atoms are called 'a'"});
     test::expectError("a", "<cml>\n<molecule>\n</cml>", {"(line 3)", "not valid XML: mismatched tag"});
     test::expectError("a", inMolecule(""), {"it has no atoms"});
-    ReadOptions second;
-    second.model = 2;
-    test::expectError("a", inMolecule(kTwoAtoms), {"read as one"}, second);
+    test::expectError("a", inMolecule(kTwoAtoms), {"read as one"}, {.model = 2});
 }
 
 TEST(ReadCml, HostileXml) {

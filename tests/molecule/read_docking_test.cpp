@@ -54,9 +54,7 @@ TEST(ReadPqr, ConectInsideAModelIsThatModelsAlone) {
                       c = "ATOM 3 CG LIG A 12 18 0 0 0.1 2.0\n";
     const std::string text =
         "MODEL 1\n" + a + b + c + "CONECT    1    2\nENDMDL\nMODEL 2\n" + a + b + c + "CONECT    2    3\nENDMDL\n";
-    ReadOptions second;
-    second.model = 2;
-    for (const auto& [options, first] : {std::pair(ReadOptions(), 0u), std::pair(second, 1u)}) {
+    for (const auto& [options, first] : {std::pair(ReadOptions(), 0u), std::pair(ReadOptions{.model = 2}, 1u)}) {
         const Molecule molecule = readMolecule("a.pqr", text, options);
         ASSERT_EQ(molecule.bonds.size(), 1u);
         EXPECT_EQ(molecule.bonds[0].a, first);
@@ -104,8 +102,7 @@ TEST(ReadPdbqt, TypesAndCharges) {
 
 TEST(ReadPdbqt, PosesByModel) {
     NACRE_NEEDS_DATA();
-    ReadOptions options;
-    options.model = 2;
+    ReadOptions options{.model = 2};
     const Molecule pose = readMoleculeFile(test::dataFile("small/dxc.pdbqt"), options);
     EXPECT_EQ(pose.atoms.size(), 30u);
     EXPECT_EQ(pose.partialCharges.size(), 30u);

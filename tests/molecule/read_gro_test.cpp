@@ -73,8 +73,7 @@ TEST(ReadGro, ElementsOfNames) {
 
 TEST(ReadGro, Frames) {
     const std::string text = frame(kAtom, 1) + frame(kAtom + kAtom, 2) + "\n\n";
-    ReadOptions options;
-    options.model = 2;
+    ReadOptions options{.model = 2};
     const Molecule second = readMolecule("a", text, options);
     EXPECT_EQ(second.atoms.size(), 2u);
     EXPECT_EQ(second.file.models, 2);

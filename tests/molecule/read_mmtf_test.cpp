@@ -177,9 +177,7 @@ TEST(ReadMmtf, WhatIsWrong) {
     wrong("zCoordList", encoded(9, 4, 1, words({1, 2'000'000'000}, 4)), "not have 4 values");
     wrong("zCoordList", encoded(99, 4, 1, ""), "codec 99 is unknown");
     wrong("chainIdList", encoded(5, 2, 4, "A"), "chainIdList is not an array of 2 names");
-    ReadOptions options;
-    options.model = 2;
-    expectError("a.mmtf", packMap(twoResidues()), {"no model 2; the file has 1"}, options);
+    expectError("a.mmtf", packMap(twoResidues()), {"no model 2; the file has 1"}, {.model = 2});
 }
 
 TEST(ReadMmtf, DamagedAssembliesAreLeftOut) {

@@ -148,17 +148,14 @@ TEST(ReadMol2, EachRecordByItsNumber) {
     // The same ten ligands as SDF, from the same source.
     const std::string twin = test::dataFile("small/ligs3d-multi.sdf");
     for (int record = 1; record <= 10; ++record) {
-        ReadOptions options;
-        options.model = record;
+        ReadOptions options{.model = record};
         const Molecule molecule = readMoleculeFile(path, options), same = readMoleculeFile(twin, options);
         ASSERT_EQ(molecule.atoms.size(), same.atoms.size()) << record;
         ASSERT_EQ(molecule.bonds.size(), same.bonds.size()) << record;
         // The atoms stand in another order, so that the ends of the bonds are compared as places.
         EXPECT_EQ(ends(molecule), ends(same)) << record;
     }
-    ReadOptions options;
-    options.model = 11;
-    EXPECT_THROW(readMoleculeFile(path, options), Error);
+    EXPECT_THROW(readMoleculeFile(path, {.model = 11}), Error);
 }
 
 }  // namespace

@@ -79,8 +79,7 @@ TEST(ReadSdf, RecordsByNumber) {
     EXPECT_EQ(first.file.records, 2);
     EXPECT_EQ(first.file.totalAtomsAllRecords, 4);
     EXPECT_EQ(first.file.totalBondsAllRecords, 2);
-    ReadOptions options;
-    options.model = 2;
+    ReadOptions options{.model = 2};
     const Molecule second = readMolecule("a.sdf", two, options);
     EXPECT_EQ(second.file.title, "second");
     EXPECT_EQ(elementSymbol(second.atoms.at(0).element), "U");
@@ -162,9 +161,7 @@ TEST(ReadSdf, EveryPubchemRecordReads) {
     NACRE_NEEDS_DATA();
     std::int64_t atoms = 0;
     for (int record = 1; record <= 100; ++record) {
-        ReadOptions options;
-        options.model = record;
-        const Molecule molecule = readMoleculeFile(test::dataFile("small/pubchem-cid1-100.sdf"), options);
+        const Molecule molecule = readMoleculeFile(test::dataFile("small/pubchem-cid1-100.sdf"), {.model = record});
         atoms += static_cast<std::int64_t>(molecule.atoms.size());
         EXPECT_EQ(molecule.file.totalAtomsAllRecords, 3363);
     }

@@ -68,8 +68,7 @@ TEST(Read, TheNameTellsWhatTheContentDoesNot) {
 }
 
 TEST(Read, TheFormatThatIsStatedIsTaken) {
-    ReadOptions options;
-    options.format = Format::xyz;
+    ReadOptions options{.format = Format::xyz};
     EXPECT_EQ(readMolecule("a.pdb", kWater, options).file.format, "xyz");
     options.format = Format::sdf;
     test::expectError("a.xyz", kWater, {"(line 4)"}, options);
@@ -94,8 +93,7 @@ TEST(Read, TextOfTwoBytesALetter) {
         std::string text = little ? "\xff\xfe" : "\xfe\xff";
         for (const char c : kWater) text += little ? std::string{c, '\0'} : std::string{'\0', c};
         EXPECT_EQ(readMolecule("a", text).atoms.size(), 3u);
-        ReadOptions options;
-        options.format = Format::xyz;
+        ReadOptions options{.format = Format::xyz};
         EXPECT_EQ(readMolecule("a", text, options).atoms.size(), 3u);
         options.maxBytes = text.size() - 1;
         test::expectError("a", text, {"larger than the limit"}, options);
@@ -131,8 +129,7 @@ TEST(Read, AHugeLineIsJustALine) {
 }
 
 TEST(Read, ModelsCountFromOne) {
-    ReadOptions options;
-    options.model = -1;
+    ReadOptions options{.model = -1};
     test::expectError("a.xyz", kWater, {"numbered from 1"}, options);
     options.model = 2;
     test::expectError("a.xyz", kWater, {"no frame 2; the file has 1"}, options);
@@ -168,9 +165,7 @@ TEST(Read, FilesAndWhatIsNone) {
     EXPECT_EQ(readMoleculeFile(folder.path() / "water.xyz").atoms.size(), 3u);
     EXPECT_THROW(readMoleculeFile(folder.path() / "absent.xyz"), Error);
     EXPECT_THROW(readMoleculeFile(folder.path()), Error);
-    ReadOptions options;
-    options.maxBytes = 1 << 20;
-    EXPECT_THROW(readMoleculeFile("/dev/zero", options), Error);
+    EXPECT_THROW(readMoleculeFile("/dev/zero", {.maxBytes = 1 << 20}), Error);
 }
 
 TEST(Read, StandardInput) {

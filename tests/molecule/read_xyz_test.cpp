@@ -39,9 +39,7 @@ TEST(ReadXyz, AFrameCutShortIsAnErrorOnlyIfItIsAskedFor) {
     const Molecule molecule = readMolecule("a.xyz", cut);
     EXPECT_EQ(molecule.file.models, 1);
     EXPECT_EQ(molecule.warnings.size(), 1u);
-    ReadOptions options;
-    options.model = 2;
-    test::expectError("a.xyz", cut, {"ends after 1 of 2 atoms"}, options);
+    test::expectError("a.xyz", cut, {"ends after 1 of 2 atoms"}, {.model = 2});
     EXPECT_EQ(readMolecule("a.xyz", "1\nfirst\nC 0 0 0\nsome remark\n").warnings.size(), 1u);
 }
 

@@ -22,9 +22,7 @@ namespace nacre {
 namespace {
 
 Molecule report(const char* file, int model = 1) {
-    ReadOptions options;
-    options.model = model;
-    return readMoleculeFile(test::dataFile(std::string("reports/") + file), options);
+    return readMoleculeFile(test::dataFile(std::string("reports/") + file), {.model = model});
 }
 
 /// Symbols of all atoms: "Na K ?".
@@ -68,9 +66,7 @@ protected:
 TEST_F(Reports, BondsOfOneModelAreNotAppliedToOtherAtoms) {
     EXPECT_EQ(listBonds(report("r03_models_conect.pdb", 1)), "1-2 2-3");
     EXPECT_EQ(listBonds(report("r03_models_conect.pdb", 2)), "1-4 2-3");  // by distance: 1.4 and 1.2 Å
-    ReadOptions all;
-    all.model = kAllModels;
-    const Molecule joined = readMoleculeFile(test::dataFile("reports/r03_models_conect.pdb"), all);
+    const Molecule joined = readMoleculeFile(test::dataFile("reports/r03_models_conect.pdb"), {.model = kAllModels});
     for (const Bond& bond : joined.bonds)
         EXPECT_LT(glm::distance(joined.atoms[bond.a].position, joined.atoms[bond.b].position), 2);
 }

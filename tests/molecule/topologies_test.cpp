@@ -17,11 +17,7 @@ namespace {
 
 std::string seedPath(const char* file) { return std::string(NACRE_SOURCE_DIR "/tests/fuzz/seeds/") + file; }
 
-Molecule seed(const char* file, int model = 1) {
-    ReadOptions options;
-    options.model = model;
-    return readMoleculeFile(seedPath(file), options);
-}
+Molecule seed(const char* file, int model = 1) { return readMoleculeFile(seedPath(file), {.model = model}); }
 
 /// Oxygen bonded to two hydrogens, 0.96 Å apart.
 void expectWater(const Molecule& water, const char* format) {
@@ -190,9 +186,7 @@ TEST(Topologies, Poscar) {
     EXPECT_NEAR(volume.atoms[0].position.x, 3, 1e-5);
     const std::string twice =
         "a\n1\n4 0 0\n0 4 0\n0 0 4\nC\n1\nDirect configuration= 1\n0 0 0\nDirect configuration= 2\n.5 0 0\n";
-    ReadOptions second;
-    second.model = 2;
-    const Molecule moved = readMolecule("XDATCAR", twice, second);
+    const Molecule moved = readMolecule("XDATCAR", twice, {.model = 2});
     EXPECT_EQ(moved.file.models, 2);
     EXPECT_FLOAT_EQ(moved.atoms[0].position.x, 2);
 }
@@ -201,11 +195,8 @@ TEST(Topologies, Xsf) {
     const Molecule water = seed("water.xsf");
     expectWater(water, "xsf");
     EXPECT_TRUE(water.file.box.has_value());
-    const Molecule second = [] {
-        ReadOptions options;
-        options.model = 2;
-        return readMolecule("a.axsf", "ANIMSTEPS 2\nATOMS 1\nC 0 0 0\nATOMS 2\nC 1 0 0 0.1 0.1 0.1\n", options);
-    }();
+    const Molecule second =
+        readMolecule("a.axsf", "ANIMSTEPS 2\nATOMS 1\nC 0 0 0\nATOMS 2\nC 1 0 0 0.1 0.1 0.1\n", {.model = 2});
     EXPECT_EQ(second.file.models, 2);
     EXPECT_FLOAT_EQ(second.atoms[0].position.x, 1);
 }
@@ -240,9 +231,7 @@ TEST(Topologies, Gsd) {
         EXPECT_EQ(chain.bonds.size(), 2u);
         EXPECT_FLOAT_EQ((*chain.file.box)[1].x, 1);
         EXPECT_EQ(chain.file.boxOrigin, glm::vec3(-5.5f, -5, -5)) << "about the origin";
-        ReadOptions second;
-        second.model = 2;
-        EXPECT_FLOAT_EQ(readMolecule("a.gsd", bytes, second).atoms[2].position.z, 1);
+        EXPECT_FLOAT_EQ(readMolecule("a.gsd", bytes, {.model = 2}).atoms[2].position.z, 1);
         for (std::size_t cut = 0; cut < bytes.size(); cut += 7) {
             try {
                 readMolecule("a.gsd", bytes.substr(0, cut), {.format = Format::gsd});
@@ -341,8 +330,7 @@ TEST(Topologies, FramesAreTrajectories) {
         ASSERT_EQ(frames->frames(), 2u);
         EXPECT_NEAR(frames->read(0).positions[0].x, 1, 1e-5);
         EXPECT_NEAR(frames->read(1).positions[0].x, 2, 1e-5);
-        ReadOptions second;
-        second.model = 2;
+        ReadOptions second{.model = 2};
         const Molecule own = readMoleculeFile(path, second);
         if (std::string_view(name).starts_with("boxed")) {
             ASSERT_TRUE(own.file.box.has_value());

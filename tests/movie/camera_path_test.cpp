@@ -81,10 +81,7 @@ TEST(CameraPath, NeverOvershoots) {
 }
 
 TEST(CameraPath, ALensShowsWhatItsViewShows) {
-    Camera camera;
-    camera.rotationDegrees = {20, 50, -70};
-    camera.pan = {1.5, -2};
-    camera.zoom = 1.7;
+    Camera camera{.rotationDegrees = {20, 50, -70}, .pan = {1.5, -2}, .zoom = 1.7};
     const glm::dvec3 center(3, 4, 5), other(5, 3, 4), atom(1, 7, 2);
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         camera.projection = projection;
@@ -105,8 +102,7 @@ TEST(CameraPath, ALensShowsWhatItsViewShows) {
 
 TEST(Turned, IsRotateAboutThePicturesAxes) {
     const View view = makeView({}, 10, 100, 100);
-    Camera camera;
-    camera.rotationDegrees = {0, 40, 0};
+    Camera camera{.rotationDegrees = {0, 40, 0}};
     EXPECT_EQ(turned(view, {0, 1, 0}, 40).rotation, makeView(camera, 10, 100, 100).rotation);
     EXPECT_EQ(turned(view, {0, 1, 0}, 360).rotation, view.rotation) << "a whole turn ends where it began";
     const glm::dvec3 axis = parseAxis("1,1,1");

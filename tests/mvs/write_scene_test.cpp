@@ -38,11 +38,7 @@ PictureDescription picture() {
 }
 
 SceneCamera camera() {
-    SceneCamera camera;
-    camera.target = {4, 2, 3};
-    camera.direction = {1, 0, 0};
-    camera.up = {0, 0, 1};
-    camera.radius = 9;
+    SceneCamera camera{.target = {4, 2, 3}, .direction = {1, 0, 0}, .up = {0, 0, 1}, .radius = 9};
     return camera;
 }
 

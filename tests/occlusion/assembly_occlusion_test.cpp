@@ -25,8 +25,7 @@ Molecule cluster(std::initializer_list<double> degrees) {
 }
 
 Representation makeScene(const Molecule& m, bool instanced) {
-    RepresentationOptions options;
-    options.style = Style::spacefill;
+    RepresentationOptions options{.style = Style::spacefill};
     if (instanced) options.assembly = "1";
     return represent(m, drawnAtoms(m), options);
 }

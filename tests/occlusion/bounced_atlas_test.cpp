@@ -234,8 +234,7 @@ TEST(BouncedAtlas, ComesBesideFrames) {
 /// Its runs of translucent triangles go on into the coarser levels of the ribbon.
 TEST(BouncedAtlas, OfATranslucentCartoonIsDark) {
     const Molecule dna = molecule("sample:dna");
-    RepresentationOptions look;
-    look.style = Style::cartoon;
+    RepresentationOptions look{.style = Style::cartoon};
     const auto sumLight = [&](std::optional<double> opacity) {
         Rule rule;
         rule.selection = parseSelection("all");

@@ -75,12 +75,10 @@ TEST_P(BouncedLight, IsNearPaths) {
 /// Pictures have no shadows unless asked: so far they cannot be right.
 TEST_P(BouncedLight, IsNearerToPathsWithDirectLight) {
     if (GetParam() == std::string("Pocket")) NACRE_NEEDS_DATA("1hpv.pdb");
-    Light matt;
-    matt.highlight = 0;
     reference::Sky withSun = sky();
     withSun.sun = glm::dvec3(0.74);
     withSun.toSun = glm::normalize(glm::dvec3(layout::kLightX, layout::kLightY, layout::kLightZ));
-    const Errors errors = measureErrors(lit(), matt, withSun);
+    const Errors errors = measureErrors(lit(), Light{.highlight = 0}, withSun);
     EXPECT_LT(errors.drawn.rms(), 0.95 * errors.before.rms());
 }
 

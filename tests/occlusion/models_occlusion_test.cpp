@@ -40,8 +40,7 @@ Molecule ensemble(int models) {
 }
 
 Representation makeScene(const Molecule& m, Style style, bool modelsOcclude) {
-    RepresentationOptions options;
-    options.style = style;
+    RepresentationOptions options{.style = style};
     options.bondOrders = BondOrders::off;  // dashes of aromatic bonds are spheres, too
     options.modelsOcclude = modelsOcclude;
     return represent(m, drawnAtoms(m), options);
@@ -147,9 +146,7 @@ TEST(ModelsOcclusion, OfAnAssemblyHasEachModelInItsCopies) {
     glm::mat4x3 here(1.0f), beside(1.0f);
     beside[3] = {0, 9.0f, 0};
     m.assemblies = {{"1", "", {{{here, beside}, {0}}}}};
-    RepresentationOptions options;
-    options.style = Style::spacefill;
-    options.assembly = "1";
+    RepresentationOptions options{.style = Style::spacefill, .assembly = "1"};
     const Representation all = represent(m, drawnAtoms(m), options);
     ASSERT_EQ(all.sphereModels.size(), 2u);
     ValidatedRenderer renderer(Visibility::automatic);

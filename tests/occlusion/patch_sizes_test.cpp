@@ -36,10 +36,7 @@ Representation ball(std::size_t atoms) {
 
 BakePreparation prepared(const Representation& r, std::uint64_t megabytes, OcclusionMaps path,
                          const gpu::Caps& caps = {}) {
-    occlusion::BakeOptions options;
-    options.budgetBytes = megabytes << 20;
-    options.path = path;
-    return occlusion::prepareBake(caps, r, options);
+    return occlusion::prepareBake(caps, r, occlusion::BakeOptions{.budgetBytes = megabytes << 20, .path = path});
 }
 
 TEST(PatchSizes, FallInStepsOfAtMostOneAndAHalf) {
@@ -84,8 +81,7 @@ TEST(PatchSizes, FollowFromTheSceneAndTheMemory) {
 /// Values of the atoms take most of the memory, and the map what is left.
 TEST(PatchSizes, LeaveAMapTheRestBeforeABakeFails) {
     const Representation r = ball(40'000);
-    occlusion::BakeOptions options;
-    options.budgetBytes = 900 << 10;
+    occlusion::BakeOptions options{.budgetBytes = 900 << 10};
     const BakePreparation p = occlusion::prepareBake({}, r, options);
     EXPECT_EQ(p.layout.sphereEdge, 1u);
     EXPECT_EQ(p.maps.perBatch, 1u);

@@ -19,8 +19,7 @@ constexpr std::uint32_t kSide = 384;
 constexpr std::size_t kViews = 10;
 
 RenderSettings layerSettings(const View& view) {
-    RenderSettings s;
-    s.view = view;
+    RenderSettings s{.view = view};
     s.occlusion.directions = 0;
     return s;
 }
@@ -46,8 +45,7 @@ std::vector<View> tracedViews(const Representation& scene) {
     std::uniform_real_distribution<double> degrees(0, 360);
     std::vector<View> views;
     for (std::size_t v = 0; v < kViews; ++v) {
-        Camera camera;
-        camera.rotationDegrees = {degrees(random), degrees(random), degrees(random)};
+        Camera camera{.rotationDegrees = {degrees(random), degrees(random), degrees(random)}};
         views.push_back(makeView(camera, scene.radius, kSide, kSide));
     }
     return views;

@@ -17,10 +17,7 @@ Sources movingSources() {
         std::string text;
         for (int m = 0; m < 60; ++m)
             text += "4\nframe\nC 0 0 0\nO " + std::to_string(1.2 + 0.01 * m) + " 0 0\nN 0 1.4 0\nC 0 0 1.5\n";
-        ReadOptions options;
-        options.model = v.input.model;
-        options.others = true;
-        return readMolecule(v.input.path, text, options);
+        return readMolecule(v.input.path, text, {.model = v.input.model, .others = true});
     };
     s.motion = [](const std::shared_ptr<const Molecule>& molecule, const PictureDescription& v) {
         return std::make_unique<Motion>(trajectoryOfModels(molecule, v.input.model), *molecule,

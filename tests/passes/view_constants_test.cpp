@@ -5,11 +5,7 @@
 namespace nacre::passes {
 namespace {
 
-View viewOfSphere(Projection projection) {
-    Camera camera;
-    camera.projection = projection;
-    return makeView(camera, 10, 200, 100);
-}
+View viewOfSphere(Projection projection) { return makeView(Camera{.projection = projection}, 10, 200, 100); }
 
 layout::ViewConstants makeConstants(const View& view) {
     return viewConstants(view, view.width / 2.0, view.height / 2.0);

@@ -16,10 +16,7 @@ namespace nacre::test {
 namespace {
 
 DeviceOptions window() {
-    DeviceOptions options;
-    options.validate = true;
-    options.visibility = Visibility::encoded;
-    options.surface = headlessSurface();
+    DeviceOptions options{.validate = true, .visibility = Visibility::encoded, .surface = headlessSurface()};
     return options;
 }
 
@@ -46,9 +43,7 @@ void neitherAZoomNorAnotherQualityWaits(const DeviceOptions& options) {
     renderer.present(s, {});
     const PixelSize size = renderer.windowSize();
     const auto show = [&](double zoom, const WindowFrame& frame = {}) {
-        Camera camera;
-        camera.zoom = zoom;
-        s.view = makeView(camera, r.radius, size.width, size.height);
+        s.view = makeView(Camera{.zoom = zoom}, r.radius, size.width, size.height);
         EXPECT_EQ(renderer.present(s, frame), FrameOutcome::shown);
     };
     show(0.002);  // spheres of a pixel
@@ -64,8 +59,7 @@ void neitherAZoomNorAnotherQualityWaits(const DeviceOptions& options) {
     EXPECT_GE(Made(file).elsewhere, 6);
     for (const double zoom : {0.02, 0.1, 1.0, 0.002}) show(zoom);
     EXPECT_EQ(Made(file).here, first);
-    WindowFrame other;
-    other.scale = 0.5;
+    WindowFrame other{.scale = 0.5};
     show(1, other);
     EXPECT_EQ(Made(file).here, first) << "in a smaller picture";
     other = {};
@@ -103,9 +97,7 @@ public:
     /// Corners of each draw of the next frame, and its timestamps.
     std::string at(double zoom, const WindowFrame& frame = {}) {
         const PixelSize size = renderer_.windowSize();
-        Camera camera;
-        camera.zoom = zoom;
-        settings_.view = makeView(camera, scene_.radius, size.width, size.height);
+        settings_.view = makeView(Camera{.zoom = zoom}, scene_.radius, size.width, size.height);
         std::ofstream(file_, std::ios::trunc).close();
         EXPECT_EQ(renderer_.present(settings_, frame), FrameOutcome::shown);
         std::ostringstream draws;
@@ -147,9 +139,7 @@ TEST(PipelinesAhead, OnlyLiveFramesAreTimed) {
         return count;
     };
     EXPECT_EQ(countStamps({}), 2);
-    WindowFrame still;
-    still.quality = WindowFrame::Quality::refined;
-    still.samples = 4;
+    WindowFrame still{.quality = WindowFrame::Quality::refined, .samples = 4};
     EXPECT_EQ(countStamps(still), 0);
     still.quality = WindowFrame::Quality::kept;
     EXPECT_EQ(countStamps(still), 0);

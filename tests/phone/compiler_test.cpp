@@ -15,8 +15,7 @@ namespace nacre::test {
 namespace {
 
 TEST(Compiler, IsEnteredByOneThreadAtATime) {
-    DeviceOptions options;
-    options.validate = true;
+    DeviceOptions options{.validate = true};
     std::vector<std::unique_ptr<Renderer>> renderers;
     for (int i = 0; i < 2; ++i) renderers.push_back(std::make_unique<Renderer>(options));
     std::vector<std::thread> threads;
@@ -25,8 +24,7 @@ TEST(Compiler, IsEnteredByOneThreadAtATime) {
             const Molecule molecule = sampleMolecule("glucose");
             const Representation r = represent(molecule, drawnAtoms(molecule), {});
             renderer->setScene(r);
-            RenderSettings settings;
-            settings.view = makeView(Camera{}, r.radius, 32, 32);
+            RenderSettings settings{.view = makeView(Camera{}, r.radius, 32, 32)};
             settings.occlusion.directions = 2;
             renderer->render(settings);
         });

@@ -34,10 +34,7 @@ struct Regions {
 };
 
 CountedTraffic counted(Visibility path, bool validate = true) {
-    DeviceOptions options;
-    options.validate = validate;
-    options.visibility = path;
-    return countTraffic(options);
+    return countTraffic(DeviceOptions{.validate = validate, .visibility = path});
 }
 
 TEST(CountedTraffic, IsWhatThePlanSays) {

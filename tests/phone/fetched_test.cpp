@@ -82,10 +82,7 @@ TEST(Fetched, OtherColoursReachWhatIsFetched) {
 TEST(Fetched, CopiesTintTheirColours) {
     Molecule m = molecule("sample:glucose");
     addCopies(m, {{9, 0, 0}, {0, 9, 0}});
-    RepresentationOptions options;
-    options.style = Style::spacefill;
-    options.assembly = "1";
-    options.color = ColorScheme::copy;
+    RepresentationOptions options{.style = Style::spacefill, .color = ColorScheme::copy, .assembly = "1"};
     const Representation r = represent(m, drawnAtoms(m), options);
     ASSERT_GT(r.copies.colors.size(), 1u);
     expectTheSame(r, settings(r, 128, Projection::orthographic));

@@ -62,9 +62,7 @@ TEST(PhoneProfile, IsSeenByTheProgram) {
 
 TEST(Phone, WhatIsTooMuchForItIsTold) {
     // Without this, silence in the other tests would prove nothing.
-    DeviceOptions options;
-    options.validate = true;
-    Renderer renderer(options);
+    Renderer renderer(DeviceOptions{.validate = true});
     const Representation r = scene("sample:glucose", Style::spacefill);
     renderer.setScene(r);
     EXPECT_THROW(renderer.render(settings(r, 4097, Projection::orthographic)), Error);
@@ -94,9 +92,7 @@ TEST(Phone, IsTakenForItsFixedRates) {
 }
 
 TEST(Phone, AMeshThatItsShadersCannotReadIsRefused) {
-    DeviceOptions options;
-    options.validate = true;
-    Renderer renderer(options);
+    Renderer renderer(DeviceOptions{.validate = true});
     const Representation small = scene("sample:glucose", Style::spacefill);
     const RenderSettings s = settings(small, 32, Projection::orthographic);
     renderer.setScene(small);
@@ -118,9 +114,7 @@ TEST(Phone, AMeshThatItsShadersCannotReadIsRefused) {
 
 TEST(Phone, TheValidationLayerKnowsItsLimits) {
     // And without this.
-    DeviceOptions options;
-    options.validate = true;
-    const gpu::Device device(options);
+    const gpu::Device device(DeviceOptions{.validate = true});
     gpu::makeLayout(device, {"more than 128 bytes", {}, vk::ShaderStageFlagBits::eVertex, 132});
     ASSERT_EQ(device.validationMessages().size(), 1u);
     EXPECT_NE(device.validationMessages()[0].find("VUID-VkPushConstantRange-size-00298"), std::string::npos);
@@ -128,9 +122,7 @@ TEST(Phone, TheValidationLayerKnowsItsLimits) {
 
 TEST(Phone, TheValidationLayerSeesThePhoneAndNotItsDriver) {
     // And without this: lavapipe has eight sets, and no portability subset.
-    DeviceOptions options;
-    options.validate = true;
-    const gpu::Device device(options);
+    const gpu::Device device(DeviceOptions{.validate = true});
     const vk::raii::DescriptorSetLayout empty(*device, vk::DescriptorSetLayoutCreateInfo());
     const std::vector<vk::DescriptorSetLayout> five(5, *empty);
     const vk::raii::PipelineLayout layout(*device, vk::PipelineLayoutCreateInfo({}, five));
@@ -175,9 +167,7 @@ TEST(Phone, DrawsEveryPathAndStyleAlike) {
 // What the host reads it caches, and must invalidate; the layer shows it nothing else, and aborts where no barrier made
 // what the device wrote available to it.
 TEST(Phone, TheHostReadsFromMemoryThatItCaches) {
-    DeviceOptions options;
-    options.validate = true;
-    const gpu::Device device(options);
+    const gpu::Device device(DeviceOptions{.validate = true});
     constexpr auto kUsage = vk::BufferUsageFlagBits::eTransferDst;
     const gpu::Buffer read = gpu::makeBuffer(device, 256, kUsage, gpu::Access::readback, "read by the host");
     const gpu::Buffer written = gpu::makeBuffer(device, 256, kUsage, gpu::Access::upload, "written by the host");
@@ -294,9 +284,7 @@ TEST(Phone, LosesNothingWithAnEncoder) {
             validated->setScene(r);
             const std::vector<float> expected = validated->render(s).rgba;
             const Unvalidated phone;
-            DeviceOptions options;
-            options.visibility = path;
-            Renderer renderer(options);
+            Renderer renderer(DeviceOptions{.visibility = path});
             renderer.setScene(r);
             EXPECT_TRUE(renderer.render(s).rgba == expected) << visibilityName(path);
             EXPECT_EQ(phone.losses(), 0) << visibilityName(path);
@@ -399,11 +387,7 @@ TEST(Phone, DrawsNoMoreInstancesAtOnceThanPhonesTake) {
 
 TEST(Phone, DrawsBothEyesAtOnce) {
     setenv("NACRE_MULTIVIEW", "1", 1);  // the layer's driver is lavapipe
-    {
-        DeviceOptions options;
-        options.validate = true;
-        EXPECT_EQ(gpu::Device(options).caps().plan.maxViews, 6u);
-    }
+    { EXPECT_EQ(gpu::Device(DeviceOptions{.validate = true}).caps().plan.maxViews, 6u); }
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     for (const Visibility path : kPaths) {
         ValidatedRenderer renderer(path, ValidatedRenderer::fresh);

@@ -115,9 +115,7 @@ TEST(SelfTest, APathThatDrawsWronglyIsNeverTaken) {
     // The answer is kept, not found out again: the driver is right by now.
     EXPECT_NE(started(folder).visibility, "encoded");
     // Whoever asks for it gets it.
-    DeviceOptions asked;
-    asked.visibility = Visibility::encoded;
-    asked.selfTests = folder / "devices";
+    DeviceOptions asked{.visibility = Visibility::encoded, .selfTests = folder / "devices"};
     EXPECT_EQ(Renderer(asked).stats().device.visibility, "encoded");
 }
 
@@ -134,9 +132,7 @@ TEST(SelfTest, ABakeThatComesOutWrongIsFound) {
             for (const char* path : {"encoded wrong", "fragdepth wrong", "deferred wrong"})
                 EXPECT_NE(why.find(path), std::string::npos) << why;
         }
-    DeviceOptions asked;
-    asked.visibility = Visibility::fragdepth;
-    asked.selfTests = folder / "devices";
+    DeviceOptions asked{.visibility = Visibility::fragdepth, .selfTests = folder / "devices"};
     EXPECT_NO_THROW(Renderer{asked});
     DeviceInfo listed = Renderer(asked).stats().device;
     listed.visibility = "fragdepth";

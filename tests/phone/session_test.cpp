@@ -136,10 +136,7 @@ TEST(PhoneSession, DrawsComesToRestAndPicks) {
 
     // A twist of a trackpad.
     const std::string before = session.state();
-    Gesture twist;
-    twist.kind = Gesture::Kind::transform;
-    twist.turn = 0.5;
-    session.viewer().gesture(twist, host.now);
+    session.viewer().gesture(Gesture{.kind = Gesture::Kind::transform, .turn = 0.5}, host.now);
     EXPECT_NE(session.state(), before);
     EXPECT_TRUE(std::filesystem::exists(host.folder / "cache/pipelines.bin"));
     expectValid(session);

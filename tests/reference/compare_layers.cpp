@@ -81,8 +81,7 @@ Comparison compareLayers(const Layers& reference, const Layers& drawn, const Com
         reference.nearEdge.size() != reference.pixels())
         throw std::invalid_argument("compareLayers: a channel is missing");
 
-    Comparison result;
-    result.pixels = reference.pixels();
+    Comparison result{.pixels = reference.pixels()};
     double squares = 0.0;
     for (std::uint32_t row = 0; row < reference.height; ++row)
         for (std::uint32_t column = 0; column < reference.width; ++column) {

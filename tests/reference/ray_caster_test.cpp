@@ -220,9 +220,7 @@ TEST(RayCaster, WideFieldsOfViewCutNothingOff) {
     Representation scene;
     addSphere(scene, {0.5f, 0.25f, 0.5f}, 2.0f, 1);
     addRod(scene, {-1.0f, -1.5f, 1.5f}, {2.0f, -1.0f, 0.5f}, 0.8f, 2, 3);
-    Camera camera;
-    camera.projection = Projection::perspective;
-    camera.fovDegrees = 120.0;
+    Camera camera{.projection = Projection::perspective, .fovDegrees = 120.0};
     const View view = makeView(camera, scene.radius, 200, 160);
     const Layers layers = castRays(scene, view);
     EXPECT_EQ(layers.id, withoutBounds(scene, view).id);

@@ -29,10 +29,7 @@ inline void addRod(Representation& scene, const glm::vec3& a, const glm::vec3& b
 
 inline View viewOfScene(const Representation& scene, Projection projection, std::uint32_t width, std::uint32_t height,
                         const glm::dvec3& rotationDegrees = {}, double zoom = 1.0) {
-    Camera camera;
-    camera.projection = projection;
-    camera.rotationDegrees = rotationDegrees;
-    camera.zoom = zoom;
+    Camera camera{.projection = projection, .rotationDegrees = rotationDegrees, .zoom = zoom};
     return makeView(camera, scene.radius, width, height);
 }
 

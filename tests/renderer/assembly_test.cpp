@@ -60,8 +60,7 @@ Molecule makeMolecule(const AssemblyCase& c) {
 }
 
 Representation makeScene(const Molecule& m, const AssemblyCase& c, bool instanced) {
-    RepresentationOptions options;
-    options.style = c.style;
+    RepresentationOptions options{.style = c.style};
     options.bondOrders = BondOrders::off;  // dashes of aromatic bonds are spheres, too
     if (instanced) options.assembly = c.assembly;
     return represent(m, drawnAtoms(m), options);

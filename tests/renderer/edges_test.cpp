@@ -186,10 +186,8 @@ TEST(EdgesOf, OddPictures) {
     const Representation r = scene("sample:dna", Style::spacefill);
     ValidatedRenderer renderer(Visibility::tiles);
     renderer->setScene(r);
-    Camera camera;
-    camera.pan = {1.3, -0.7};
     RenderSettings s = settings(r, 64, Projection::orthographic);
-    s.view = makeView(camera, r.radius, 131, 77);
+    s.view = makeView(Camera{.pan = {1.3, -0.7}}, r.radius, 131, 77);
     s.supersample = 8;
     const Picture truth = renderer->render(s);
     s.supersample = RenderSettings::kEdges;
@@ -230,9 +228,7 @@ TEST(EdgesOf, CrowdsHaveSamplesEverywhere) {
     ValidatedRenderer renderer(Visibility::tiles);
     renderer->setScene(r);
     RenderSettings s = settings(r, 64, Projection::orthographic);
-    Camera camera;
-    camera.pan = {-2.5, 0.2};
-    s.view = makeView(camera, r.radius, 500, 120);
+    s.view = makeView(Camera{.pan = {-2.5, 0.2}}, r.radius, 500, 120);
     s.supersample = 4;
     const Picture truth = renderer->render(s);
     s.supersample = RenderSettings::kEdges;
@@ -248,10 +244,8 @@ TEST(EdgesOf, HalosHaveNoSeams) {
     const Representation r = scene("sample:dna", Style::spacefill);
     ValidatedRenderer renderer(Visibility::tiles);
     renderer->setScene(r);
-    Camera camera;
-    camera.zoom = 8;
     RenderSettings s = settings(r, 64, Projection::orthographic);
-    s.view = makeView(camera, r.radius, 432, 48);
+    s.view = makeView(Camera{.zoom = 8}, r.radius, 432, 48);
     s.effects.halos.width = 24;
     s.background = {0, 0, 0, 0};
     s.supersample = 8;

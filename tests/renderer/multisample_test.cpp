@@ -22,10 +22,7 @@ public:
     Renderer* operator->() { return &renderer_; }
 
     static DeviceOptions makeOptions(Visibility path) {
-        DeviceOptions options;
-        options.validate = true;
-        options.visibility = path;
-        options.multisampling = Multisampling::four;
+        DeviceOptions options{.validate = true, .visibility = path, .multisampling = Multisampling::four};
         return options;
     }
 

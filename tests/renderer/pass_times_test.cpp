@@ -51,9 +51,7 @@ TEST(PassTimes, OfAPictureAreThoseOfAllItsBlocks) {
 }
 
 TEST(PassTimes, ATimerTellsNothingThatWasNotRecordedAndNoMoreThanItHasRoomFor) {
-    DeviceOptions options;
-    options.validate = true;
-    const gpu::Device device(options);
+    const gpu::Device device(DeviceOptions{.validate = true});
     gpu::Timer timer(device);
     ASSERT_TRUE(timer.there());
     EXPECT_TRUE(timer.times().empty());

@@ -23,10 +23,7 @@ Representation scattered(int copies) {
         transform[3] = {place(random), place(random), place(random)};
         m.assemblies[0].parts[0].transforms.push_back(transform);
     }
-    RepresentationOptions options;
-    options.style = Style::ballAndStick;
-    options.assembly = "1";
-    return represent(m, drawnAtoms(m), options);
+    return represent(m, drawnAtoms(m), RepresentationOptions{.style = Style::ballAndStick, .assembly = "1"});
 }
 
 /// Whether some sphere of a copy reaches into the picture.

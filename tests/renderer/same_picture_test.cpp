@@ -203,10 +203,7 @@ TEST(Frame, OfNothingIsTheBackground) {
         for (const bool set : {false, true}) {
             ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
             if (set) renderer->setScene({});
-            RenderSettings s;
-            s.supersample = 1;
-            s.view = makeView({}, 1, 40, 30);
-            s.background = {1, 0, 0, 1};
+            RenderSettings s{.view = makeView({}, 1, 40, 30), .supersample = 1, .background = {1, 0, 0, 1}};
             s.occlusion.directions = 8;
             const std::vector<float> rgba = renderer->render(s).rgba;
             ASSERT_EQ(rgba.size(), 4u * 40 * 30);

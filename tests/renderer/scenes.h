@@ -125,12 +125,8 @@ private:
 
 inline RenderSettings settings(const Representation& r, std::uint32_t size, Projection projection,
                                glm::dvec3 rotation = {20, 30, 10}, double zoom = 1) {
-    Camera camera;
-    camera.zoom = zoom;
-    camera.projection = projection;
-    camera.rotationDegrees = rotation;
-    RenderSettings s;
-    s.view = makeView(camera, r.radius, size, size);
+    Camera camera{.projection = projection, .rotationDegrees = rotation, .zoom = zoom};
+    RenderSettings s{.view = makeView(camera, r.radius, size, size)};
     s.occlusion.directions = 0;
     s.supersample = 1;
     return s;

@@ -54,11 +54,9 @@ std::size_t countPixels(const LayerPicture& picture, const std::vector<bool>& ch
 }
 
 RenderSettings closeTo(const std::vector<bool>& chosen, const Representation& r, Projection projection) {
-    Camera camera;
-    camera.projection = projection;
+    Camera camera{.projection = projection};
     camera = closeUp(camera, chosenBalls(r, chosen), r.radius, 3, 1000);
-    RenderSettings s;
-    s.view = makeView(camera, r.radius, 96, 96);
+    RenderSettings s{.view = makeView(camera, r.radius, 96, 96)};
     s.occlusion.directions = 0;
     s.supersample = 1;
     return s;

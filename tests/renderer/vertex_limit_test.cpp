@@ -132,9 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, VertexLimit, testing::ValuesIn(kLimitCases),
 TEST(VertexLimitOfCopies, CutsAnywhere) {
     Molecule m = molecule("sample:glucose");
     addCopies(m, {{9, 0, 0}, {0, 9, 0}});
-    RepresentationOptions options;
-    options.style = Style::ballAndStick;
-    options.assembly = "1";
+    RepresentationOptions options{.style = Style::ballAndStick, .assembly = "1"};
     const Representation r = represent(m, drawnAtoms(m), options);
     PathRenderers renderers;
     for (const Visibility path : rasterPaths()) {

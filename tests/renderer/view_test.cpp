@@ -12,13 +12,8 @@ namespace nacre::test {
 namespace {
 
 RenderSettings oblong(const Representation& r, Projection projection) {
-    Camera camera;
-    camera.projection = projection;
-    camera.rotationDegrees = {20, 30, 10};
-    camera.zoom = 1.3;
-    RenderSettings s;
-    s.supersample = 1;
-    s.view = makeView(camera, r.radius, 150, 110);
+    Camera camera{.projection = projection, .rotationDegrees = {20, 30, 10}, .zoom = 1.3};
+    RenderSettings s{.view = makeView(camera, r.radius, 150, 110), .supersample = 1};
     s.occlusion.directions = 0;
     return s;
 }
@@ -172,10 +167,7 @@ TEST(View, AFingerFindsTheNearestAtomWithinItsReach) {
 TEST(PipelineCache, OneOfAnotherDeviceIsDroppedAndItsOwnIsTaken) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     const auto draw = [&](const std::vector<std::byte>& cache) {
-        DeviceOptions options;
-        options.validate = true;
-        options.pipelineCache = cache;
-        Renderer renderer(options);
+        Renderer renderer(DeviceOptions{.validate = true, .pipelineCache = cache});
         renderer.setScene(r);
         const Picture picture = renderer.render(oblong(r, Projection::orthographic));
         EXPECT_TRUE(renderer.validationMessages().empty());

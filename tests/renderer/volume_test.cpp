@@ -37,8 +37,7 @@ const DensityMap& blob() {
             for (int y = 0; y < kNodes; ++y)
                 for (int x = 0; x < kNodes; ++x)
                     values.push_back(static_cast<float>(blobAt(glm::dvec3(x, y, z) * step - kSide / 2)));
-        UnitCell cell;
-        cell.lengths = glm::dvec3(kNodes * step);
+        UnitCell cell{.lengths = glm::dvec3(kNodes * step)};
         return mapOfValues("blob", glm::ivec3(kNodes), cell, glm::dvec3(-kSide / 2), false, values);
     }();
     return map;

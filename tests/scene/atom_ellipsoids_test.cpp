@@ -23,8 +23,7 @@ namespace nacre {
 namespace {
 
 Representation ellipsoidScene(const Molecule& m, double probability = 50, const std::string& assembly = "") {
-    RepresentationOptions look;
-    look.style = Style::ellipsoids;
+    RepresentationOptions look{.style = Style::ellipsoids};
     look.sizes.probability = probability;
     look.assembly = assembly;
     return represent(m, drawnAtoms(m), look);

@@ -69,8 +69,7 @@ TEST(Camera, OrthographicSphereFills95PercentOfTheShorterSide) {
 
 TEST(Camera, ZoomScalesTheImagePlaneAlone) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-        Camera camera;
-        camera.projection = projection;
+        Camera camera{.projection = projection};
         const View plain = makeView(camera, 7.0, 300, 200);
         camera.zoom = 2.5;
         const View zoomed = makeView(camera, 7.0, 300, 200);
@@ -82,9 +81,7 @@ TEST(Camera, ZoomScalesTheImagePlaneAlone) {
 TEST(Camera, PerspectiveSpansTheFieldOfViewAndHoldsTheSphere) {
     for (const double fov : {5.0, 30.0, 60.0, 120.0})
         for (const auto& [width, height] : {std::pair{640u, 480u}, std::pair{480u, 960u}}) {
-            Camera camera;
-            camera.projection = Projection::perspective;
-            camera.fovDegrees = fov;
+            Camera camera{.projection = Projection::perspective, .fovDegrees = fov};
             const double radius = 9.0, half = radians(fov) / 2.0, side = std::min(width, height);
             const View view = makeView(camera, radius, width, height);
             EXPECT_NEAR(view.eyeDistance * std::sin(half), radius / 0.95, 1e-12);
@@ -107,9 +104,7 @@ TEST(Camera, PerspectiveSpansTheFieldOfViewAndHoldsTheSphere) {
 }
 
 TEST(Camera, ViewCarriesTheRotation) {
-    Camera camera;
-    camera.rotationDegrees = {10, 20, 30};
-    EXPECT_EQ(makeView(camera, 1.0, 10, 10).rotation, rotationMatrix({10, 20, 30}));
+    EXPECT_EQ(makeView(Camera{.rotationDegrees = {10, 20, 30}}, 1.0, 10, 10).rotation, rotationMatrix({10, 20, 30}));
 }
 
 void expectSameView(const View& a, const View& b) {

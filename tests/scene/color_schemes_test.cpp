@@ -334,8 +334,7 @@ TEST(ColorSchemes, CopiesOfAnAssemblyTakeTheirColoursInTurn) {
     m.assemblies = {{"1", "", {part}}};
     std::vector<std::uint32_t> atoms(m.atoms.size());
     std::iota(atoms.begin(), atoms.end(), 0u);
-    RepresentationOptions options;
-    options.color = ColorScheme::copy;
+    RepresentationOptions options{.color = ColorScheme::copy};
     const Representation alone = represent(m, atoms, options);
     EXPECT_EQ(alone.sphereLooks[0].color, kindColor(0, kChainPalette));
     EXPECT_NE(alone.warnings.at(0).find("--assembly"), std::string::npos);
@@ -369,9 +368,7 @@ TEST(ColorSchemes, ChainsOfACopyAreTintsOfItsColour) {
     m.assemblies = {{"1", "", {part}}};
     std::vector<std::uint32_t> atoms(m.atoms.size());
     std::iota(atoms.begin(), atoms.end(), 0u);
-    RepresentationOptions options;
-    options.color = ColorScheme::copyChain;
-    options.assembly = "1";
+    RepresentationOptions options{.color = ColorScheme::copyChain, .assembly = "1"};
     const Representation r = represent(m, atoms, options);
     EXPECT_EQ(r.copies.colors.size(), 2u);
     for (const SphereLook& look : r.sphereLooks)

@@ -57,9 +57,7 @@ std::vector<std::uint32_t> everyAtom(const Molecule& molecule) {
 }
 
 RepresentationOptions look(Style style) {
-    RepresentationOptions options;
-    options.style = style;
-    options.assembly = "1";
+    RepresentationOptions options{.style = style, .assembly = "1"};
     return options;
 }
 
@@ -234,8 +232,7 @@ TEST_P(AssemblyBounds, AreThoseOfItsAtomsWrittenOut) {
                                        [&](const Assembly& a) { return a.id == GetParam().second; });
     ASSERT_NE(assembly, m.assemblies.end());
     const Molecule whole = writtenOut(m, *assembly);
-    RepresentationOptions options;
-    options.style = Style::spacefill;
+    RepresentationOptions options{.style = Style::spacefill};
     const Representation expected = represent(whole, everyAtom(whole), options);
     options.assembly = GetParam().second;
     const Representation r = represent(m, everyAtom(m), options);
@@ -304,9 +301,7 @@ TEST(RepresentativeCopies, OfCapsidsAreOne) {
     // Six decimals in the file; the transforms of 1AUY place the virus off the origin.
     for (const char* file : {"3j6r-hpv16.pdb.gz", "1f2n-virus.cif.gz", "1auy-virus.mmtf"}) {
         const Molecule m = readMoleculeFile(dataFile(file));
-        RepresentationOptions options;
-        options.assembly = "1";
-        const Representation r = represent(m, drawnAtoms(m), options);
+        const Representation r = represent(m, drawnAtoms(m), RepresentationOptions{.assembly = "1"});
         ASSERT_EQ(r.copies.transforms.size(), 60u);
         EXPECT_EQ(representativeCopies(r.copies.transforms, r.copies.lists.at(0), r.radius).size(), 1u) << file;
     }

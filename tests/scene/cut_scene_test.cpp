@@ -16,11 +16,8 @@ TEST(CutScene, LeavesTheChosenAtomsAndNothingElseInFront) {
     const Molecule dna = sampleMolecule("dna");
     std::vector<bool> chosen(dna.atoms.size());
     for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = dna.residues[dna.atoms[i].residue].chain == 0;
-    Camera camera;
-    camera.rotationDegrees = {10, 70, 0};
-    Clip clip;
-    clip.near = 1.5;
-    clip.far = 6;
+    Camera camera{.rotationDegrees = {10, 70, 0}};
+    Clip clip{.near = 1.5, .far = 6};
     for (const Style style : {Style::licorice, Style::surface, Style::cartoon}) {
         Representation r = represent(dna, drawnAtoms(dna), {style});
         const View view = makeView(camera, r.radius, 100, 100);
@@ -57,8 +54,7 @@ TEST(CutScene, LeavesTheChosenAtomsAndNothingElseInFront) {
 
 TEST(CutScene, GivesCapsTheirColour) {
     const Molecule dna = sampleMolecule("dna");
-    Clip clip;
-    clip.near = 0;
+    Clip clip{.near = 0};
     for (const bool colored : {false, true}) {
         if (colored) clip.capColor = {1, 0, 0.5f};
         Representation r = represent(dna, drawnAtoms(dna), {Style::surface});

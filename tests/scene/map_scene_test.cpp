@@ -46,10 +46,7 @@ TEST(MapScene, AContourHasTheColoursOfAnotherMap) {
     const DensityMap shape = ball(), x = alongX();
     const MapRegion region(shape, glm::ivec3(0), shape.size - 1);
     const ValueColoring values = sixToSix(x);
-    MapContour contour;
-    contour.level = 7;
-    contour.values = &values;
-    contour.style = MapStyle::surface;
+    MapContour contour{.level = 7, .style = MapStyle::surface, .values = &values};
     Representation scene;
     addContour(region, contour, scene);
     ASSERT_GT(scene.triangles.size(), 200u);
@@ -77,10 +74,7 @@ TEST(MapScene, WhereTheOtherMapSaysNothingTheColourStays) {
     const DensityMap shape = ball();
     const DensityMap half = makeMap([](const glm::dvec3& at) { return at.x > 0 ? 1.0 : NAN; });
     const ValueColoring values{&half, "half", Palette::viridis, ColorRange{0, 2}};
-    MapContour contour;
-    contour.level = 7;
-    contour.color = 0xff0000ffu;
-    contour.values = &values;
+    MapContour contour{.level = 7, .color = 0xff0000ffu, .values = &values};
     Representation scene;
     addContour(MapRegion(shape, glm::ivec3(0), shape.size - 1), contour, scene);
     std::set<std::uint32_t> colors;
@@ -130,9 +124,7 @@ TEST(MapScene, ASliceEndsWhereItsValuesAreTooLow) {
 
 TEST(MapScene, AMoleculesSurfaceHasTheColoursOfAMap) {
     const Molecule molecule = sampleMolecule("glucose");
-    RepresentationOptions options;
-    options.style = Style::surface;
-    options.surfaceOpacity = 0.5;
+    RepresentationOptions options{.style = Style::surface, .surfaceOpacity = 0.5};
     Representation scene = represent(molecule, drawnAtoms(molecule), options);
     ASSERT_FALSE(scene.triangles.empty());
     const glm::dvec3 center = scene.center;

@@ -57,14 +57,11 @@ TEST_P(MeshCaps, CoverWhatIsInside) {
     const Molecule dna = sampleMolecule("dna");
     const Representation r = represent(dna, drawnAtoms(dna), {GetParam().first});
     const bool surface = GetParam().first == Style::surface;
-    Camera camera;
-    camera.projection = GetParam().second;
-    camera.rotationDegrees = {20, 35, 10};
+    Camera camera{.projection = GetParam().second, .rotationDegrees = {20, 35, 10}};
     const View view = makeView(camera, r.radius, 100, 100);
     std::mt19937 dice(7);
     for (const double near : {-6.0, 0.0, 4.3}) {
-        Clip clip;
-        clip.near = near;
+        Clip clip{.near = near};
         ASSERT_TRUE(needsCaps(r, clip));
         const Representation caps = meshCaps(r, view, clip);
         ASSERT_FALSE(caps.triangles.empty());
@@ -98,10 +95,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, MeshCaps,
 TEST(MeshCapsOf, SurfacesHaveTheNearestAtoms) {
     const Molecule dna = sampleMolecule("dna");
     const Representation r = represent(dna, drawnAtoms(dna), {Style::surface});
-    Clip clip;
-    clip.near = 0;
     const View view = makeView({}, r.radius, 100, 100);
-    const Representation caps = meshCaps(r, view, clip);
+    const Representation caps = meshCaps(r, view, Clip{.near = 0});
     int wrong = 0;
     for (const MeshVertex& vertex : caps.meshVertices) {
         const glm::dvec3 place = glm::dvec3(decodePosition(vertex, caps.triangles.front().step())) + r.center;

@@ -112,17 +112,13 @@ TEST(Orientation, FacesTheBroadSideOfWhatIsFlat) {
 TEST(Orientation, ClosesInOnATarget) {
     const Balls target{glm::dvec4(5, 2, 3, 1), glm::dvec4(7, 2, 3, 1)};
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-        Camera camera;
-        camera.projection = projection;
-        camera.rotationDegrees = {20, 30, 40};
+        Camera camera{.projection = projection, .rotationDegrees = {20, 30, 40}};
         const View view = makeView(closeUp(camera, target, 20, 3, 1e4), 20, 800, 600);
         const glm::dvec3 middle = view.rotation * glm::dvec3(6, 2, 3);
         const double magnify = view.eyeDistance > 0 ? view.eyeDistance / (view.eyeDistance - middle.z) : 1;
         EXPECT_NEAR(middle.x * magnify + view.pan.x, 0, 1e-9);
         EXPECT_NEAR(middle.y * magnify + view.pan.y, 0, 1e-9);
-        Camera plain;
-        plain.projection = projection;
-        const double whole = makeView(plain, 20, 800, 600).pixelsPerAngstrom;
+        const double whole = makeView(Camera{.projection = projection}, 20, 800, 600).pixelsPerAngstrom;
         EXPECT_NEAR(view.pixelsPerAngstrom * magnify, whole * 20 / 5, 1e-6);  // 2 Å of it, 3 around
     }
 }
@@ -132,9 +128,7 @@ TEST(Orientation, FillsThePicture) {
     Representation scene;
     for (const glm::dvec4& ball : balls) scene.spheres.push_back({glm::vec3(ball), static_cast<float>(ball.w)});
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-        Camera camera;
-        camera.projection = projection;
-        camera.orientation = principalOrientation(balls, true);
+        Camera camera{.projection = projection, .orientation = principalOrientation(balls, true)};
         for (const double zoom : {1.0, 0.5}) {
             camera.zoom = zoom;
             const View view = makeView(fitted(camera, scene, nullptr, 25, 900, 300, 1e4), 25, 900, 300);
@@ -165,9 +159,7 @@ TEST(Orientation, KnowsTheAtomsOfAScene) {
 
 TEST(Orientation, KnowsTheAtomsOfLines) {
     const Molecule dna = sampleMolecule("dna");
-    RepresentationOptions look;
-    look.style = Style::line;
-    const Representation scene = represent(dna, drawnAtoms(dna, {}), look);
+    const Representation scene = represent(dna, drawnAtoms(dna, {}), RepresentationOptions{.style = Style::line});
     std::vector<bool> chosen(dna.atoms.size());
     chosen[10] = true;
     const Balls ends = chosenBalls(scene, chosen);
@@ -179,9 +171,7 @@ TEST(Orientation, KnowsTheAtomsOfLines) {
 
 TEST(Orientation, ShowsCartoonsAndSurfacesWhole) {
     const Molecule dna = sampleMolecule("dna");
-    RepresentationOptions look;
-    look.style = Style::cartoon;
-    const Representation scene = represent(dna, drawnAtoms(dna, {}), look);
+    const Representation scene = represent(dna, drawnAtoms(dna, {}), RepresentationOptions{.style = Style::cartoon});
     ASSERT_FALSE(scene.triangles.empty());
     const Balls balls = drawnBalls(scene);
     double most = 0;  // the radius of the scene is that of what is drawn

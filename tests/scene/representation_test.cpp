@@ -113,9 +113,7 @@ TEST(Representation, LicoriceIsAQuarterAngstromThroughout) {
 TEST(Representation, CoordinationOfAMetalIsDashedInEveryStyleWithBonds) {
     const Molecule molecule = makeMolecule({{26, {0, 0, 0}}, {7, {2, 0, 0}}}, {{0, 1, 2}});
     for (const Style style : {Style::ballAndStick, Style::licorice}) {
-        RepresentationOptions options;
-        options.style = style;
-        const Representation scene = represent(molecule, everyAtom(molecule), options);
+        const Representation scene = represent(molecule, everyAtom(molecule), RepresentationOptions{.style = style});
         EXPECT_EQ(scene.drawnBonds, 1u);
         ASSERT_GE(scene.cylinders.size(), 3u);
         float from = scene.spheres[0].center.x + scene.spheres[0].radius;
@@ -135,8 +133,7 @@ TEST(Representation, CoordinationOfAMetalIsDashedInEveryStyleWithBonds) {
 }
 
 TEST(Representation, BondsAmongMetalsAreSolidAndTouchingBallsNeedNoDash) {
-    RepresentationOptions options;
-    options.style = Style::licorice;
+    RepresentationOptions options{.style = Style::licorice};
     const Molecule gold = makeMolecule({{79, {0, 0, 0}}, {79, {2.9f, 0, 0}}}, {{0, 1, 1}});
     EXPECT_EQ(represent(gold, everyAtom(gold), options).cylinders.size(), 1u);
     const Molecule near = makeMolecule({{26, {0, 0, 0}}, {7, {0.4f, 0, 0}}}, {{0, 1, 1}});

@@ -13,10 +13,7 @@ namespace {
 
 TEST(SceneViews, OfAViewSeesTheSame) {
     for (const auto& [width, height] : {std::pair(800u, 800u), {1200u, 600u}, {500u, 900u}}) {
-        Camera hand;
-        hand.rotationDegrees = {20, -50, 75};
-        hand.zoom = 1.7;
-        const View shown = makeView(hand, 20, width, height);
+        const View shown = makeView(Camera{.rotationDegrees = {20, -50, 75}, .zoom = 1.7}, 20, width, height);
         const glm::dvec3 center(5, -3, 2);
         const SceneCamera camera = makeCamera(shown, center, false);
         const View again = makeView(camera, {}, false, 20, width, height).view;
@@ -27,18 +24,14 @@ TEST(SceneViews, OfAViewSeesTheSame) {
 }
 
 TEST(SceneViews, OfAMovedPictureLooksAtItsMiddle) {
-    Camera hand;
-    hand.rotationDegrees = {0, 90, 0};
-    hand.pan = {3, 1};
-    const View shown = makeView(hand, 20, 600, 600);
+    const View shown = makeView(Camera{.rotationDegrees = {0, 90, 0}, .pan = {3, 1}}, 20, 600, 600);
     const SceneCamera camera = makeCamera(shown, {}, false);
     const glm::dvec3 middle = shown.rotation * camera.target;
     EXPECT_LT(glm::distance(middle, glm::dvec3(-3, -1, 0)), 1e-9);
 }
 
 TEST(SceneViews, OfAMoleculeThatFillsThePictureHasItWhole) {
-    Camera hand;
-    hand.zoom = 1.3;
+    Camera hand{.zoom = 1.3};
     EXPECT_EQ(makeCamera(makeView(hand, 20, 600, 600), {}, true).radius, 20);
     hand.zoom = 0.5;
     const View small = makeView(hand, 20, 600, 600);
@@ -51,10 +44,8 @@ TEST(SceneViews, OfAMoleculeThatFillsThePictureHasItWhole) {
 
 /// A buckyball in a row of copies along z, and a camera between the first two.
 Representation rowOfCopies(Style style) {
-    RepresentationOptions options;
-    options.style = style;
     const Molecule m = sampleMolecule("buckyball");
-    Representation r = represent(m, drawnAtoms(m), options);
+    Representation r = represent(m, drawnAtoms(m), RepresentationOptions{.style = style});
     std::vector<std::uint32_t> all;
     for (std::uint32_t i = 0; i < 5; ++i) {
         glm::dmat4x3 motion(1.0);
@@ -74,9 +65,7 @@ Representation rowOfCopies(Style style) {
 }
 
 TEST(SceneViews, AmongCopiesKeepsThoseBeforeIt) {
-    SceneCamera camera;
-    camera.target = {0, 0, 20};
-    camera.direction = {0, 0, -1};
+    SceneCamera camera{.target = {0, 0, 20}, .direction = {0, 0, -1}};
     camera.radius = 8;  // the second copy alone
     const SceneView seen = makeView(camera, {}, false, 100, 400, 400);
     ASSERT_TRUE(seen.clip.on());

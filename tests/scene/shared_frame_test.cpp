@@ -13,10 +13,7 @@ namespace nacre {
 namespace {
 
 Molecule read(const std::string& text, int model, const char* name = "models.xyz") {
-    ReadOptions options;
-    options.model = model;
-    options.others = true;
-    return readMolecule(name, text, options);
+    return readMolecule(name, text, {.model = model, .others = true});
 }
 
 Representation makeScene(const Molecule& molecule, const RepresentationOptions& look = {},
@@ -43,9 +40,7 @@ TEST(SharedFrame, IsThatOfAllModelsDrawnTogether) {
 }
 
 TEST(SharedFrame, LeavesTheModelsOwnWhereItIsAskedFor) {
-    RepresentationOptions look;
-    look.ownFrame = true;
-    const Representation scene = makeScene(read(kWalk, 2), look);
+    const Representation scene = makeScene(read(kWalk, 2), RepresentationOptions{.ownFrame = true});
     EXPECT_EQ(scene.center, glm::dvec3(11, 0, 0));
     EXPECT_NEAR(scene.radius, 1 + 1.54, 1e-6);
     EXPECT_FALSE(sharedFrame(read("1\n\nHe 0 0 0\n", 1), {}, {}));
@@ -99,8 +94,7 @@ TEST(SharedFrame, OfAnAssemblyHoldsItsCopies) {
         "REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000        0.00000\n";
     const std::string text =
         copies + "MODEL        1\n" + atom("   0.000") + "ENDMDL\nMODEL        2\n" + atom("  10.000") + "ENDMDL\n";
-    RepresentationOptions look;
-    look.assembly = "1";
+    RepresentationOptions look{.assembly = "1"};
     for (int model = 1; model <= 2; ++model)
         EXPECT_EQ(makeScene(read(text, model, "two.pdb"), look).center, glm::dvec3(5, 10, 0)) << model;
 }

@@ -15,10 +15,7 @@ namespace nacre {
 namespace {
 
 Representation drawn(const Molecule& m, Style style, Carbohydrates sugars = Carbohydrates::off) {
-    RepresentationOptions look;
-    look.style = style;
-    look.carbohydrates = sugars;
-    return represent(m, drawnAtoms(m), look);
+    return represent(m, drawnAtoms(m), RepresentationOptions{.style = style, .carbohydrates = sugars});
 }
 
 TEST(LineStyle, DrawsEachBondOnceInPixels) {
@@ -36,8 +33,7 @@ TEST(LineStyle, DrawsEachBondOnceInPixels) {
 
 TEST(LineStyle, HalvesBondsToOtherStylesAndCrossesLoneAtoms) {
     const Molecule m = sampleMolecule("glucose");
-    RepresentationOptions look;
-    look.style = Style::ballAndStick;
+    RepresentationOptions look{.style = Style::ballAndStick};
     Rule rule;
     rule.selection = parseSelection("id 1");
     rule.style = Style::line;
@@ -67,10 +63,7 @@ TEST(LineStyle, CopiesOfAnAssemblyHaveLinesOfTheirOwn) {
         transform[3].x = x;
         m.assemblies[0].parts[0].transforms.push_back(transform);
     }
-    RepresentationOptions look;
-    look.style = Style::line;
-    look.assembly = "1";
-    const Representation r = represent(m, drawnAtoms(m), look);
+    const Representation r = represent(m, drawnAtoms(m), RepresentationOptions{.style = Style::line, .assembly = "1"});
     EXPECT_EQ(r.wires.size(), 2 * m.bonds.size());
     EXPECT_GT(r.radius, 10);
 }

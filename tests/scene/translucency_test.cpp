@@ -39,8 +39,7 @@ Rule shown(const std::string& selection, Style style, std::optional<double> opac
 
 TEST(Translucency, ComesFromARuleOrFromWhatIsForAll) {
     const Molecule dna = sampleMolecule("dna");
-    RepresentationOptions look;
-    look.style = Style::cartoon;
+    RepresentationOptions look{.style = Style::cartoon};
     look.surface.resolution = 1;
     look.surfaceOpacity = 0.75;
     look.rules = {shown("chain A", Style::surface, 0.25), shown("chain B", Style::surface, {})};
@@ -98,8 +97,7 @@ TEST(Translucency, OfAtomsIsOneRunBehindTheOpaqueOnes) {
 
 TEST(Translucency, IsNoneWhereAllIsOpaque) {
     const Molecule dna = sampleMolecule("dna");
-    RepresentationOptions look;
-    look.style = Style::surface;
+    RepresentationOptions look{.style = Style::surface};
     look.surface.resolution = 1.2;
     EXPECT_TRUE(translucentParts(represent(dna, drawnAtoms(dna), look)).empty());
 }

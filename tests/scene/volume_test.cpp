@@ -18,9 +18,7 @@ DensityMap ramp() {
         const auto x = static_cast<float>(i % size.x) / 2;
         values.push_back(x > 30 ? x : 0);
     }
-    UnitCell cell;
-    cell.lengths = glm::dvec3(size) * 0.5;
-    return mapOfValues("ramp", size, cell, {}, false, values);
+    return mapOfValues("ramp", size, UnitCell{.lengths = glm::dvec3(size) * 0.5}, {}, false, values);
 }
 
 const std::vector<VolumeLevel> kHigh{{40, {1, 1, 1}, 0.5}, {35, {1, 0, 0}, 0}};

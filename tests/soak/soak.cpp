@@ -62,9 +62,7 @@ class Soak {
 public:
     Soak(int frames, int files, bool validate)
         : frames_(frames), every_(std::max(frames / files, 1)), validate_(validate) {
-        DeviceOptions options;
-        options.validate = validate;
-        renderer_ = std::make_unique<Renderer>(options);
+        renderer_ = std::make_unique<Renderer>(DeviceOptions{.validate = validate});
     }
 
     int run() {
@@ -91,9 +89,7 @@ private:
     void rest(int frame) {
         molecule_ = {};
         renderer_->setScene({});
-        RenderSettings s;
-        s.view = makeView({}, 1, 64, 64);
-        renderer_->drawFrame(s);
+        renderer_->drawFrame(RenderSettings{.view = makeView({}, 1, 64, 64)});
         if (frame < frames_ / 2) return;
         const double before = residentBytes();
         malloc_trim(0);

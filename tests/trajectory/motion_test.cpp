@@ -141,8 +141,7 @@ TEST(Motion, LaysMoleculesThatTheBoxPartedAsIfItHadNot) {
     const Molecule molecule =
         readMolecule("m.xyz", "6\n\nC 0 0 0\nC 1.5 0 0\nC 0 4 0\nC 1 4 1\nC 0 -7 0\nC 0 -7 1.5\n");
     ASSERT_EQ(molecule.bonds.size(), 3u);
-    MotionOptions options;
-    options.fitted = {0, 1, 2, 3};
+    MotionOptions options{.fitted = {0, 1, 2, 3}};
     Motion torn(std::make_unique<Parted>(), molecule, options);
     options.whole = true;
     Motion whole(std::make_unique<Parted>(), molecule, options);
@@ -186,9 +185,7 @@ TEST(Motion, MakesNothingWholeWithoutABox) {
     const Molecule molecule = readMolecule("m.xyz", "4\n\nC 1 1 1\nC 2.5 1 1\nC 0 5 1\nC 1.5 5 1\n");
     ASSERT_EQ(molecule.bonds.size(), 2u);
     for (const std::vector<std::uint32_t>& fitted : {std::vector<std::uint32_t>{}, {0, 1, 2}}) {
-        MotionOptions options;
-        options.whole = true;
-        options.fitted = fitted;
+        MotionOptions options{.whole = true, .fitted = fitted};
         for (const std::vector<bool>& boxes : {std::vector<bool>{false, true}, {true, false}, {false, false}}) {
             Motion motion(std::make_unique<Boxless>(boxes), molecule, options);
             for (const std::size_t frame : {1u, 0u, 1u}) {
@@ -212,11 +209,9 @@ TEST(ModelTrajectory, IsOfPlacesAloneIfThatIsWanted) {
                std::string(name) + " GLY A   1       " + x + "   0.000   0.000  1.00 " + factor +
                "           C\nENDMDL\n";
     };
-    ReadOptions options;
-    options.others = true;
     const auto read = [&](const std::string& second) {
         return std::make_shared<const Molecule>(
-            readMolecule("m.pdb", model("CA ", "1.500", "10.00") + second, options));
+            readMolecule("m.pdb", model("CA ", "1.500", "10.00") + second, {.others = true}));
     };
     const auto factors = read(model("CA ", "1.600", "90.00")), names = read(model("CB ", "1.600", "10.00"));
     EXPECT_EQ(trajectoryOfModels(factors, 1), nullptr);

@@ -324,9 +324,7 @@ TEST(Hdf5Structures, MdtrajStatesTheTopology) {
 }
 
 TEST(Hdf5Structures, H5mdStatesSpecies) {
-    ReadOptions second;
-    second.model = 2;
-    const Molecule water = readMoleculeFile(test::written() / "water.h5md", second);
+    const Molecule water = readMoleculeFile(test::written() / "water.h5md", {.model = 2});
     EXPECT_EQ(water.file.models, 2);
     ASSERT_EQ(water.atoms.size(), 3u);
     EXPECT_EQ(water.atoms[0].element, 8);
@@ -380,9 +378,7 @@ TEST(Hdf5Structures, DamagedFilesAreRefused) {
             EXPECT_NE(std::string(error.what()).find("a.h5"), std::string::npos);
         }
     }
-    ReadOptions uploaded;
-    uploaded.uploaded = true;
-    EXPECT_THROW(readMolecule("a.h5", bytes, uploaded), Error);
+    EXPECT_THROW(readMolecule("a.h5", bytes, {.uploaded = true}), Error);
 }
 
 TEST(Hdf5Structures, AHeapThatDoesNotEndIsRefused) {

@@ -38,11 +38,7 @@ TEST(CameraMotion, ADegreeAPointAndTheFrontFollowsTheHand) {
 TEST(CameraMotion, ZoomKeepsWhatIsUnderThePointer) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         CameraMotion motion;
-        Camera camera;
-        camera.projection = projection;
-        camera.rotationDegrees = {10, 20, 30};
-        camera.zoom = 1.5;
-        camera.pan = {2, -1};
+        Camera camera{.projection = projection, .rotationDegrees = {10, 20, 30}, .pan = {2, -1}, .zoom = 1.5};
         motion.set(camera);
         const glm::dvec3 point(3, 4, -2);
         const glm::dvec2 before = seen(motion.camera(), point);
@@ -131,10 +127,7 @@ TEST(CameraMotion, AutoRotationIsThirtyDegreesASecondAndStopsOnTouch) {
 
 TEST(CameraMotion, FitKeepsTheOrientationAndResetDoesNot) {
     CameraMotion motion;
-    Camera camera;
-    camera.rotationDegrees = {10, 20, 30};
-    camera.zoom = 4;
-    camera.pan = {3, 3};
+    Camera camera{.rotationDegrees = {10, 20, 30}, .pan = {3, 3}, .zoom = 4};
     motion.set(camera);
     const glm::dquat orientation = motion.camera().orientation;
     motion.fit(1.0);

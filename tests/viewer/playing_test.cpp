@@ -105,10 +105,7 @@ struct PlayingBench {
         Sources s;
         s.read = [this](const PictureDescription& v) {
             ++reads;
-            ReadOptions options;
-            options.model = v.input.model;
-            options.others = true;
-            return readMolecule(v.input.path, text, options);
+            return readMolecule(v.input.path, text, {.model = v.input.model, .others = true});
         };
         s.motion = [](const std::shared_ptr<const Molecule>& molecule,
                       const PictureDescription& v) -> std::unique_ptr<Motion> {
@@ -155,9 +152,7 @@ TEST(Playback, AllModelsAreShownTogetherAndOneByOneAgain) {
 
 // What is shown is read on one thread, and let go of, while another makes the frames that follow.
 TEST(Player, MakesFramesInMoleculesThatNobodyHoldsAnyMore) {
-    ReadOptions options;
-    options.others = true;
-    const auto molecule = std::make_shared<const Molecule>(readMolecule("five.xyz", fiveModels(), options));
+    const auto molecule = std::make_shared<const Molecule>(readMolecule("five.xyz", fiveModels(), {.others = true}));
     auto motion = std::make_shared<Motion>(trajectoryOfModels(molecule, 1), *molecule, MotionOptions());
     Player player(molecule, std::move(motion), {});
     player.setScene(std::make_shared<MovingPicture>(*molecule, PictureDescription()));

@@ -48,10 +48,8 @@ TEST(Viewer, AQuestionIsAnsweredBeforeAnythingIsRead) {
 
 /// Three models of two atoms, as a source of files would have them.
 Molecule threeModels(const PictureDescription& view) {
-    ReadOptions options;
-    options.model = view.input.model;
     return readMolecule("m.xyz", "2\n\nC 0 0 0\nO 1.2 0 0\n2\n\nC 0 0 0\nO 1.3 0 0\n2\n\nC 0 0 0\nO 1.4 0 0\n",
-                        options);
+                        {.model = view.input.model});
 }
 
 TEST(Viewer, StepsThroughModelsAndPlaysThem) {

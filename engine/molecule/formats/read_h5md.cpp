@@ -177,10 +177,7 @@ private:
             const H5Atom& stated = atoms_[i];
             const auto position = builder.computedPosition(glm::dvec3(places.positions[i]), 0);
             if (!position) continue;
-            Atom atom;
-            atom.position = *position;
-            atom.name = Name(stated.name);
-            atom.element = stated.element;
+            Atom atom{.position = *position, .name = Name(stated.name), .element = stated.element};
             builder.addAtom(atom, chainName(stated.chain), stated.number, '\0', stated.residue);
             builder.molecule().residues.back().segment = Name(stated.segment);
         }

@@ -204,10 +204,7 @@ private:
                 lines.number());
         const auto position = builder_.position({words[2], words[3], words[4]}, lines.number());
         if (!position) return;
-        Atom atom;
-        atom.position = *position;
-        atom.name = Name(words[1]);
-        atom.element = guessElement(words, lines.number());
+        Atom atom{.position = *position, .name = Name(words[1]), .element = guessElement(words, lines.number())};
         addToResidue(atom, parseInteger(words[6]).value_or(1), words[7]);
         const auto charge = parseNumber(words[8]);
         const bool usable = charge && std::abs(*charge) <= 1000;

@@ -143,10 +143,7 @@ private:
             return builder_.leaveOutAtom("an atom line needs nine fields: '" + printable(line) + "'", lines_.number());
         const auto position = builder_.position(fields.position, lines_.number());
         if (!position) return;
-        Atom atom;
-        atom.position = *position;
-        atom.name = Name(fields.name);
-        atom.hetero = line[0] == 'H';
+        Atom atom{.position = *position, .name = Name(fields.name), .hetero = line[0] == 'H'};
         const std::string_view field = pdb::columns(line, 13, 16);
         const Name residue(fields.residue);
         atom.element = pdb::trim(field) == fields.name ? pdb::elementByName(field, residue)

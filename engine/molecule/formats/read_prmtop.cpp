@@ -46,8 +46,7 @@ public:
             while (residue + 1 < starts.size() && starts[residue + 1] <= static_cast<std::int64_t>(i) + 1) ++residue;
             const TopologyAtom stated{i < types.size() ? types[i] : std::string_view(), charges[i] / kAmberCharge,
                                       masses[i]};
-            Atom atom;
-            atom.name = Name(names[i]);
+            Atom atom{.name = Name(names[i])};
             const bool known = i < elements.size() && elements[i] >= 0 && elements[i] <= 118;
             atom.element = known ? static_cast<Element>(elements[i])
                                  : elementOfTopology(builder_, stated, names[i], labels[residue]);

@@ -60,9 +60,7 @@ private:
                 lines_.number());
         const auto position = builder_.position({words[2], words[3], words[4]}, lines_.number());
         if (!position) return;
-        Atom atom;
-        atom.position = *position;
-        atom.name = Name(words[1]);
+        Atom atom{.position = *position, .name = Name(words[1])};
         // Names are those of a force field: "CT", "HN", "OW"; "Na+" and "Cl-" are ions.
         atom.element = pdb::elementByLooseName(words[1], Name());
         builder_.guess("elements", "from atom names");

@@ -13,11 +13,7 @@ SampleBuilder::SampleBuilder(std::string_view title) : builder_("sample", kMaxAt
 }
 
 std::uint32_t SampleBuilder::atom(std::string_view name, std::string_view symbol, glm::dvec3 position) {
-    Atom atom;
-    atom.position = glm::vec3(position);
-    atom.name = name;
-    atom.element = elementFromSymbol(symbol);
-    atom.hetero = hetero_;
+    Atom atom{.position = glm::vec3(position), .name = name, .element = elementFromSymbol(symbol), .hetero = hetero_};
     builder_.addAtom(atom, chain_, number_, '\0', residue_);
     return static_cast<std::uint32_t>(builder_.molecule().atoms.size() - 1);
 }

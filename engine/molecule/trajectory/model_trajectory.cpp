@@ -89,9 +89,7 @@ std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> m
 }
 
 std::unique_ptr<Trajectory> openModels(const std::string& path) {
-    ReadOptions options;
-    options.others = true;
-    auto molecule = std::make_shared<const Molecule>(readMoleculeFile(path, options));
+    auto molecule = std::make_shared<const Molecule>(readMoleculeFile(path, {.others = true}));
     const auto fail = [&](const std::string& why) { throw Error("cannot read trajectory", path, why); };
     if (molecule->lacksPositions) fail("it is a topology without positions");
     if (countModels(molecule->file) == 1) return std::make_unique<ModelTrajectory>(std::move(molecule), 0);

@@ -74,7 +74,7 @@ struct Rule {
 bool haveMaterials(const std::vector<Rule>& rules);
 
 struct RepresentationOptions {
-    std::optional<Style> style;  ///< empty: defaultStyle() of the atoms that remain after the rules
+    std::optional<Style> style = {};  ///< empty: defaultStyle() of the atoms that remain after the rules
     Coloring color = ColorScheme::element;
     std::vector<Rule> rules = {};
     std::string assembly = {};              ///< identifier from the file; empty: no assembly

@@ -61,9 +61,7 @@ void addGaps(const ResidueFacts& facts, const Appearance& appearance, Representa
         const std::uint32_t last = traces[i - 1].atoms.back(), next = traces[i].atoms.front();
         const std::uint32_t *color = colors.of(last), *colorAfter = colors.of(next);
         if (!color || !colorAfter || facts.kinds()[findResidue(last)] != facts.kinds()[findResidue(next)]) continue;
-        DashedLine line;
-        line.a = at(colors.inCartoon(last) ? traces[i - 1].end : last);
-        line.b = at(next);
+        DashedLine line{.a = at(colors.inCartoon(last) ? traces[i - 1].end : last), .b = at(next)};
         const Residue &before = molecule.residues[findResidue(last)], &after = molecule.residues[findResidue(next)];
         if (!goesOn(before, after, glm::distance(line.a, line.b))) continue;
         line.radius = 0.15;
