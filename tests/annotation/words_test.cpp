@@ -10,6 +10,7 @@
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
+#include "tests/support/error_text.h"
 
 namespace nacre::app {
 namespace {
@@ -26,12 +27,7 @@ struct Dna {
 };
 
 std::string catchFault(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const std::exception& error) {
-        return error.what();
-    }
-    return "";
+    return test::errorText<std::exception>([&] { call(); });
 }
 
 TEST(Words, LabelsAreDividedWhereASelectionStands) {

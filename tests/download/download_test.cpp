@@ -10,6 +10,7 @@
 #include "engine/molecule/read.h"
 #include "tests/molecule/bcif_writer.h"
 #include "tests/molecule/gzip_bytes.h"
+#include "tests/support/error_text.h"
 #include "tests/support/structure_server.h"
 
 namespace nacre::app {
@@ -322,14 +323,7 @@ TEST(SecureDownload, TrustsNobodyUnknownAndStaysSecure) {
         settings.environment = [&](const char*) { return "https://localhost:" + server.port() + "/" + way; };
         return downloadMolecule(*parseDatabaseId("pdb:1bna"), {}, settings);
     };
-    const auto failure = [&](const std::string& way) -> std::string {
-        try {
-            get(way);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
-    };
+    const auto failure = [&](const std::string& way) -> std::string { return test::errorText([&] { get(way); }); };
     EXPECT_NE(failure("ok").find("certificate"), std::string::npos) << failure("ok");
     settings.limits.certificates = certificate;
     EXPECT_EQ(get("ok").atoms.size(), kDnaAtoms);

@@ -14,6 +14,7 @@
 #include "app/input/map_input.h"
 #include "engine/error.h"
 #include "tests/molecule/gzip_bytes.h"
+#include "tests/support/error_text.h"
 #include "tests/support/structure_server.h"
 
 namespace nacre::app {
@@ -111,14 +112,7 @@ TEST_F(LoadMaps, OfThePdbAreFoundByTheirKind) {
 }
 
 TEST_F(LoadMaps, FailWithOneLine) {
-    const auto failure = [&](const std::string& name) -> std::string {
-        try {
-            load(name);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
-    };
+    const auto failure = [&](const std::string& name) -> std::string { return test::errorText([&] { load(name); }); };
     for (const char* name : {"emdb:9999", "pdb-map:9zzz", "pdb-map:9bad", "emdb:12", "pdb-map:12345"}) {
         const std::string text = failure(name);
         const std::string id = std::string(name).substr(std::string(name).find(':') + 1);

@@ -9,6 +9,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/build/representation.h"
+#include "tests/support/error_text.h"
 #include "tests/support/test_data.h"
 
 namespace nacre::app {
@@ -81,12 +82,7 @@ TEST(ColorFile, TellsWhatIsWrongAndInWhichLine) {
         {R"([{"resi": 1, "value": 1}, {"resi": "q", "value": 2}])", "(row 2): 'q' is not a residue number"},
         {R"({"resi": [1, 2], "value": [1]})", "has 1 values, where others have 2"}};
     for (const auto& [text, why] : wrong) {
-        try {
-            csv(text);
-            ADD_FAILURE() << text;
-        } catch (const Error& error) {
-            EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
-        }
+        test::expectThrows([&] { csv(text); }, why);
     }
     EXPECT_THROW(csv("resi,value\n1,2\n", "nothing"), Error);
 }

@@ -11,6 +11,7 @@
 #include "app/picture/options.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
+#include "tests/support/error_text.h"
 
 namespace nacre::app {
 namespace {
@@ -91,12 +92,7 @@ TEST(PrimitivesFile, TellsWhatIsWrongAndWhere) {
         {"[{\"kind\": 5E5555}]", "a number is too large: '5E5555'"},
         {"", "not valid JSON"}};
     for (const auto& [json, why] : wrong) {
-        try {
-            primitivesIn(json);
-            ADD_FAILURE() << json;
-        } catch (const Error& error) {
-            EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
-        }
+        test::expectThrows([&] { primitivesIn(json); }, why);
     }
     EXPECT_THROW(primitivesIn(std::string(1000, '[')), Error);
 }

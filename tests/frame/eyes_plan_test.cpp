@@ -5,6 +5,7 @@
 #include "engine/graph/capability_sets.h"
 #include "engine/graph/plan.h"
 #include "tests/frame/shapes.h"
+#include "tests/support/error_text.h"
 
 namespace nacre::graph {
 namespace {
@@ -55,12 +56,7 @@ TEST(EyesPlan, ADeviceWithoutMultiviewRefuses) {
     const Frame frame = test::makeFrame(makeEyes(Visibility::encoded, {64, 48}));
     PlanCaps caps = capabilitySet("adreno").plan;
     caps.maxViews = 1;
-    try {
-        compile(frame.graph, caps);
-        FAIL();
-    } catch (const GraphError& error) {
-        EXPECT_NE(std::string(error.what()).find("does not draw 2 views at once"), std::string::npos) << error.what();
-    }
+    test::expectThrows<GraphError>([&] { compile(frame.graph, caps); }, "does not draw 2 views at once");
 }
 
 TEST(EyesPlan, ImportedImagesKeepTheirLayers) {

@@ -1,6 +1,7 @@
 // The words of every refusal of the planner.
 
 #include "tests/graph/plan_rules.h"
+#include "tests/support/error_text.h"
 
 namespace nacre::graph {
 namespace {
@@ -26,12 +27,7 @@ TEST_F(Rules, AnInputOfAnotherExtentIsRefused) {
 TEST_F(Rules, AStaleHandleIsRefused) {
     Graph other("other");
     Image stranger = other.image("stranger", kColor);
-    try {
-        g.graphics("one").color(stranger);
-        FAIL();
-    } catch (const GraphError& error) {
-        EXPECT_NE(std::string(error.what()).find("stale image handle"), std::string::npos);
-    }
+    test::expectThrows<GraphError>([&] { g.graphics("one").color(stranger); }, "stale image handle");
     EXPECT_THROW(g.output(stranger), GraphError);
     EXPECT_THROW(g.compute("two").reads(Buffer{}), GraphError);
 }

@@ -9,6 +9,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/other_models.h"
+#include "tests/support/error_text.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 #include "tests/support/written_files.h"
@@ -178,12 +179,7 @@ TEST(ModelFile, SaysWhatIsWrongWithAModelAndWhere) {
     std::ofstream(folder / "m.pdb", std::ios::binary) << text;
     ModelFile file(folder / "m.pdb", of(1, 0));
     EXPECT_EQ(file.read(3).atoms.size(), 1u);
-    try {
-        file.read(2);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("m.pdb (line 6)"), std::string::npos) << error.what();
-    }
+    test::expectThrows([&] { file.read(2); }, "m.pdb (line 6)");
 }
 
 TEST(StoredModels, BeyondABoundStandInAFile) {

@@ -12,6 +12,7 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/format_table.h"
 #include "tests/molecule/text_file.h"
+#include "tests/support/error_text.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {
@@ -61,12 +62,7 @@ TEST(PdbFiles, HaveTheCountsOfIndependentTools) {
 }
 
 std::string catchError(const std::string& file) {
-    try {
-        readFile(file);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return test::errorText([&] { readFile(file); });
 }
 
 TEST(PdbFiles, BadOnesGiveOneClearErrorOrLoad) {
@@ -102,12 +98,8 @@ TEST(PdbFiles, EveryModelCanBeRead) {
     for (int model = 1; model <= 10; ++model)
         atoms += static_cast<std::int64_t>(readFile("small/ligs3d-multi.pdb", model).atoms.size());
     EXPECT_EQ(atoms, 337);
-    try {
-        readFile("small/ligs3d-multi.pdb", 11);
-        FAIL() << "no error";
-    } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "cannot read molecule: small/ligs3d-multi.pdb: no model 11: there are 10 models");
-    }
+    EXPECT_EQ(test::errorText([&] { readFile("small/ligs3d-multi.pdb", 11); }),
+              "cannot read molecule: small/ligs3d-multi.pdb: no model 11: there are 10 models");
 }
 
 TEST(PdbFiles, ElementsComeFromNamesWhereColumnsAreMissing) {

@@ -6,6 +6,7 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/format_table.h"
 #include "engine/molecule/formats/pdb_fields.h"
+#include "tests/support/error_text.h"
 
 namespace nacre {
 namespace {
@@ -18,12 +19,7 @@ const std::string kCarbon = "HETATM    1  C1  LIG A   1       1.000   2.000   3.
 const std::string kOxygen = "HETATM    2  O1  LIG A   1       2.200   2.000   3.000  0.50 20.00           O1-\n";
 
 std::string errorOfLines(const std::string& text, int model = 1) {
-    try {
-        readText(text, model);
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
+    return test::errorText([&] { readText(text, model); });
 }
 
 std::string readElement(const std::string& name, const std::string& residue) {
@@ -112,7 +108,7 @@ TEST(PdbLines, CoordinatesThatAreNoneAreErrorsWithTheirLine) {
     EXPECT_EQ(errorOfLines(withX("   1e999")), head + "invalid x coordinate '1e999'");
     EXPECT_EQ(errorOfLines(withX("        ")), head + "missing x coordinate");
     EXPECT_EQ(errorOfLines("REMARK\nHETATM    2  O1  LIG A   1       1.000   2.000\n"), head + "missing z coordinate");
-    EXPECT_EQ(errorOfLines(withX("   1.5e1")), "no error");
+    EXPECT_EQ(errorOfLines(withX("   1.5e1")), "");
 }
 
 TEST(PdbLines, EveryLineEndWillDo) {

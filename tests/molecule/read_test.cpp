@@ -11,6 +11,7 @@
 #include "engine/molecule/formats/text_encoding.h"
 #include "engine/molecule/text.h"
 #include "tests/molecule/expect_error.h"
+#include "tests/support/error_text.h"
 
 namespace nacre {
 namespace {
@@ -173,12 +174,7 @@ TEST(Read, StandardInput) {
     std::ofstream(folder.path() / "water.xyz") << kWater;
     ASSERT_NE(std::freopen((folder.path() / "water.xyz").c_str(), "rb", stdin), nullptr);
     EXPECT_EQ(readMoleculeFile("-").atoms.size(), 3u);
-    try {
-        readMoleculeFile("-");  // it is at its end now
-        ADD_FAILURE();
-    } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "cannot read molecule: standard input: it is empty");
-    }
+    EXPECT_EQ(test::errorText([&] { readMoleculeFile("-"); }), "cannot read molecule: standard input: it is empty");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/read.h"
 #include "tests/molecule/geometry.h"
+#include "tests/support/error_text.h"
 
 namespace nacre {
 namespace {
@@ -17,12 +18,8 @@ namespace {
 glm::dvec3 at(const Molecule& molecule, const char* name) { return test::position(molecule, 0, name); }
 
 TEST(Samples, UnknownNameIsAnErrorThatNamesWhatThereIs) {
-    try {
-        sampleMolecule("rna");
-        FAIL() << "no error";
-    } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "unknown sample: rna: there are dna, glucose and buckyball (did you mean 'dna'?)");
-    }
+    EXPECT_EQ(test::errorText([&] { sampleMolecule("rna"); }),
+              "unknown sample: rna: there are dna, glucose and buckyball (did you mean 'dna'?)");
 }
 
 TEST(SampleGlucose, HasEveryAtomAndBondOfGlucose) {

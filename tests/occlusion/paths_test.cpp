@@ -5,6 +5,7 @@
 
 #include "engine/occlusion/bake.h"
 #include "tests/occlusion/scenes.h"
+#include "tests/support/error_text.h"
 
 namespace nacre::test {
 namespace {
@@ -250,12 +251,7 @@ TEST(OcclusionBudget, TooSmallIsAnErrorThatSaysWhatIsNeeded) {
     RenderSettings s = settings(r, 64, Projection::orthographic);
     s.occlusion.directions = 16;
     s.occlusion.bytes = 1000;
-    try {
-        renderer.layers(s);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("--occlusion-memory"), std::string::npos) << error.what();
-    }
+    expectThrows([&] { renderer.layers(s); }, "--occlusion-memory");
 }
 
 }  // namespace

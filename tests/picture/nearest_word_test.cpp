@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/picture/appearance_values.h"
+#include "tests/support/error_text.h"
 
 namespace nacre::app {
 namespace {
@@ -26,12 +27,7 @@ TEST(NearestWord, IsWithinTwoEditsAndOneOfShortWords) {
 }
 
 std::string reason(const std::function<void()>& parse) {
-    try {
-        parse();
-    } catch (const std::exception& error) {
-        return error.what();
-    }
-    return "";
+    return test::errorText<std::exception>([&] { parse(); });
 }
 
 TEST(NearestWord, IsSuggestedForValues) {

@@ -14,17 +14,13 @@
 #include "app/picture/appearance_values.h"
 #include "app/picture/words.h"
 #include "engine/srgb.h"
+#include "tests/support/error_text.h"
 
 namespace nacre::app {
 namespace {
 
 std::string catchError(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return {};
+    return test::errorText<std::invalid_argument>([&] { call(); });
 }
 
 TEST(OptionValues, Size) {

@@ -7,6 +7,7 @@
 #include "app/input/input_files.h"
 #include "app/picture/appearance_values.h"
 #include "engine/error.h"
+#include "tests/support/error_text.h"
 
 namespace nacre::app {
 namespace {
@@ -101,12 +102,7 @@ TEST(SavedView, IsRefusedWhereItIsNestedTooDeep) {
                std::string(levels, ']') + "}";
     };
     const auto catchError = [](const std::string& json) -> std::string {
-        try {
-            parseSavedView(json, "v.json");
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
+        return test::errorText([&] { parseSavedView(json, "v.json"); });
     };
     const std::string tooDeep = "cannot read view: v.json: it is nested more than 64 levels deep";
     EXPECT_EQ(catchError(nested(64)), tooDeep);

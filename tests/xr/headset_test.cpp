@@ -14,6 +14,7 @@
 #include "app/xr/xr_session.h"
 #include "engine/error.h"
 #include "engine/srgb.h"
+#include "tests/support/error_text.h"
 #include "tests/support/no_cache.h"
 #include "tests/xr_runtime/runtime.h"
 
@@ -126,15 +127,6 @@ int largestDifference(const Layers& a, const Layers& b) {
 /// Lavapipe codes sRGB for attachments otherwise than Nacre for pictures.
 int rounding(const HeadsetSession& session) {
     return session.renderer()->stats().device.name.starts_with("llvmpipe") ? 1 : 0;
-}
-
-std::string catchError(const std::function<void()>& call) {
-    try {
-        call();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
 }
 
 TEST_F(HeadsetTest, BothLayersAreThePicturesOfTheirCameras) {
@@ -348,23 +340,23 @@ TEST_F(HeadsetTest, SessionsThatAreAlwaysLostEndIt) {
     sessions = HeadsetSession::kMostLosses + 1;
     runtime().before = [](int) { runtime().loseSession(); };
     const auto run = [&] { HeadsetSession(first).loop(); };
-    EXPECT_EQ(catchError(run), "cannot show in a headset: OpenXR: the session was lost 4 times");
+    EXPECT_EQ(test::errorText(run), "cannot show in a headset: OpenXR: the session was lost 4 times");
 }
 
 TEST_F(HeadsetTest, WhatIsMissingIsSaidInALine) {
     sessions = 0;
     const auto open = [&] { HeadsetSession session(first); };
     setenv("XR_RUNTIME_JSON", "/nowhere/runtime.json", 1);
-    EXPECT_EQ(catchError(open),
+    EXPECT_EQ(test::errorText(open),
               "cannot show in a headset: OpenXR: no runtime is active: start the headset's software, such as Monado, "
               "SteamVR or WiVRn");
     setenv("XR_RUNTIME_JSON", NACRE_XR_RUNTIME, 1);
     runtime().connected = false;
-    EXPECT_EQ(catchError(open),
+    EXPECT_EQ(test::errorText(open),
               "cannot show in a headset: OpenXR: the runtime finds no headset: is it connected and switched on?");
     runtime().vulkan = false;
     EXPECT_EQ(
-        catchError(open),
+        test::errorText(open),
         "cannot show in a headset: OpenXR: the runtime cannot show what Vulkan draws: it has no XR_KHR_vulkan_enable2");
 }
 

@@ -12,6 +12,7 @@
 #include "app/picture/option_text.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/color/palettes.h"
+#include "tests/support/error_text.h"
 #include "tests/support/run_program.h"
 
 namespace nacre::app {
@@ -60,12 +61,7 @@ TEST(AppearanceOptions, ColorTakesSchemesAndColours) {
 
 TEST(AppearanceOptions, FaultsSayWhere) {
     const auto fault = [](const char* option, const char* text) {
-        try {
-            parsed({"x", "-o", "a.png", option, text});
-        } catch (const UsageError& error) {
-            return std::string(error.what());
-        }
-        return std::string("accepted");
+        return test::errorText<UsageError>([&] { parsed({"x", "-o", "a.png", option, text}); });
     };
     EXPECT_NE(fault("--hide", "chain A and resi x").find("--hide"), std::string::npos);
     EXPECT_NE(fault("--hide", "chain A and resi x").find("column 18: expected a residue number, found 'x'"),
