@@ -17,8 +17,7 @@ TEST(BakeBesideFrames, HasOneSubmissionInFlightAndNobodyWaits) {
     const Representation molecule = scene("sample:glucose", Style::ballAndStick);
     RenderSettings s = settings(molecule, 64, Projection::orthographic);
     s.occlusion.directions = 16;
-    ValidatedRenderer renderer(Visibility::encoded, ValidatedRenderer::fresh);
-    renderer->setScene(molecule);
+    ValidatedRenderer renderer(Visibility::encoded, molecule, ValidatedRenderer::fresh);
     const auto advance = [&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         return renderer->advanceOcclusion(s, OcclusionPace{1e-4, 0, false});
@@ -46,8 +45,7 @@ TEST(BakeBesideFrames, OfAMoleculeThatMovesNobodyWaits) {
     Representation molecule = scene("sample:glucose", Style::ballAndStick);
     RenderSettings s = settings(molecule, 64, Projection::orthographic);
     s.occlusion.directions = 16;
-    ValidatedRenderer renderer(Visibility::encoded, ValidatedRenderer::fresh);
-    renderer->setScene(molecule);
+    ValidatedRenderer renderer(Visibility::encoded, molecule, ValidatedRenderer::fresh);
     const auto bake = [&] {
         for (int call = 0; call < 60'000 && renderer->advanceOcclusion(s, OcclusionPace{1, 0, false}) < 1; ++call)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

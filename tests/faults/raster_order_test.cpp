@@ -16,8 +16,7 @@ struct Hidden {
 
 std::vector<std::uint32_t> idsBy(Visibility path) {
     const Representation molecule = scene("sample:glucose", Style::ballAndStick);
-    ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
-    renderer->setScene(molecule);
+    ValidatedRenderer renderer(path, molecule, ValidatedRenderer::fresh);
     return renderer->layers(settings(molecule, 64, Projection::orthographic)).id;
 }
 

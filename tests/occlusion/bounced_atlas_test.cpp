@@ -184,8 +184,7 @@ INSTANTIATE_TEST_SUITE_P(Dna, BouncedStyles, testing::Values(Style::spacefill, S
 TEST(BouncedAtlas, ChangesNothingOnceItIsOff) {
     const Representation r = chains(Style::spacefill);
     RenderSettings s = bounceSettings(r);
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     s.occlusion.bounce = false;
     const std::vector<float> before = renderer->render(s).rgba;
     s.occlusion.bounce = true;
@@ -203,8 +202,7 @@ TEST(BouncedAtlas, FollowsNewColours) {
     for (SphereLook& look : other.sphereLooks)
         look.color = look.color == r.sphereLooks[0].color ? 0xff20e020u : 0xffe02020u;
     const RenderSettings s = bounceSettings(r);
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     renderer->render(s);
     ASSERT_TRUE(renderer->setScene(other)) << "colours alone";
     const std::vector<float> recolored = renderer->render(s).rgba;
@@ -216,8 +214,7 @@ TEST(BouncedAtlas, FollowsNewColours) {
 TEST(BouncedAtlas, ComesBesideFrames) {
     const Representation r = chains(Style::spacefill);
     const RenderSettings s = bounceSettings(r);
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     const std::vector<float> waited = renderer->render(s).rgba;
     renderer->setScene({});
     renderer->setScene(r);
@@ -256,8 +253,7 @@ TEST(BouncedAtlas, OfATranslucentCartoonIsDark) {
 
 TEST(BouncedAtlas, KeepsWithinTheMemory) {
     const Representation r = chains(Style::spacefill);
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     RenderSettings s = bounceSettings(r);
     for (const std::uint64_t bytes : {std::uint64_t{4} << 20, std::uint64_t{1} << 20, std::uint64_t{300} << 10}) {
         s.occlusion.bytes = bytes;

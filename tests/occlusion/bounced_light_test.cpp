@@ -20,8 +20,7 @@ Pictures renderPictures(const Lit& lit, const Light& light) {
     s.fine = true;
     s.occlusion.directions = 128;
     s.effects.light = light;
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(lit.scene);
+    ValidatedRenderer renderer(Visibility::automatic, lit.scene);
     Pictures p{renderer->layers(s), renderer->render(s).rgba, {}, {}};
     s.effects.light.occlusion = 0;
     p.open = renderer->render(s).rgba;
@@ -129,8 +128,7 @@ TEST_P(LightOfNeighbours, IsNearerToPaths) {
     s.fine = true;
     s.occlusion.directions = 128;
     s.effects.light = ambientAlone();
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(lit.scene);
+    ValidatedRenderer renderer(Visibility::automatic, lit.scene);
     const TracedLight truth = traceLight(lit, renderer->layers(s), sky(), 600, 2048);
     const double before = lightError(renderer->render(s).rgba, truth);
     s.occlusion.bounce = true;

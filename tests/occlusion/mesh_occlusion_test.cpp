@@ -125,8 +125,7 @@ TEST(OcclusionOfMeshes, IsHandedOutAsPicturesShowIt) {
     orderInSpace(r);
     RenderSettings s = settings(r, 120, Projection::orthographic);
     s.occlusion.directions = 32;
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     const BakedOcclusion baked = renderer->bakedOcclusion(s.occlusion);
     const LayerPicture l = renderer->layers(s);
     const glm::mat3 toObject(glm::transpose(s.view.rotation));
@@ -199,8 +198,7 @@ TEST(OcclusionOfMeshes, IsThatOfTheSideThatIsSeen) {
     // A ball close over one side darkens it, and not the other one.
     r.spheres = {{{0, 0, 1.6f}, 1.5f}};
     r.sphereLooks = {testLook(1)};
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     for (const bool behind : {false, true}) {
         RenderSettings s = settings(r, 100, Projection::orthographic, {0, behind ? 180.0 : 0, 0});
         s.occlusion.directions = 128;
@@ -220,8 +218,7 @@ TEST(OcclusionOfMeshes, IsThatOfTheSideThatIsSeen) {
 
 TEST(OcclusionOfMeshes, CountsVerticesWhereItDoesNotFit) {
     const Representation r = meshScene(false);
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     RenderSettings s = settings(r, 40, Projection::orthographic);
     s.occlusion.directions = 1;
     s.occlusion.bytes = 1000;
@@ -260,8 +257,7 @@ TEST(OcclusionOfMeshes, IsKeptOnDisk) {
     s.occlusion.worthKeeping = 0;
     std::vector<float> first;
     for (const bool cached : {false, true}) {
-        ValidatedRenderer renderer(Visibility::automatic);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(Visibility::automatic, r);
         const LayerPicture l = renderer->layers(s);
         EXPECT_EQ(renderer->stats().occlusion.cached, cached);
         if (first.empty()) first = l.occlusion;
@@ -270,8 +266,7 @@ TEST(OcclusionOfMeshes, IsKeptOnDisk) {
     // Another normal is another bake.
     Representation other = r;
     other.meshVertices[5].normal ^= 0x100;
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(other);
+    ValidatedRenderer renderer(Visibility::automatic, other);
     renderer->layers(s);
     EXPECT_FALSE(renderer->stats().occlusion.cached);
 }

@@ -26,8 +26,7 @@ protected:
 
     Run run(const std::function<void(RenderSettings&)>& change = {}) {
         const Representation r = scene("sample:dna", GetParam());
-        ValidatedRenderer renderer(Visibility::automatic);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(Visibility::automatic, r);
         RenderSettings s = settings(r, 128, Projection::orthographic);
         s.occlusion.directions = 16;
         s.occlusion.cache = folder_ / "cache";

@@ -20,8 +20,7 @@ Representation loneSphere() {
 TEST(Occlusion, OfALoneSphereIsOneEverywhere) {
     const Representation r = loneSphere();
     for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
-        ValidatedRenderer renderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(visibility, r);
         RenderSettings s = settings(r, 128, Projection::orthographic);
         for (const int directions : {1, 8, 128}) {
             s.occlusion.directions = directions;
@@ -48,8 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Large, OcclusionOf, testing::ValuesIn(kLargeOcclusionSc
 
 TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer renderer(Visibility::encoded);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::encoded, r);
     RenderSettings s = settings(r, 200, Projection::orthographic);
     s.occlusion.directions = 64;
     const LayerPicture fine = renderer->layers(s);
@@ -72,8 +70,7 @@ TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
 
 TEST(Occlusion, OfLinesAloneHasNoAtlas) {
     const Representation r = scene("sample:glucose", Style::line);
-    ValidatedRenderer renderer(Visibility::encoded, ValidatedRenderer::fresh);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::encoded, r, ValidatedRenderer::fresh);
     RenderSettings s = settings(r, 64, Projection::orthographic);
     s.occlusion.directions = 0;
     const Picture off = renderer->render(s);
@@ -86,8 +83,7 @@ TEST(Occlusion, OfLinesAloneHasNoAtlas) {
 
 TEST(Occlusion, OnAndOffDrawTheSameSurface) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer renderer(Visibility::encoded);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::encoded, r);
     RenderSettings s = settings(r, 128, Projection::orthographic);
     const LayerPicture off = renderer->layers(s);
     s.occlusion.directions = 16;

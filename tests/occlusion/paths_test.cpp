@@ -75,8 +75,7 @@ TEST_P(OcclusionOfScene, IsTheSameHoweverTheWorkIsCut) {
     for (const int directions : {38, 32, 5}) {  // 32: deep texels are dropped after the last one
         settings_.occlusion.directions = directions;
         const std::vector<float> atOnce = baked(OcclusionMaps::automatic);
-        ValidatedRenderer renderer(Visibility::automatic);
-        renderer->setScene(scene_);
+        ValidatedRenderer renderer(Visibility::automatic, scene_);
         double share = 0;
         for (int frame = 0; share < 1 && frame < 200; ++frame) {
             const double next = renderer->advanceOcclusion(settings_, frame % 3 == 0 ? 0.0 : 5.0);
@@ -99,11 +98,9 @@ Representation swollen(Representation scene) {
 TEST_P(OcclusionOfScene, OfAMovedSceneIsThatOfItsNewPlaces) {
     settings_.occlusion.directions = 8;
     const Representation moved = swollen(scene_);
-    ValidatedRenderer fresh(Visibility::automatic);
-    fresh->setScene(moved);
+    ValidatedRenderer fresh(Visibility::automatic, moved);
     const std::vector<float> expected = fresh->layers(settings_).occlusion;
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(scene_);
+    ValidatedRenderer renderer(Visibility::automatic, scene_);
     const auto advance = [&](bool moving) { return renderer->advanceOcclusion(settings_, {4, 0, moving}); };
     while (advance(false) < 1) {
     }
@@ -136,8 +133,7 @@ TEST_P(OcclusionOfScene, IsTheSameBesideFramesAndInTheSmallestParts) {
     for (const OcclusionMaps maps : {OcclusionMaps::tiles, OcclusionMaps::fragdepth, OcclusionMaps::encoded}) {
         settings_.occlusion.directions = 3;
         const std::vector<float> atOnce = baked(maps);
-        ValidatedRenderer renderer(Visibility::automatic);
-        renderer->setScene(scene_);
+        ValidatedRenderer renderer(Visibility::automatic, scene_);
         double share = 0;
         for (int call = 0; share < 1; ++call) {
             ASSERT_LT(call, 100'000);
@@ -173,8 +169,7 @@ TEST(OcclusionBesideFrames, EndsWithTheSceneWhereverItStands) {
     const Representation r = scene("sample:dna", Style::ballAndStick),
                          other = scene("sample:glucose", Style::spacefill);
     for (int calls = 0; calls < 12; ++calls) {
-        ValidatedRenderer renderer(Visibility::automatic);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(Visibility::automatic, r);
         RenderSettings s = settings(r, 64, Projection::orthographic);
         s.occlusion.directions = 4;
         for (int call = 0; call < calls; ++call) {
@@ -229,8 +224,7 @@ TEST(OcclusionBudget, HoldsWithCoarserPatchesAndSmallerMaps) {
     const Representation r = scene("sample:dna", Style::spacefill);
     std::uint32_t patch = 1000;
     for (const std::uint64_t budget : {64u << 20, 4u << 20, 1u << 20, 300u << 10, 60u << 10}) {
-        ValidatedRenderer renderer(Visibility::automatic);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(Visibility::automatic, r);
         RenderSettings s = settings(r, 64, Projection::orthographic);
         s.occlusion.directions = 16;
         s.occlusion.bytes = budget;

@@ -28,8 +28,7 @@ struct Steps {
     float anywhere = 0, seam = 0;
 };
 Steps largestSteps(const Representation& r) {
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     Steps steps;
     for (const glm::dvec3& turn : {glm::dvec3(0, 0, 0),
                                    {90, 0, 0},
@@ -79,8 +78,7 @@ TEST(OcclusionContacts, LetNoLightIn) {
     for (const Representation& r :
          {spheres({{{0, 0, 0}, 1.7f}, {{0, 0, 3.4f}, 1.7f}}), spheres({{{0, 0, 0}, 1.7f}, {{0, 0, 2.2f}, 1.5f}}),
           spheres({{{s, s, s}, 2}, {{s, -s, -s}, 2}, {{-s, s, -s}, 2}, {{-s, -s, s}, 2}, {{0, 0, 0}, 1}})}) {
-        ValidatedRenderer renderer(Visibility::automatic);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(Visibility::automatic, r);
         const auto points = tracePoints(*renderer.operator->(), r, 4000, 400);
         RenderSettings settings;
         settings.supersample = 1;
@@ -104,8 +102,7 @@ TEST(OcclusionSeen, AnAtomInACageIsNotAndItsWallsAre) {
         const double flat = std::sqrt(1 - z * z);
         cage.push_back({glm::vec3(4 * flat * std::cos(angle), 4 * flat * std::sin(angle), 4 * z), 1.6f});
     }
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(spheres(cage));
+    ValidatedRenderer renderer(Visibility::automatic, spheres(cage));
     RenderSettings s = settings(spheres(cage), 64, Projection::orthographic);
     s.occlusion.directions = 64;
     EXPECT_TRUE(renderer->seenSpheres().empty());

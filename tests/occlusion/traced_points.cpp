@@ -92,8 +92,7 @@ Difference bakedDifference(Renderer& renderer, const Representation& scene, Rend
 }
 
 void expectNearRays(const Representation& scene, double bound) {
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(scene);
+    ValidatedRenderer renderer(Visibility::automatic, scene);
     const auto points = tracePoints(*renderer.operator->(), scene, 2000, 1024);
     RenderSettings s;
     s.supersample = 1;

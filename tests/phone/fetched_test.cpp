@@ -21,8 +21,7 @@ void expectTheSame(const Representation& r, RenderSettings s) {
     s.fine = true;
     for (const Visibility path : paths()) {
         SCOPED_TRACE(visibilityName(path));
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         s.tuning.countFragments = false;
         const Picture fetched = renderer->render(s);
         EXPECT_TRUE(renderer->stats().storesVaryings);

@@ -138,8 +138,7 @@ TEST(Phone, DrawsEveryPathAndStyleAlike) {
             const Representation r = scene("sample:glucose", style);
             std::vector<std::uint32_t> ids;
             for (const Visibility path : kPaths) {
-                ValidatedRenderer renderer(path);
-                renderer->setScene(r);
+                ValidatedRenderer renderer(path, r);
                 RenderSettings s = settings(r, 96, projection);
                 s.occlusion.directions = 4;
                 s.supersample = 2;
@@ -275,8 +274,7 @@ TEST(Phone, LosesNothingWithAnEncoder) {
         for (const Visibility path : kPaths) {
             const Representation r = scene("sample:glucose", style);
             const RenderSettings s = settings(r, 96, Projection::orthographic);
-            ValidatedRenderer validated(path);
-            validated->setScene(r);
+            ValidatedRenderer validated(path, r);
             const std::vector<float> expected = validated->render(s).rgba;
             const Unvalidated phone;
             Renderer renderer(DeviceOptions{.visibility = path});
@@ -350,8 +348,7 @@ TEST(Phone, BakesByEveryKindOfDepthMap) {
     for (const OcclusionMaps maps :
          {OcclusionMaps::automatic, OcclusionMaps::encoded, OcclusionMaps::fragdepth, OcclusionMaps::tiles})
         for (const int directions : {1, 20}) {
-            ValidatedRenderer renderer(Visibility::automatic);
-            renderer->setScene(r);
+            ValidatedRenderer renderer(Visibility::automatic, r);
             RenderSettings s = settings(r, 64, Projection::orthographic);
             s.occlusion.directions = directions;
             s.occlusion.maps = maps;
@@ -369,8 +366,7 @@ TEST(Phone, DrawsNoMoreInstancesAtOnceThanPhonesTake) {
     ASSERT_GT(r.spheres.size(), 512u);
     ASSERT_GT(r.cylinders.size(), 512u);
     for (const Visibility path : kPaths) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         RenderSettings s = settings(r, 64, Projection::orthographic);
         s.occlusion.directions = 1;
         s.occlusion.maps = path == Visibility::encoded ? OcclusionMaps::encoded : OcclusionMaps::fragdepth;
@@ -385,8 +381,7 @@ TEST(Phone, DrawsBothEyesAtOnce) {
     { EXPECT_EQ(gpu::Device(DeviceOptions{.validate = true}).caps().plan.maxViews, 6u); }
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     for (const Visibility path : kPaths) {
-        ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r, ValidatedRenderer::fresh);
         RenderSettings s = settings(r, 64, Projection::perspective);
         s.occlusion.directions = 2;
         s.supersample = 1;
@@ -424,8 +419,7 @@ TEST(Phone, ShowsEveryDebugViewAndRungOfEncodedDepth) {
 TEST(Phone, DrawsEveryKindOfPlateAndOutline) {
     Representation r = scene("sample:glucose", Style::ballAndStick);
     for (const Visibility path : kPaths) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         RenderSettings s = settings(r, 64, Projection::orthographic);
         for (const PlateShape plates : {PlateShape::none, PlateShape::octagon, PlateShape::dome3})
             for (const ImpostorShape impostor :

@@ -46,8 +46,7 @@ TEST(VertexLimitOfThePhone, HoldsForEveryFrame) {
     for (const Style style : {Style::spacefill, Style::ballAndStick, Style::cartoon}) {
         const Representation r = scene("sample:dna", style);
         for (const Visibility path : pathsOfArm()) {
-            ValidatedRenderer renderer(path);
-            renderer->setScene(r);
+            ValidatedRenderer renderer(path, r);
             for (const std::uint64_t most : {10'000u, 60'000u}) {
                 const PhoneLimit phone(most + kScreen);
                 RenderSettings s = settings(r, 64, Projection::orthographic);
@@ -82,8 +81,7 @@ TEST(VertexLimitOfThePhone, HoldsForAMillionSpheresAndTheirBake) {
             }
     r.radius = 100;
     r.drawnAtoms = static_cast<std::uint32_t>(r.spheres.size());
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     RenderSettings s = settings(r, 64, Projection::orthographic);
     s.occlusion.directions = 2;
     const Picture picture = renderer->render(s);

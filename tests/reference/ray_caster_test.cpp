@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <random>
-#include <string>
 
 #include "tests/reference/scenes.h"
 
@@ -189,7 +187,7 @@ Layers withoutBounds(const Representation& scene, const View& view) {
 }
 
 /// A ball of atoms as dense as a protein, each bonded to the next.
-Representation cloud(std::uint32_t atoms, bool bonds) {
+Representation cloud(std::uint32_t atoms) {
     std::mt19937 engine(5);
     std::uniform_real_distribution<float> spread(-1.0f, 1.0f);
     const auto reach = static_cast<float>(std::cbrt(atoms * 15.0 * 3.0 / (4.0 * std::numbers::pi)));  // 15 A^3 each
@@ -198,14 +196,14 @@ Representation cloud(std::uint32_t atoms, bool bonds) {
         const glm::vec3 place(spread(engine), spread(engine), spread(engine));
         if (glm::length(place) > 1.0f) continue;
         const auto id = static_cast<std::uint32_t>(scene.spheres.size() + 1);
-        addSphere(scene, reach * place, bonds ? 0.4f : 1.7f, id);
-        if (bonds && id > 1) addRod(scene, scene.spheres[id - 2].center, reach * place, 0.15f, id - 1, id);
+        addSphere(scene, reach * place, 0.4f, id);
+        if (id > 1) addRod(scene, scene.spheres[id - 2].center, reach * place, 0.15f, id - 1, id);
     }
     return scene;
 }
 
 TEST(RayCaster, BoundingRectanglesCutNothingOff) {
-    const Representation scene = cloud(40, true);
+    const Representation scene = cloud(40);
     for (const Projection projection : {Projection::orthographic, Projection::perspective})
         for (const double zoom : {1.0, 3.0}) {
             const View view = viewOfScene(scene, projection, 90, 70, {30, 40, 50}, zoom);
@@ -227,29 +225,8 @@ TEST(RayCaster, WideFieldsOfViewCutNothingOff) {
     for (const std::uint32_t atom : {1u, 2u, 3u}) EXPECT_GT(std::count(layers.id.begin(), layers.id.end(), atom), 100);
 }
 
-TEST(RayCaster, EdgesAreTheNeighboursOfAChange) {
-    Representation scene;
-    addSphere(scene, {0, 0, 0}, 2.0f, 7);
-    addSphere(scene, {1.5f, 0, 0}, 1.25f, 9);
-    const Layers layers = castRays(scene, viewOfScene(scene, Projection::orthographic, 60, 50));
-    int flagged = 0;
-    forEachPixel(layers, [&](std::uint32_t column, std::uint32_t row, std::size_t at) {
-        bool expected = false;
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-                const int x = static_cast<int>(column) + dx, y = static_cast<int>(row) + dy;
-                if (x < 0 || y < 0 || x >= 60 || y >= 50) continue;
-                if (layers.id[static_cast<std::size_t>(y * 60 + x)] != layers.id[at]) expected = true;
-            }
-        EXPECT_EQ(layers.nearEdge[at] != 0, expected) << column << ", " << row;
-        flagged += layers.nearEdge[at];
-    });
-    EXPECT_GT(flagged, 100);
-    EXPECT_LT(flagged, 1000);
-}
-
 TEST(RayCaster, SurfacePointsLieOnTheirPrimitives) {
-    const Representation scene = cloud(200, true);
+    const Representation scene = cloud(200);
     const View view = viewOfScene(scene, Projection::perspective, 80, 80, {20, 70, 10});
     const Layers layers = castRays(scene, view);
     int points = 0;
@@ -268,16 +245,6 @@ TEST(RayCaster, SurfacePointsLieOnTheirPrimitives) {
         EXPECT_NEAR(glm::length(view.rotation * point->normal - normalAt(layers, at)), 0.0, 1e-6);
     });
     EXPECT_GT(points, 500);
-}
-
-TEST(RayCaster, DrawsAProteinInBoundedTime) {
-    const Representation scene = cloud(4558, false);  // as many atoms as haemoglobin
-    const std::clock_t start = std::clock();          // of the processor: other programs may be busy
-    const Layers layers = castRays(scene, viewOfScene(scene, Projection::orthographic, 512, 512));
-    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    RecordProperty("seconds", std::to_string(seconds));
-    EXPECT_GT(std::count_if(layers.id.begin(), layers.id.end(), [](std::uint32_t id) { return id != 0; }), 100000);
-    EXPECT_LT(seconds, 20.0);  // wide enough for a sanitizer build
 }
 
 }  // namespace

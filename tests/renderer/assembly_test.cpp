@@ -73,25 +73,15 @@ TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
     if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA(c.file);
     const Representation r = makeScene(makeMolecule(c), c, true);
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120}, c.zoom);
-    std::vector<LayerPicture> pictures;
-    std::vector<Picture> colors;
+    FirstPicture picture;
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
-        for (const bool prepass : {true, false}) {
-            s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
-            pictures.push_back(renderer->layers(s));
-            colors.push_back(renderer->render(s));
-            const std::string what =
-                "path " + std::to_string(static_cast<int>(visibility)) + " " + std::to_string(prepass);
-            EXPECT_EQ(pictures.front().id, pictures.back().id) << what;
-            EXPECT_EQ(pictures.front().z, pictures.back().z) << what;
-            EXPECT_EQ(pictures.front().normal, pictures.back().normal) << what;
-            EXPECT_EQ(colors.front().rgba, colors.back().rgba) << what;
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
+        for (const PlateShape plates : {PlateShape::octagon, PlateShape::none}) {
+            s.tuning.plates = plates;
+            picture.expectSame(renderer, s, visibilityName(visibility));
         }
     }
-    EXPECT_GT(std::count_if(pictures[0].id.begin(), pictures[0].id.end(), [](std::uint32_t id) { return id > 0; }),
-              5000);
+    EXPECT_GT(std::ranges::count_if(picture.layers.id, [](std::uint32_t id) { return id > 0; }), 5000);
 }
 
 TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
@@ -106,8 +96,7 @@ TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
     EXPECT_LT(r.spheres.size(), whole.spheres.size());
     // The same view for both: centres differ by rounding.
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120}, c.zoom);
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic);
-    renderer->setScene(whole);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic, whole);
     const LayerPicture expected = renderer->layers(s);
     renderer->setScene(r);
     const LayerPicture p = renderer->layers(s);
@@ -132,8 +121,7 @@ TEST_P(AssemblyPicture, NamesAtomsByTheirPlaceInTheFile) {
     if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA(c.file);
     const Molecule m = makeMolecule(c);
     const Representation r = makeScene(m, c, true);
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic, r);
     const LayerPicture p = renderer->layers(settings(r, 128, c.projection, {10, 20, 30}, c.zoom));
     for (const std::uint32_t id : p.id) ASSERT_LE(id, m.atoms.size());
     if (c.zoom == 1) {
@@ -188,13 +176,11 @@ TEST_P(CopyColors, EachCopyHasItsColourOnEveryPath) {
     RenderSettings s = settings(r, 256, Projection::orthographic, {75, -40, 120});
     s.occlusion.directions = 0;
     s.lighting = false;
-    ValidatedRenderer& usual = sharedRenderer(Visibility::automatic);
-    usual->setScene(copiesStored(r));
+    ValidatedRenderer& usual = sharedRenderer(Visibility::automatic, copiesStored(r));
     const Picture expected = usual->render(s);
     std::vector<Picture> pictures;
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
         pictures.push_back(renderer->render(s));
         EXPECT_EQ(pictures.front().rgba, pictures.back().rgba) << static_cast<int>(visibility);
     }

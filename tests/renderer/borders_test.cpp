@@ -44,14 +44,12 @@ TEST(Borders, RunWhereTwoAtomsAreEquallyNear) {
     const RenderSettings s = settings(r, 120, Projection::orthographic, {20, 30, 10}, 2);
     LayerPicture first;
     for (const Visibility path : devicePaths()) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         const LayerPicture layers = renderer->layers(s);
         if (first.id.empty()) first = layers;
         EXPECT_TRUE(layers.id == first.id) << visibilityName(path);
     }
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(plain);
+    ValidatedRenderer renderer(Visibility::tiles, plain);
     const Misfit exact = measureMisfit(r, first, s.view), stairs = measureMisfit(r, renderer->layers(s), s.view);
     ASSERT_GT(exact.pixels, 7'000u);
     EXPECT_LT(exact.mean, 0.01);

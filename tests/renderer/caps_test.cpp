@@ -86,18 +86,9 @@ TEST_P(Caps, AreOnThePlaneOnEveryPath) {
          {std::pair(glm::dvec3(20, 30, 10), 0.0), {glm::dvec3(50, -70, 0), 0.0}, {glm::dvec3(50, -70, 0), 3.5}}) {
         RenderSettings s = settings(r, 100, GetParam().projection, rotation);
         s.effects.clip.near = near;
-        LayerPicture first;
-        std::vector<float> picture;
-        for (const Visibility path : devicePaths()) {
-            ValidatedRenderer& renderer = sharedRenderer(path);
-            const LayerPicture layers = renderer->layers(s);
-            const Picture drawn = renderer->render(s);
-            if (first.id.empty()) first = layers, picture = drawn.rgba;
-            EXPECT_TRUE(layers.id == first.id) << visibilityName(path);
-            EXPECT_TRUE(layers.z == first.z) << visibilityName(path);
-            EXPECT_TRUE(layers.normal == first.normal) << visibilityName(path);
-            EXPECT_TRUE(drawn.rgba == picture) << visibilityName(path);
-        }
+        FirstPicture picture;
+        for (const Visibility path : devicePaths()) picture.expectSame(sharedRenderer(path), s, visibilityName(path));
+        const LayerPicture& first = picture.layers;
         const MeshInside inside(r, s.view, -near);
         const bool perspective = GetParam().projection == Projection::perspective;
         const double plane = (perspective ? s.view.eyeDistance : s.view.radius) + near;
@@ -150,8 +141,7 @@ TEST(CapsOfScenes, HaveTheGivenColour) {
         s.effects.clip.near = 0;
         s.effects.clip.capColor = {1, 0, 0.5f};
         for (const Visibility path : devicePaths()) {
-            ValidatedRenderer renderer(path);
-            renderer->setScene(r);
+            ValidatedRenderer renderer(path, r);
             const LayerPicture layers = renderer->layers(s);
             const Picture picture = renderer->render(s);
             std::size_t caps = 0, others = 0, wrong = 0;

@@ -31,8 +31,7 @@ TEST_P(CodedAtOnce, HasTheBytesOfThePicture) {
     s.effects.halos.width = c.halos;
     for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
         SCOPED_TRACE(static_cast<int>(path));
-        ValidatedRenderer& renderer = sharedRenderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(path, r);
         const Picture picture = renderer->render(s);
         const std::uint64_t covered = renderer->stats().coveredPixels;
         s.fine = c.fine;  // which 8 bits do not hold
@@ -93,8 +92,7 @@ TEST(PicturesInFlight, AreThoseOfOneAfterTheOther) {
 
 TEST(PicturesInFlight, AFailureGivesThemUp) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     RenderSettings s = settings(r, 64, Projection::orthographic);
     EXPECT_THROW(renderer->finishCoded(), Error) << "none is started";
     renderer->startCoded(s, true);

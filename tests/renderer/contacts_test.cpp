@@ -28,19 +28,10 @@ TEST_P(ContactScenes, AreTheSameOnEveryPath) {
     RenderSettings s = settings(r, 96, GetParam().projection, {20, 30, 10}, 2);
     s.occlusion.directions = 4;
     if (GetParam().clip) s.effects.clip = {-2, 12, Clip::Cap::plain};
-    LayerPicture first;
-    Picture picture;
-    for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
-        const LayerPicture l = renderer->layers(s);
-        const Picture p = renderer->render(s);
-        if (picture.rgba.empty()) first = l, picture = p;
-        EXPECT_TRUE(l.id == first.id) << visibilityName(visibility);
-        EXPECT_TRUE(l.z == first.z) << visibilityName(visibility);
-        EXPECT_TRUE(l.occlusion == first.occlusion) << visibilityName(visibility);
-        EXPECT_TRUE(p.rgba == picture.rgba) << visibilityName(visibility);
-    }
+    FirstPicture picture;
+    for (const Visibility visibility : devicePaths())
+        picture.expectSame(sharedRenderer(visibility, r), s, visibilityName(visibility));
+    const LayerPicture& first = picture.layers;
     std::size_t dashed = 0, dark = 0, missed = 0;
     for (std::uint32_t i = 0; i < first.id.size(); ++i) {
         if (!r.findContact(first.id[i])) continue;

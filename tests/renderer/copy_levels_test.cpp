@@ -65,8 +65,7 @@ class CopyLevels : public SharedRenderers<Projection> {};
 
 TEST_P(CopyLevels, ShowWhatTheAtomsShow) {
     const Representation r = crowdOfDna();
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     for (const std::uint32_t supersample : {RenderSettings::kEdges, 4u})
         for (const double zoom : {0.3, 0.7, 1.5, 6.0}) {
             // 30 dB: here even 4 x 4 samples of every atom are only 35 dB from 8 x 8 of them.
@@ -95,8 +94,7 @@ TEST_P(CopyLevels, ShowWhatTheAtomsShow) {
 
 TEST_P(CopyLevels, AreCutByPlanes) {
     const Representation r = crowdOfDna();
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     RenderSettings s = settings(r, 160, GetParam(), {12, 20, 5}, 6);
     s.supersample = 4;
     s.levelsFrom = 0;
@@ -113,8 +111,7 @@ TEST_P(CopyLevels, AreCutByPlanes) {
 // samples.
 TEST_P(CopyLevels, AreNoWorseInMotion) {
     const Representation r = crowdOfDna();
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     for (const double zoom : {0.3, 0.7, 1.5}) {
         RenderSettings s = settings(r, 160, GetParam(), {12, 20, 5}, zoom);
         s.levelsFrom = UINT64_MAX;
@@ -129,8 +126,7 @@ TEST_P(CopyLevels, AreNoWorseInMotion) {
 
 TEST_P(CopyLevels, HaveOutlinesWithinHalfAPixel) {
     const Representation r = crowdOfDna();
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     constexpr int kFiner = 8;  // samples per pixel and side
     constexpr double kFew = 0.0006;
     for (const double zoom : {0.3, 0.7, 1.5}) {
@@ -155,8 +151,7 @@ TEST_P(CopyLevels, AreTheSameOnEveryPathAndByAnyNumberOfThreads) {
     for (const Visibility path : devicePaths())
         for (const unsigned threads : {1u, 2u}) {
             setThreadsPerTask(threads);
-            ValidatedRenderer& renderer = sharedRenderer(path);
-            renderer->setScene(r);
+            ValidatedRenderer& renderer = sharedRenderer(path, r);
             const Picture p = renderer->render(s);
             if (first.empty()) first = p.rgba;
             EXPECT_TRUE(p.rgba == first) << visibilityName(path) << ", threads " << threads;
@@ -221,8 +216,7 @@ TEST(CopiesBeyondNumbers, AreDrawnAndTellTheirAtoms) {
     options.assembly = "1";
     const Representation r = represent(m, drawnAtoms(m), options);
     for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         RenderSettings s = settings(r, 400, Projection::orthographic, {0, 0, 0}, 8);
         EXPECT_GT(renderer->render(s).rgba.at(4 * (200 * 400 + 200) + 3), 0);
         // The middle of the grid is that of the picture.

@@ -35,8 +35,7 @@ TEST_P(Culling, NeverChangesABit) {
     std::uniform_real_distribution<double> unit(-1, 1);
     std::uint64_t most = 0, least = UINT64_MAX, hidden = 0;
     for (const Visibility path : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(path, r);
         for (const double zoom : {0.1, 1.0, 3.0, 9.0, 30.0}) {
             if (zoom < 1 && c.style != Style::spacefill) continue;  // atoms under a pixel
             RenderSettings s = settings(r, 120, c.projection, {unit(random) * 180, unit(random) * 180, 0}, zoom);
@@ -71,8 +70,7 @@ TEST_P(Culling, NeverChangesABit) {
 TEST(LateDepthTests, AreSparedHiddenSpheres) {
     const Representation r = scene("sample:dna", Style::spacefill);
     for (const Visibility path : devicePaths()) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         for (const double halos : {0.0, 3.0}) {
             RenderSettings s = settings(r, 120, Projection::perspective, {20, 70, 0});
             s.effects.halos.width = halos;
@@ -96,8 +94,7 @@ TEST(CopiesBehindCopies, NeverChangeABit) {
     RepresentationOptions options{Style::spacefill, ColorScheme::element};
     options.assembly = "1";
     const Representation r = represent(m, drawnAtoms(m), options);
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         RenderSettings s = settings(r, 160, projection, {12, 20, 5}, 1.5);
         s.tuning.cull = false;

@@ -61,8 +61,7 @@ TEST(DebugView, ShowsTheLayersByEveryPath) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective})
         for (const Visibility path : devicePaths()) {
             if (projection == Projection::perspective && path != Visibility::encoded) continue;
-            ValidatedRenderer renderer(path);
-            renderer->setScene(r);
+            ValidatedRenderer renderer(path, r);
             RenderSettings s = settings(r, kSize, projection);
             s.occlusion.directions = 4;
             const LayerPicture layers = renderer->layers(s);
@@ -99,8 +98,7 @@ TEST(DebugView, ShowsTheLayersByEveryPath) {
 
 TEST(DebugView, OverdrawIsWhatTheCountersCount) {
     const Representation r = scene("sample:glucose", Style::spacefill);  // no pixel with more than 64
-    ValidatedRenderer renderer(Visibility::encoded);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::encoded, r);
     for (const PlateShape plates : {PlateShape::none, PlateShape::octagon}) {
         RenderSettings s = settings(r, kSize, Projection::orthographic);
         s.tuning.plates = plates;
@@ -137,8 +135,7 @@ TEST(DebugView, OverdrawIsWhatTheCountersCount) {
 TEST(DebugView, PlatesAreThePictureWhereThePrepassCoversIt) {
     const Representation r = scene("sample:dna", Style::spacefill);
     for (const Visibility path : devicePaths()) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         RenderSettings s = settings(r, kSize, Projection::orthographic);
         s.tuning.plates = PlateShape::octagon;
         const auto picture = toBytes(renderer->render(s));
@@ -202,8 +199,7 @@ TEST(DebugView, PatchesAreTheAtlasAndFollowTheView) {
     lone.spheres = {{{0, 0, 0}, 1.7f}};
     lone.sphereLooks = {{0xff000000u, 0}};
     lone.radius = 1.7;
-    ValidatedRenderer renderer(Visibility::encoded);
-    renderer->setScene(lone);
+    ValidatedRenderer renderer(Visibility::encoded, lone);
     RenderSettings s = settings(lone, kSize, Projection::orthographic);
     s.occlusion.directions = 64;
     s.background = {0, 0, 1, 1};

@@ -63,8 +63,7 @@ TEST_P(Edges, LookAsIfEveryPixelHadManySamples) {
     RenderSettings s = wanted(r, 160);
     for (const Visibility path : {Visibility::tiles, Visibility::fragdepth}) {
         SCOPED_TRACE(static_cast<int>(path));
-        ValidatedRenderer& renderer = sharedRenderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(path, r);
         s.supersample = 8;
         const Picture truth = renderer->render(s);
         s.supersample = 1;
@@ -104,8 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Edges,
 /// Where sticks are thinner than a pixel, no pixel beside one need have it in its middle.
 TEST(EdgesOf, SticksThinnerThanAPixel) {
     const Representation r = scene("sample:dna", Style::licorice);
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     RenderSettings s = settings(r, 48, Projection::orthographic);
     s.supersample = 8;
     const Picture truth = renderer->render(s);
@@ -123,8 +121,7 @@ TEST(EdgesOf, SticksThinnerThanAPixelBesideOthers) {
     s.tuning.countFragments = true;
     s.supersample = RenderSettings::kEdges;
     const auto edges = [&] {
-        ValidatedRenderer renderer(Visibility::tiles);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(Visibility::tiles, r);
         renderer->render(s);
         for (const PassCount& count : renderer->stats().passes)
             if (count.name == "edge samples") return count.shadedFragments;
@@ -142,8 +139,7 @@ TEST(EdgesOf, SticksThinnerThanAPixelBesideOthers) {
 TEST(EdgesOf, FineMeshesInSmallPictures) {
     NACRE_NEEDS_DATA("1crn.pdb");
     const Representation r = scene("1crn.pdb", Style::cartoon);
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     for (const auto& [size, blocks] : {std::pair(96u, true), std::pair(400u, false)}) {
         SCOPED_TRACE(size);
         RenderSettings s = settings(r, size, Projection::orthographic);
@@ -160,8 +156,7 @@ TEST(EdgesOf, FineMeshesInSmallPictures) {
 /// them.
 TEST(EdgesOf, PicturesByOtherPaths) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer renderer(Visibility::encoded);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::encoded, r);
     for (const bool cut : {false, true}) {
         SCOPED_TRACE(cut);
         RenderSettings s = settings(r, 128, Projection::orthographic);
@@ -184,8 +179,7 @@ TEST(EdgesOf, PicturesByOtherPaths) {
 /// Whose sides are no whole tiles.
 TEST(EdgesOf, OddPictures) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     RenderSettings s = settings(r, 64, Projection::orthographic);
     s.view = makeView(Camera{.pan = {1.3, -0.7}}, r.radius, 131, 77);
     s.supersample = 8;
@@ -201,8 +195,7 @@ TEST(EdgesOf, ListsThatAreTooLongHaveSamplesEverywhere) {
         r.sphereLooks.push_back({0xff4060c0u, static_cast<std::uint32_t>(i + 1)});
     }
     r.radius = 9;
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     RenderSettings s = settings(r, 48, Projection::orthographic);
     s.supersample = 4;
     const Picture truth = renderer->render(s);
@@ -225,8 +218,7 @@ TEST(EdgesOf, CrowdsHaveSamplesEverywhere) {
         r.sphereLooks.push_back({color, static_cast<std::uint32_t>(r.spheres.size())});
     }
     r.radius = 61;
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     RenderSettings s = settings(r, 64, Projection::orthographic);
     s.view = makeView(Camera{.pan = {-2.5, 0.2}}, r.radius, 500, 120);
     s.supersample = 4;
@@ -242,8 +234,7 @@ TEST(EdgesOf, CrowdsHaveSamplesEverywhere) {
 /// Halos wider than a bin, over the borders of blocks and of parts.
 TEST(EdgesOf, HalosHaveNoSeams) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     RenderSettings s = settings(r, 64, Projection::orthographic);
     s.view = makeView(Camera{.zoom = 8}, r.radius, 432, 48);
     s.effects.halos.width = 24;
@@ -280,8 +271,7 @@ TEST(EdgesOf, SamplesAreWhereColorsChange) {
         for (const bool rims : {true, false}) {
             if (path == Visibility::tiles && !rims) continue;  // one frame draws its edges
             SCOPED_TRACE(std::string(visibilityName(path)) + (rims ? ", halos" : ""));
-            ValidatedRenderer renderer(path);
-            renderer->setScene(r);
+            ValidatedRenderer renderer(path, r);
             s.effects.halos.width = rims ? 4 : 0;
             s.supersample = 8;
             const Picture truth = renderer->render(s);
@@ -342,8 +332,7 @@ TEST(EdgesOf, PicturesAreCounted) {
     s.supersample = RenderSettings::kEdges;
     s.tuning.countFragments = true;
     const auto countTriangles = [&](Visibility path, const std::string& pass) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         renderer->render(s);
         for (const PassCount& count : renderer->stats().passes)
             if (count.name == pass) return count.shadedFragments;

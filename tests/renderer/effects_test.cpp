@@ -42,8 +42,7 @@ TEST_P(Effect, IsTheSamePictureOnEveryPath) {
     LayerPicture layers;
     std::vector<float> picture, rimmed;
     for (const Visibility path : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(path, r);
         const std::vector<float> withRims = renderer->render(rims).rgba;
         if (rimmed.empty()) rimmed = withRims;
         EXPECT_EQ(withRims, rimmed) << visibilityName(path);
@@ -103,8 +102,7 @@ std::vector<Inside> findSolids(const Representation& r, const View& view, const 
 TEST_P(Effect, PlanesCutAsExactRaysSay) {
     const Representation r = scene(GetParam().molecule, GetParam().style);
     RenderSettings s = all(r);
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     const LayerPicture layers = renderer->layers(s);
     const double center = s.view.projection == Projection::perspective ? s.view.eyeDistance : s.view.radius;
     const double near = center + s.effects.clip.near, far = center + s.effects.clip.far;
@@ -149,8 +147,7 @@ TEST_P(Effect, LinesStandWhereDepthJumpsAndNowhereElse) {
     const Representation r = scene(GetParam().molecule, GetParam().style);
     RenderSettings s = settings(r, 160, GetParam().projection, {40, -70, 15});
     s.lighting = false;
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     const LayerPicture layers = renderer->layers(s);
     const std::vector<float> plain = renderer->render(s).rgba;
     s.effects.contours = {2, 2.0, 1, {0, 0, 1}};
@@ -203,8 +200,7 @@ TEST_P(Effect, WidthOfLinesAndDensityOfHalosFollowWhatStandsBehind) {
     s.lighting = false;
     s.effects.contours = {4, 1.5, 3, {0, 0, 1}};
     s.effects.halos = {9, 8, 0.5, {1, 0, 0}};
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     const LayerPicture layers = renderer->layers(s);
     const std::vector<float> drawn = renderer->render(s).rgba;
     const double perPixel = 1 / s.view.pixelsPerAngstrom;
@@ -251,8 +247,7 @@ TEST_P(Effect, FogTakesColourToTheBackgroundInProportionToDepth) {
     const Representation r = scene(GetParam().molecule, GetParam().style);
     RenderSettings s = settings(r, 96, GetParam().projection);
     s.background = {0, 1, 0, 1};
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     const LayerPicture clear = renderer->layers(s);
     s.effects.fog = {Fog::Range::given, -2, 6, 0.5};
     const LayerPicture fog = renderer->layers(s);
@@ -270,8 +265,7 @@ TEST_P(Effect, ShadowsFallWhereARayToTheLightIsBlocked) {
     const Representation r = scene(GetParam().molecule, GetParam().style);
     RenderSettings s = settings(r, 128, GetParam().projection, {40, -70, 15});
     s.effects.light.ambient = s.effects.light.highlight = 0;
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     const LayerPicture bare = renderer->layers(s);
     s.effects.shadow.strength = 1;
     const LayerPicture shadowed = renderer->layers(s);

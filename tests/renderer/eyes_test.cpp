@@ -62,8 +62,7 @@ protected:
 TEST_P(Eyes, HaveThePixelsOfFramesOfTheirOwn) {
     const Representation r = scene("sample:dna", GetParam().style);
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
         RenderSettings s = settings(r, 160, Projection::perspective, {75, -40, 120});
         s.view = makeEyes(s.view);
         for (const bool merge : {true, false}) {
@@ -102,8 +101,7 @@ TEST_P(EyesOfOthers, CopiesOfAnAssembly) {
     RepresentationOptions look{Style::spacefill, ColorScheme::element};
     look.assembly = "1";
     const Representation r = represent(m, drawnAtoms(m), look);
-    ValidatedRenderer& renderer = sharedRenderer(GetParam());
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(GetParam(), r);
     RenderSettings s = settings(r, 160, Projection::perspective, {10, 20, 30});
     s.view = makeEyes(s.view);
     const std::array<LayerPicture, 2> layers = renderer->layersOfEyes(s);
@@ -123,8 +121,7 @@ TEST_P(EyesOfOthers, CopiesOfAnAssembly) {
 
 TEST_P(EyesOfOthers, WhatOneFrameCannotDrawIsTwoFramesAndSaidSo) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer& renderer = sharedRenderer(GetParam());
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(GetParam(), r);
     RenderSettings s = settings(r, 96, Projection::perspective, {10, 20, 30});
     s.view = makeEyes(s.view);
     s.supersample = 1;

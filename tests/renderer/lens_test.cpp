@@ -48,8 +48,7 @@ class Lens : public SharedRenderers<Projection> {};
 
 TEST_P(Lens, IsTheMeanOfPicturesThroughIt) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     for (const double strength : {0.05, 0.15})
         for (const double focus : {-0.5 * r.radius, 0.0}) {
             RenderSettings s = lensSettings(r, GetParam(), strength, focus);
@@ -71,8 +70,7 @@ TEST_P(Lens, ShowsTheSamePictureOnEveryPath) {
         s.effects.contours.width = 2;
         std::vector<float> first;
         for (const Visibility path : devicePaths()) {
-            ValidatedRenderer& renderer = sharedRenderer(path);
-            renderer->setScene(r);
+            ValidatedRenderer& renderer = sharedRenderer(path, r);
             const std::vector<float> picture = renderer->render(s).rgba;
             EXPECT_EQ(renderer->stats().frames, 2u);
             if (first.empty()) first = picture;
@@ -91,8 +89,7 @@ TEST_P(Lens, ReadsTheImageThatAllPathsAndSamplesEndIn) {
             s.effects.halos.width = halos;
             std::vector<float> first;
             for (const Visibility path : devicePaths()) {
-                ValidatedRenderer& renderer = sharedRenderer(path);
-                renderer->setScene(r);
+                ValidatedRenderer& renderer = sharedRenderer(path, r);
                 const std::vector<float> picture = renderer->render(s).rgba;
                 EXPECT_EQ(renderer->planText().find("upload"), std::string::npos);
                 if (first.empty()) first = picture;
@@ -104,8 +101,7 @@ TEST_P(Lens, ReadsTheImageThatAllPathsAndSamplesEndIn) {
 TEST_P(Lens, ReadsTheImageThatAFrameDrawsTo) {
     const Representation r = scene("sample:dna", Style::spacefill);
     for (const Visibility path : {Visibility::encoded, Visibility::fragdepth}) {
-        ValidatedRenderer& renderer = sharedRenderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(path, r);
         RenderSettings s = lensSettings(r, GetParam(), 0.1, 0);
         s.tuning.timePasses = true;
         renderer->render(s);
@@ -117,8 +113,7 @@ TEST_P(Lens, ReadsTheImageThatAFrameDrawsTo) {
 TEST_P(Lens, AddsSamplesOnlyWhereItIsSharp) {
     const Representation r = scene("sample:dna", Style::spacefill);
     for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
-        ValidatedRenderer& renderer = sharedRenderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(path, r);
         for (const double halos : {0.0, 4.0}) {
             if (halos == 0 && path == Visibility::tiles) continue;  // draws its edges in one frame
             RenderSettings s = lensSettings(r, GetParam(), 0.1, -r.radius - 40);
@@ -200,8 +195,7 @@ TEST_P(Lens, KeepsWhatIsBlurredInPlace) {
     r.radius = 12;
     RenderSettings s = lensSettings(r, GetParam(), 0, -r.radius);
     s.background = {0, 0, 0, 0};
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     const auto middle = [&] {
         const std::vector<float> picture = renderer->render(s).rgba;
         glm::dvec3 sum(0.0);
@@ -225,8 +219,7 @@ TEST_P(Lens, ShowsNoGrain) {
     RenderSettings s = lensSettings(r, GetParam(), 0.5, -2 * r.radius);
     s.background = {0, 0, 0, 1};
     s.lighting = false;
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     const std::vector<float> picture = renderer->render(s).rgba;
     float grain = 0, most = 0, least = 1;
     for (std::size_t i = 1; i + 1 < picture.size() / 4; ++i) {
@@ -239,8 +232,7 @@ TEST_P(Lens, ShowsNoGrain) {
 
 TEST_P(Lens, CostsNothingWhenOff) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     RenderSettings s = lensSettings(r, GetParam(), 0, -5);
     const std::vector<float> off = renderer->render(s).rgba;
     EXPECT_EQ(renderer->stats().frames, 1u);
@@ -254,8 +246,7 @@ TEST_P(Lens, CostsNothingWhenOff) {
 
 TEST_P(Lens, ShinesNothingBlurredOverWhatIsSharpAndNearer) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     RenderSettings s = lensSettings(r, GetParam(), 0, 0);
     const LayerPicture layers = renderer->layers(s);
     const std::vector<float> sharp = renderer->render(s).rgba;
@@ -293,8 +284,7 @@ TEST_P(Lens, LeavesNoHardEdgeOfWhatIsBlurred) {
     s.view.rotation = glm::dmat3(1);
     s.view.pixelsPerAngstrom *= 2;
     s.lighting = false;
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     const auto steepest = [&] {
         const std::vector<float> picture = renderer->render(s).rgba;
         float step = 0;
@@ -311,8 +301,7 @@ TEST_P(Lens, LeavesNoHardEdgeOfWhatIsBlurred) {
 
 TEST_P(Lens, BlursWhatIsTransparentAsWhatLiesOnABackground) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::tiles, r);
     RenderSettings s = lensSettings(r, GetParam(), 0.1, 0);
     const std::vector<float> onWhite = renderer->render(s).rgba;
     s.background = {0, 0, 0, 0};

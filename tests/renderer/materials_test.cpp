@@ -61,8 +61,7 @@ TEST(Materials, AreShadedByTheirFormulaOnEveryPath) {
     for (const Material ofPicture : kEach) {
         s.effects.light.material = ofPicture;
         for (const Visibility path : devicePaths()) {
-            ValidatedRenderer renderer(path);
-            renderer->setScene(r);
+            ValidatedRenderer renderer(path, r);
             const LayerPicture p = renderer->layers(s);
             std::array<int, 5> judged{};
             double worst = 0;
@@ -88,8 +87,7 @@ TEST(Materials, MatteIsPlasticWithoutHighlight) {
     RenderSettings s = settings(r, 128, Projection::perspective);
     s.effects.shadow.strength = 0.5;
     s.occlusion.directions = 32;
-    ValidatedRenderer renderer(Visibility::fragdepth);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::fragdepth, r);
     const std::vector<float> plastic = renderer->render(s).rgba;
     s.effects.light.material = Material::matte;
     const std::vector<float> matte = renderer->render(s).rgba;

@@ -56,13 +56,11 @@ TEST_P(MeshLevelsPicture, IsTheSameOnEveryPath) {
     const LevelsCase& c = GetParam();
     const Representation r = levelsScene(c);
     const RenderSettings s = levelsSettings(c, r);
-    LayerPicture first;
-    Picture picture;
+    FirstPicture picture;
+    const LayerPicture& first = picture.layers;
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
-        const LayerPicture l = renderer->layers(s);
-        const Picture p = renderer->render(s);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
+        picture.expectSame(renderer, s, visibilityName(visibility));
         const FrameStats& stats = renderer->stats();
         ASSERT_GE(stats.meshLevels.size(), 4u);
         std::uint64_t drawn = 0;
@@ -76,11 +74,6 @@ TEST_P(MeshLevelsPicture, IsTheSameOnEveryPath) {
         } else {
             EXPECT_EQ(drawnCoarser(stats), 0u);
         }
-        if (picture.rgba.empty()) first = l, picture = p;
-        EXPECT_TRUE(l.id == first.id) << visibilityName(visibility);
-        EXPECT_TRUE(l.z == first.z) << visibilityName(visibility);
-        EXPECT_TRUE(l.normal == first.normal) << visibilityName(visibility);
-        EXPECT_TRUE(p.rgba == picture.rgba) << visibilityName(visibility);
     }
     std::size_t covered = 0, picked = 0;
     for (std::uint32_t i = 0; i < first.id.size(); ++i) {
@@ -129,8 +122,7 @@ std::size_t outlinesFartherThan(double pixels, const LayerPicture& coarse, const
 
 TEST(MeshLevels, OutlinesAreOffByNoMoreThanWasAskedFor) {
     const Representation r = levelsScene({"DNA"});
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         RenderSettings s = settings(r, 160, projection);
         RenderSettings fine = s;

@@ -47,13 +47,11 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
     }
     RenderSettings plain = s;
     plain.effects = {};
-    LayerPicture first;
-    Picture picture;
+    FirstPicture picture;
+    const LayerPicture& first = picture.layers;
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
-        const LayerPicture l = renderer->layers(s);
-        const Picture p = renderer->render(s);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
+        picture.expectSame(renderer, s, visibilityName(visibility));
         const std::size_t triangles = r.triangles.size() * (c.copies ? 3 : 1);
         if (c.clip) {
             EXPECT_GT(renderer->stats().triangles, triangles);  // caps
@@ -61,11 +59,6 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
             EXPECT_EQ(renderer->stats().triangles, triangles);
         }
         EXPECT_EQ(renderer->stats().spheres, r.spheres.size());
-        if (picture.rgba.empty()) first = l, picture = p;
-        EXPECT_TRUE(l.id == first.id) << visibilityName(visibility);
-        EXPECT_TRUE(l.z == first.z) << visibilityName(visibility);
-        EXPECT_TRUE(l.normal == first.normal) << visibilityName(visibility);
-        EXPECT_TRUE(p.rgba == picture.rgba) << visibilityName(visibility);
     }
     std::size_t covered = 0, picked = 0, missed = 0;
     for (std::uint32_t i = 0; i < first.id.size(); ++i) {
@@ -78,12 +71,11 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
     if (c.inverted) {  // the fronts of what counts as closed are seen alone: here its inner sides
         Representation open = r;
         for (MeshRun& mesh : open.meshes) EXPECT_TRUE(std::exchange(mesh.closed, false));
-        ValidatedRenderer renderer(Visibility::tiles);
-        renderer->setScene(open);
+        ValidatedRenderer renderer(Visibility::tiles, open);
         EXPECT_FALSE(renderer->layers(s).z == first.z);
     }
     if (c.fog || c.clip || c.contours) {
-        EXPECT_FALSE(sharedRenderer(Visibility::tiles)->render(plain).rgba == picture.rgba);
+        EXPECT_FALSE(sharedRenderer(Visibility::tiles)->render(plain).rgba == picture.picture.rgba);
     }
 }
 

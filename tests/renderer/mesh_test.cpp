@@ -32,15 +32,13 @@ TEST_P(MeshPicture, IsTheSameOnEveryPath) {
     const MeshCase& c = GetParam();
     const Representation r = meshScene();
     RenderSettings s = makeSettings(c, r, 160);
-    LayerPicture layers;
-    std::vector<float> picture;
+    FirstPicture picture;
+    const LayerPicture& layers = picture.layers;
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
         for (const bool prepass : {true, false}) {
             s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
-            const LayerPicture l = renderer->layers(s);
-            const Picture p = renderer->render(s);
+            picture.expectSame(renderer, s, visibilityName(visibility) + std::string(prepass ? "" : ", no prepass"));
             if (c.zoom > 1) {  // some are beside the picture
                 EXPECT_LT(renderer->stats().triangles, r.triangles.size());
             } else if (c.clipped) {
@@ -48,12 +46,6 @@ TEST_P(MeshPicture, IsTheSameOnEveryPath) {
             } else {
                 EXPECT_EQ(renderer->stats().triangles, r.triangles.size());
             }
-            if (picture.empty()) layers = l, picture = p.rgba;
-            const std::string what = visibilityName(visibility) + std::string(prepass ? "" : ", no prepass");
-            EXPECT_TRUE(l.id == layers.id) << what;
-            EXPECT_TRUE(l.z == layers.z) << what;
-            EXPECT_TRUE(l.normal == layers.normal) << what;
-            EXPECT_TRUE(p.rgba == picture) << what;
         }
     }
     std::size_t ofMesh = 0;
@@ -120,8 +112,7 @@ Sight traced(const Representation& r, const std::vector<glm::dvec3>& vertices, c
 
 TEST(MeshFrame, IsThatOfARayCaster) {
     const Representation r = meshScene(false);
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         const RenderSettings s = settings(r, 48, projection, {70, -20, 200});
         const LayerPicture l = renderer->layers(s);
@@ -167,8 +158,7 @@ TEST(MeshFrame, HasNoGaps) {
     r.radius = 5;
     r.drawnAtoms = 1;
     for (const Visibility visibility : {Visibility::tiles, Visibility::encoded}) {
-        ValidatedRenderer renderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(visibility, r);
         for (int turn = 0; turn < 4; ++turn) {
             // Turns by quarters put vertices and edges onto the middles of pixels.
             const RenderSettings s = settings(r, 200, turn % 2 ? Projection::perspective : Projection::orthographic,
@@ -214,8 +204,7 @@ TEST(MeshFrame, MeetsASphereWhereItDoesInSpace) {
         r.radius = 5.1;
         r.drawnAtoms = 2;
         for (const Visibility visibility : devicePaths()) {
-            ValidatedRenderer renderer(visibility);
-            renderer->setScene(r);
+            ValidatedRenderer renderer(visibility, r);
             RenderSettings s = settings(r, 120, Projection::orthographic);
             for (const bool facets : {false, true}) {  // whose apex is farther in front than depth reaches
                 if (facets) s.tuning.plates = PlateShape::dome3, s.tuning.impostor = ImpostorShape::pyramid;
@@ -234,8 +223,7 @@ TEST(MeshFrame, CapsWhatAPlaneCuts) {
     appendMesh(icosphere(glm::vec3(0), 5, 4, 0), glm::dvec3(0), testLook, r);
     r.radius = 5;
     r.drawnAtoms = 1;
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     RenderSettings s = settings(r, 64, Projection::orthographic);
     s.effects.clip.near = 0;
     const LayerPicture l = renderer->layers(s);
@@ -263,8 +251,7 @@ TEST(MeshFrame, CastsTheShadowOfWhatItStandsFor) {
         r.sphereLooks.assign(r.spheres.size(), testLook(0));
         r.radius = 6;
         r.drawnAtoms = 2;
-        ValidatedRenderer renderer(Visibility::fragdepth);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(Visibility::fragdepth, r);
         RenderSettings s = settings(r, 120, Projection::orthographic, {0, 0, 0});
         s.effects.shadow.strength = 1;
         pictures.push_back(renderer->render(s).rgba);
@@ -287,8 +274,7 @@ TEST(MeshFrame, TellsTheAtomUnderThePointer) {
     r.radius = 5;
     r.drawnAtoms = 1;
     for (const Visibility visibility : {Visibility::tiles, Visibility::fragdepth}) {
-        ValidatedRenderer renderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(visibility, r);
         EXPECT_EQ(renderer->atomAt(settings(r, 100, Projection::orthographic), 50, 50, 0), 17u);
     }
 }

@@ -77,8 +77,7 @@ TEST_P(FourSamples, IsNearerToSixteenSamples) {
     RenderSettings s = wanted(r, 160);
     for (const Visibility path : kSampledPaths) {
         SCOPED_TRACE(visibilityName(path));
-        ValidatedRenderer& plain = sharedRenderer(path);
-        plain->setScene(r);
+        ValidatedRenderer& plain = sharedRenderer(path, r);
         const Picture one = plain->render(s);
         RenderSettings fine = s;
         fine.supersample = 4;
@@ -102,8 +101,7 @@ TEST_P(FourSamples, CoversTheSamplesThatPicturesThereCover) {
     if (s.view.quarterTurns != 0) GTEST_SKIP() << "pictures are upright";
     for (const Visibility path : kSampledPaths) {
         SCOPED_TRACE(visibilityName(path));
-        ValidatedRenderer& plain = sharedRenderer(path);
-        plain->setScene(r);
+        ValidatedRenderer& plain = sharedRenderer(path, r);
         const Picture middle = plain->render(s);
         std::vector<float> coverage(middle.rgba.size() / 4);
         for (const glm::dvec2& place : kPlaces) {

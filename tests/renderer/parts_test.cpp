@@ -38,8 +38,7 @@ TEST_P(Parts, AreThePictureToTheBit) {
     s.effects.clip = {-0.4 * r.radius, 0.7 * r.radius, Clip::Cap::hatched};
     for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
         SCOPED_TRACE(static_cast<int>(path));
-        ValidatedRenderer& renderer = sharedRenderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(path, r);
         const Picture whole = renderer->render(s);
         const std::uint64_t covered = renderer->stats().coveredPixels;
         std::size_t differing = 0, inked = 0;
@@ -80,8 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Picture, WhatIsFineHasMoreThan256Levels) {
     const Representation r = scene("sample:dna", Style::spacefill);
     RenderSettings s = settings(r, 96, Projection::orthographic);
-    ValidatedRenderer renderer(Visibility::tiles);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::tiles, r);
     const Picture coarse = renderer->render(s);
     s.fine = true;
     const Picture fine = renderer->render(s);

@@ -26,8 +26,7 @@ TEST_P(RayCaster, AgreesWithTheGpu) {
     // From afar sticks are all edge, and pixels near an edge are not judged: step closer.
     const double zoom = c.style != Style::spacefill && r.radius > 20 ? 8 : 1;
     const RenderSettings s = settings(r, 320, c.projection, {20, 30, 10}, zoom);
-    ValidatedRenderer& renderer = sharedRenderer(c.visibility);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(c.visibility, r);
     const reference::Comparison comparison =
         reference::compareLayers(reference::castRays(r, s.view), toReference(renderer->layers(s)));
     RecordProperty("comparison", comparison.text());

@@ -43,8 +43,7 @@ TEST_P(SamePicture, WhateverThePath) {
     RenderSettings s = settings(r, 160, c.projection, {75, -40, 120});
     std::vector<LayerPicture> pictures;
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
         for (const bool prepass : {true, false})
             for (const bool merge : {true, false}) {
                 s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
@@ -63,8 +62,7 @@ TEST_P(SamePicture, WhateverThePlatesAndImpostors) {
     const Representation r = scene(c.file, c.style);
     RenderSettings s = settings(r, 160, c.projection, {33, 190, -70});
     for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
         s.tuning.plates = PlateShape::none;
         s.tuning.impostor = ImpostorShape::square;
         const LayerPicture plain = renderer->layers(s);
@@ -86,8 +84,7 @@ TEST_P(SamePicture, OfColourToo) {
     RenderSettings s = settings(r, 128, c.projection);
     std::vector<float> first;
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
         for (const bool prepass : {true, false})
             for (const bool merge : {true, false}) {
                 s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
@@ -179,8 +176,7 @@ TEST(SamePicture, TransientOrStored) {
     std::vector<std::vector<float>> pictures;
     for (const char* stored : {"0", "1"}) {
         setenv("NACRE_NO_TRANSIENT", stored, 1);
-        ValidatedRenderer renderer(Visibility::encoded, ValidatedRenderer::fresh);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(Visibility::encoded, r, ValidatedRenderer::fresh);
         pictures.push_back(renderer->render(s).rgba);
         // Stored attachments show in the frame's traffic: depth and encoded depth beside the colour.
         EXPECT_EQ(renderer->stats().storedBytes, 128u * 128u * (stored[0] == '1' ? 12u : 4u));
@@ -188,8 +184,7 @@ TEST(SamePicture, TransientOrStored) {
     unsetenv("NACRE_NO_TRANSIENT");
     EXPECT_EQ(pictures[0], pictures[1]);
     // The same for one picture.
-    ValidatedRenderer renderer(Visibility::encoded);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::encoded, r);
     RenderSettings one = s;
     for (const bool transient : {true, false}) {
         one.tuning.transient = transient;
@@ -233,8 +228,7 @@ TEST(Frame, OfEncodedIsOneRenderPassAndOfFragdepthOneSubpass) {
     const Representation r = scene("sample:dna", Style::spacefill);
     const RenderSettings s = settings(r, 64, Projection::orthographic);
     {
-        ValidatedRenderer renderer(Visibility::encoded);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(Visibility::encoded, r);
         renderer->render(s);
         EXPECT_NE(renderer->planText().find("subpass 2 impostor colour: depth test, encoded depth input"),
                   std::string::npos)
@@ -242,8 +236,7 @@ TEST(Frame, OfEncodedIsOneRenderPassAndOfFragdepthOneSubpass) {
         EXPECT_EQ(renderer->stats().loadedBytes, 0u);
         EXPECT_EQ(renderer->stats().storedBytes, 64u * 64u * 4u);
     }
-    ValidatedRenderer renderer(Visibility::fragdepth);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::fragdepth, r);
     renderer->render(s);
     // Software devices test depth after the shader: plates would spare nothing.
     const char* passes =

@@ -83,6 +83,10 @@ public:
           said_(renderer_->validationMessages().size()) {
         renderer_->setScene({});  // the scene of another test would keep its occlusion
     }
+    ValidatedRenderer(Visibility visibility, const Representation& scene, Age age = any)
+        : ValidatedRenderer(visibility, age) {
+        renderer_->setScene(scene);
+    }
     ValidatedRenderer(const ValidatedRenderer&) = delete;
     ~ValidatedRenderer() {
         const std::vector<std::string> messages = renderer_->validationMessages();
@@ -117,6 +121,10 @@ template <typename Case>
 class SharedRenderers : public testing::TestWithParam<Case> {
 protected:
     static ValidatedRenderer& sharedRenderer(Visibility visibility) { return renderers_[visibility]; }
+    static ValidatedRenderer& sharedRenderer(Visibility visibility, const Representation& scene) {
+        renderers_[visibility]->setScene(scene);
+        return renderers_[visibility];
+    }
     static void TearDownTestSuite() { renderers_.clear(); }
 
 private:
@@ -136,6 +144,23 @@ inline RenderSettings settings(const Representation& r, std::uint32_t size, Proj
 inline float coded(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
+
+/// The first picture with its layers, which all others have to be to the bit.
+struct FirstPicture {
+    LayerPicture layers;
+    Picture picture;
+
+    void expectSame(ValidatedRenderer& renderer, const RenderSettings& settings, const std::string& what) {
+        const LayerPicture l = renderer->layers(settings);
+        const Picture p = renderer->render(settings);
+        if (picture.rgba.empty()) layers = l, picture = p;
+        EXPECT_TRUE(l.id == layers.id) << what;
+        EXPECT_TRUE(l.z == layers.z) << what;
+        EXPECT_TRUE(l.normal == layers.normal) << what;
+        EXPECT_TRUE(l.occlusion == layers.occlusion) << what;
+        EXPECT_TRUE(p.rgba == picture.rgba) << what;
+    }
+};
 
 /// Colour and occlusion, which are the same to the bit on every path: those of the first.
 struct PictureAndOcclusion {

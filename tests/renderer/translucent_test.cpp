@@ -96,8 +96,7 @@ TEST_P(TranslucentPicture, IsTheSameOnEveryPath) {
     std::vector<float> picture, layered;
     LayerPicture layers;
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
         for (const bool prepass : {true, false}) {
             s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
             const Picture p = renderer->render(s);
@@ -167,8 +166,7 @@ TEST(Translucent, TwoLayersAreMixedAsAFormulaSays) {
     Representation r = shells(kOpacity[kOuter], kOpacity[kInner]);
     r.cylinders.clear();
     r.cylinderLooks.clear();
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     constexpr std::uint32_t kSize = 64;
     for (const bool transparent : {false, true}) {
         RenderSettings s = settings(r, kSize, Projection::orthographic, {70, -20, 200});
@@ -221,8 +219,7 @@ TEST(Translucent, TheNearestBallsAreMixedAsAFormulaSays) {
     }
     r.cylinders.clear();
     r.cylinderLooks.clear();
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     constexpr std::uint32_t kSize = 64;
     RenderSettings s = settings(r, kSize, Projection::orthographic, {30, -20, 100});
     s.lighting = false;
@@ -279,8 +276,7 @@ TEST(Translucent, BallsNeitherOccludeNorCastAShadow) {
     s.effects.shadow.strength = 1;
     for (const OcclusionMaps maps : {OcclusionMaps::tiles, OcclusionMaps::fragdepth}) {
         s.occlusion.maps = maps;
-        ValidatedRenderer renderer(Visibility::automatic);
-        renderer->setScene(bare);
+        ValidatedRenderer renderer(Visibility::automatic, bare);
         const LayerPicture alone = renderer->layers(s);
         Representation faint = balls(0.01, 0.01);
         for (std::uint32_t* color : {&faint.cylinderLooks[0].colorA, &faint.cylinderLooks[0].colorB})
@@ -325,8 +321,7 @@ TEST(Translucent, LightGoesThroughIt) {
     s.effects.shadow.strength = 1;
     for (const OcclusionMaps maps : {OcclusionMaps::tiles, OcclusionMaps::fragdepth}) {
         s.occlusion.maps = maps;
-        ValidatedRenderer renderer(Visibility::automatic);
-        renderer->setScene(bare);
+        ValidatedRenderer renderer(Visibility::automatic, bare);
         const LayerPicture alone = renderer->layers(s);
         renderer->setScene(shells(0.01, 0.01));
         const LayerPicture within = renderer->layers(s);

@@ -77,8 +77,7 @@ TEST_P(VertexLimit, ChangesNoPixelOnAnyPath) {
     RenderSettings s = settings(r, 128, Projection::orthographic);
     c.set(r, s);
     for (const Visibility path : rasterPaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(path, r);
         for (const double share : {0.3, 0.13})
             expectTheSameInShares(renderer, s, std::string(visibilityName(path)) + " " + std::to_string(share), share);
     }
@@ -172,8 +171,7 @@ TEST(VertexLimitOfEyes, CountsBoth) {
     const Representation r = scene("sample:dna", Style::ballAndStick);
     RenderSettings s = settings(r, 128, Projection::perspective);
     s.view = paired(fromAside(s.view, -2, s.view.eyeDistance), fromAside(s.view, 2, s.view.eyeDistance));
-    ValidatedRenderer renderer(Visibility::encoded);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::encoded, r);
     const std::array<Picture, 2> whole = renderer->renderEyes(s);
     s.tuning.mostVertexBytes = 50000;
     const std::array<Picture, 2> inShares = renderer->renderEyes(s);

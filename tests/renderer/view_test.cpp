@@ -20,8 +20,7 @@ RenderSettings oblong(const Representation& r, Projection projection) {
 
 TEST(View, ThoseThatCannotBeDrawnAreErrors) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     const RenderSettings good = oblong(r, Projection::orthographic);
     const auto refuses = [&](const auto& change) {
         RenderSettings s = good;
@@ -66,8 +65,7 @@ TEST(View, AtomsThatAreNotThereAreErrors) {
 TEST(View, PanningByWholePixelsMovesThePictureByThem) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     for (const Visibility path : devicePaths()) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
             RenderSettings s = oblong(r, projection);
             const LayerPicture still = renderer->layers(s);
@@ -89,8 +87,7 @@ TEST(View, PanningByWholePixelsMovesThePictureByThem) {
 TEST(View, ATurnedImageIsThePictureTurnedBitForBit) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     for (const Visibility path : devicePaths()) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
             RenderSettings s = oblong(r, projection);
             s.view.pan = glm::dvec2(13.25, -7.5) / s.view.pixelsPerAngstrom;  // what a float holds exactly, turned too
@@ -121,8 +118,7 @@ TEST(View, ATurnedImageIsThePictureTurnedBitForBit) {
 TEST(View, TheAtomUnderAPixelIsThatOfTheLayers) {
     const Representation r = scene("sample:dna", Style::spacefill);
     for (const Visibility path : devicePaths()) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
             const RenderSettings s = oblong(r, projection);
             const LayerPicture layers = renderer->layers(s);
@@ -137,8 +133,7 @@ TEST(View, TheAtomUnderAPixelIsThatOfTheLayers) {
 
 TEST(View, AFingerFindsTheNearestAtomWithinItsReach) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer renderer(Visibility::automatic, r);
     const RenderSettings s = oblong(r, Projection::orthographic);
     const LayerPicture layers = renderer->layers(s);
     int found = 0;

@@ -137,8 +137,7 @@ TEST_P(Volumes, AreWhatARayMarcherSees) {
         }
     double worst = 0;
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
         const LayerPicture picture = renderer->layers(s);
         for (std::size_t i = 0; i < seen.size(); ++i)
             for (std::size_t c = 0; c < 4 && !hits.nearEdge[i]; ++c)
@@ -170,8 +169,7 @@ TEST_P(Volumes, AreTheSameOnEveryPath) {
             }
             std::vector<float> first;
             for (const Visibility visibility : devicePaths()) {
-                ValidatedRenderer& renderer = sharedRenderer(visibility);
-                renderer->setScene(r);
+                ValidatedRenderer& renderer = sharedRenderer(visibility, r);
                 const Picture p = renderer->render(s);
                 if (first.empty()) first = p.rgba;
                 EXPECT_TRUE(p.rgba == first)
@@ -185,8 +183,7 @@ TEST_P(Volumes, AreTheSameOnEveryPath) {
 TEST_P(Volumes, EndWhereEncodedDepthIsCoarse) {
     const Representation r = withBalls();
     const RenderSettings s = settings(r, 72, GetParam());
-    ValidatedRenderer& exact = sharedRenderer(Visibility::fragdepth);
-    exact->setScene(r);
+    ValidatedRenderer& exact = sharedRenderer(Visibility::fragdepth, r);
     const Picture wanted = exact->render(s);
     Renderer coarse({true, "", Visibility::encoded, EncodedDepth::rgba8});
     coarse.setScene(r);
@@ -208,8 +205,7 @@ TEST_P(Volumes, ArePartedByTranslucentAtoms) {
     s.lighting = false;
     s.background = {0, 0, 0, 0};
     const reference::Layers hits = reference::castRays(r, s.view);
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::automatic, r);
     const LayerPicture picture = renderer->layers(s);
     double worst = 0;
     for (std::uint32_t y = 0; y < kSize; ++y)
@@ -231,8 +227,7 @@ TEST_P(Volumes, ArePartedByTranslucentAtoms) {
 TEST_P(Volumes, ShowNoBordersOfBricks) {
     Representation r = withBalls();
     RenderSettings s = settings(r, 64, GetParam(), {25, -35, 15});
-    ValidatedRenderer& renderer = sharedRenderer(Visibility::fragdepth);
-    renderer->setScene(r);
+    ValidatedRenderer& renderer = sharedRenderer(Visibility::fragdepth, r);
     const LayerPicture whole = renderer->layers(s);
     r.volume = blobVolume(16);
     ASSERT_GT(r.volume->bricks.size(), 8u);
@@ -248,8 +243,7 @@ TEST_P(Volumes, AreDrawnAlone) {
     const RenderSettings s = settings(r, 64, GetParam());
     std::vector<float> first;
     for (const Visibility visibility : devicePaths()) {
-        ValidatedRenderer& renderer = sharedRenderer(visibility);
-        renderer->setScene(r);
+        ValidatedRenderer& renderer = sharedRenderer(visibility, r);
         const Picture p = renderer->render(s);
         if (first.empty()) first = p.rgba;
         EXPECT_TRUE(p.rgba == first) << visibilityName(visibility);

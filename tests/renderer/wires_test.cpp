@@ -73,8 +73,7 @@ TEST(Wires, AreAsWideAtAnyZoomAndDepth) {
 /// own.
 TEST(Wires, NeedNoPipelineForAnotherScale) {
     const auto added = [](const Representation& r, Visibility path) {
-        ValidatedRenderer renderer(path);
-        renderer->setScene(r);
+        ValidatedRenderer renderer(path, r);
         RenderSettings s = settings(r, 96, Projection::orthographic);
         s.occlusion.directions = 0;
         s.supersample = 2;
