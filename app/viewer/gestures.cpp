@@ -161,8 +161,7 @@ std::vector<Gesture> MouseGestures::move(glm::dvec2 at, glm::dvec2 middle) {
 }
 
 std::vector<Gesture> MouseGestures::wheel(double steps, glm::dvec2 at) const {
-    Gesture gesture{Kind::transform, at};
-    gesture.scale = std::pow(kZoomPerStep, steps);
+    Gesture gesture{.kind = Kind::transform, .at = at, .scale = std::pow(kZoomPerStep, steps)};
     return {gesture};
 }
 

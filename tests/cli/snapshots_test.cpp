@@ -92,8 +92,7 @@ TEST(Snapshots, AnAnimationPlaysWhileItsSnapshotRests) {
 }
 
 TEST(Snapshots, AnimationsLengthenTheRestOfTheirSnapshot) {
-    app::SnapshotTimes moving{1, 2};
-    moving.animation = 1.5;
+    app::SnapshotTimes moving{.linger = 1, .transition = 2, .animation = 1.5};
     app::SnapshotTimeline line({moving, {1, 0}}, false);
     EXPECT_EQ(line.seconds(), 4.5);
     EXPECT_EQ(line.at(1.25).seconds, 1.25);

@@ -266,8 +266,7 @@ TEST(Export, CopiesOfAnAssemblyAreNodesOrWrittenOut) {
     AssemblyPart part{{glm::mat4x3(1.0f), glm::mat4x3(1.0f)}, {0}};
     part.transforms[1][3] = {30, 0, 0};
     molecule.assemblies.push_back({"1", "", {part}});
-    RepresentationOptions look{Style::spacefill, ColorScheme::copy, {}};
-    look.assembly = "1";
+    RepresentationOptions look{.style = Style::spacefill, .color = ColorScheme::copy, .rules = {}, .assembly = "1"};
     const Representation scene = represent(molecule, drawnAtoms(molecule), look);
     const ExportScene both = exportScene(molecule, scene, {});
     // Each copy has its own colour: two meshes, one node each.

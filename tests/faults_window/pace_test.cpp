@@ -185,9 +185,7 @@ TEST(WindowPace, LivesWithAWaitThatFails) {
 
 TEST(WindowPace, DoesWithoutWhereNothingTells) {
     {
-        Display display{2, kInterval, 1};
-        display.surfaceSupports = false;
-        MovingWindow window(display);
+        MovingWindow window(Display{.version = 2, .interval = kInterval, .latency = 1, .surfaceSupports = false});
         window.run(60);
         EXPECT_EQ(window.pace().state, State::absent);
         EXPECT_EQ(window.last(), FrameOutcome::shown);

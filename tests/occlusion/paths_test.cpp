@@ -64,8 +64,7 @@ TEST_P(OcclusionOfScene, OfMirroredCopiesIsTheSameByPairs) {
     Molecule m = molecule(GetParam().file);
     addCopies(m, {glm::vec3(24, 0, 0), glm::vec3(3, 20, 4), glm::vec3(-20, 11, 7)});
     m.assemblies[0].parts[0].transforms[1][0].x = m.assemblies[0].parts[0].transforms[3][0].x = -1;
-    RepresentationOptions options{GetParam().style, ColorScheme::element};
-    options.assembly = "1";
+    RepresentationOptions options{.style = GetParam().style, .color = ColorScheme::element, .assembly = "1"};
     scene_ = represent(m, drawnAtoms(m), options);
     EXPECT_EQ(byPairs(), baked(OcclusionMaps::fragdepth));
 }
@@ -188,8 +187,7 @@ TEST(OcclusionBesideFrames, ListsFewPrimitivesAtATimeHoweverFastTheDeviceIs) {
     std::vector<glm::vec3> places;
     for (int i = 0; i < 300; ++i) places.emplace_back(i % 20 * 26, i / 20 * 40, 0);
     addCopies(m, places);
-    RepresentationOptions options{Style::spacefill, ColorScheme::element};
-    options.assembly = "1";
+    RepresentationOptions options{.style = Style::spacefill, .color = ColorScheme::element, .assembly = "1"};
     const Representation r = represent(m, drawnAtoms(m), options);
     const gpu::Device device{DeviceOptions{}};
     gpu::Executor executor{device};

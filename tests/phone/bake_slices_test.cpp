@@ -43,8 +43,7 @@ Representation manyAtoms() {
     std::vector<glm::vec3> places;
     for (int i = 0; i < 40; ++i) places.emplace_back(30 * (i % 5), 30 * (i / 5 % 2), 80 * (i / 10));
     addCopies(m, places);
-    RepresentationOptions options{Style::spacefill, ColorScheme::element};
-    options.assembly = "1";
+    RepresentationOptions options{.style = Style::spacefill, .color = ColorScheme::element, .assembly = "1"};
     return represent(m, drawnAtoms(m), options);
 }
 

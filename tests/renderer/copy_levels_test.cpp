@@ -25,8 +25,7 @@ Representation crowdOfDna() {
         const glm::vec3 place(i % 20 * 30, i / 20 % 10 * 30, i / 200 * 30);
         m.assemblies[0].parts[0].transforms.emplace_back(turn[0], turn[1], turn[2], place + 8.0f * unit(random));
     }
-    RepresentationOptions options{Style::spacefill, ColorScheme::chain};
-    options.assembly = "1";
+    RepresentationOptions options{.style = Style::spacefill, .color = ColorScheme::chain, .assembly = "1"};
     return represent(m, drawnAtoms(m), options);
 }
 
@@ -212,8 +211,7 @@ TEST(CopiesBeyondNumbers, AreDrawnAndTellTheirAtoms) {
         place[3] = {4.0f * static_cast<float>(i % kSide), 4.0f * static_cast<float>(i / kSide), 0};
         m.assemblies[0].parts.push_back({{place}, {i}});
     }
-    RepresentationOptions options{Style::spacefill, ColorScheme::element};
-    options.assembly = "1";
+    RepresentationOptions options{.style = Style::spacefill, .color = ColorScheme::element, .assembly = "1"};
     const Representation r = represent(m, drawnAtoms(m), options);
     for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
         ValidatedRenderer renderer(path, r);

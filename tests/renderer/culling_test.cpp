@@ -21,8 +21,7 @@ Representation culledScene(const CulledCase& c) {
     if (!c.copies) return scene(c.name, c.style);
     Molecule m = molecule(c.name);
     addCopies(m, {{0, 0, 0}, {24, 0, 5}, {48, 0, 10}, {0, 30, 15}, {24, 30, 20}, {48, 30, 25}});
-    RepresentationOptions options{c.style, ColorScheme::element};
-    options.assembly = "1";
+    RepresentationOptions options{.style = c.style, .color = ColorScheme::element, .assembly = "1"};
     return represent(m, drawnAtoms(m), options);
 }
 
@@ -91,8 +90,7 @@ TEST(CopiesBehindCopies, NeverChangeABit) {
     std::vector<glm::vec3> shifts;
     for (int i = 0; i < 1200; ++i) shifts.emplace_back(i % 12 * 26, i / 12 % 10 * 40, i / 120 * 26);
     addCopies(m, shifts);
-    RepresentationOptions options{Style::spacefill, ColorScheme::element};
-    options.assembly = "1";
+    RepresentationOptions options{.style = Style::spacefill, .color = ColorScheme::element, .assembly = "1"};
     const Representation r = represent(m, drawnAtoms(m), options);
     ValidatedRenderer renderer(Visibility::tiles, r);
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {

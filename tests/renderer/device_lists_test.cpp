@@ -89,8 +89,7 @@ INSTANTIATE_TEST_SUITE_P(Views, DeviceLists, testing::ValuesIn(kListedViews),
 TEST(DeviceListsOfCopies, ShowTheSamePixels) {
     Molecule m = molecule("sample:dna");
     addCopies(m, {glm::vec3(24, 0, 0), glm::vec3(3, 20, 4), glm::vec3(-20, 11, 7)});
-    RepresentationOptions options{Style::ballAndStick, ColorScheme::element};
-    options.assembly = "1";
+    RepresentationOptions options{.style = Style::ballAndStick, .color = ColorScheme::element, .assembly = "1"};
     const Representation r = represent(m, drawnAtoms(m), options);
     const auto host = byTiles(ListMaker::host), device = byTiles(ListMaker::device);
     (*host)->setScene(r);

@@ -98,8 +98,7 @@ protected:
 TEST_P(EyesOfOthers, CopiesOfAnAssembly) {
     Molecule m = molecule("sample:dna");
     addCopies(m, {{0, 0, 0}, {30, 0, 0}, {0, 5, 25}});
-    RepresentationOptions look{Style::spacefill, ColorScheme::element};
-    look.assembly = "1";
+    RepresentationOptions look{.style = Style::spacefill, .color = ColorScheme::element, .assembly = "1"};
     const Representation r = represent(m, drawnAtoms(m), look);
     ValidatedRenderer& renderer = sharedRenderer(GetParam(), r);
     RenderSettings s = settings(r, 160, Projection::perspective, {10, 20, 30});

@@ -135,8 +135,7 @@ TEST(Materials, OfPartsAreTheSameOnEveryPath) {
 TEST(Materials, OfCopiesInTheirColours) {
     Molecule m = molecule("sample:glucose");
     addCopies(m, {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}});
-    RepresentationOptions look{Style::spacefill, ColorScheme::copy};
-    look.assembly = "1";
+    RepresentationOptions look{.style = Style::spacefill, .color = ColorScheme::copy, .assembly = "1"};
     RenderSettings s = settings(represent(m, drawnAtoms(m), look), 128, Projection::orthographic);
     s.effects.light.material = Material::metal;
     PathRenderers renderers;

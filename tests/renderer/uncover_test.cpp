@@ -101,8 +101,7 @@ TEST(Uncover, CopiesStayWhatTheyAreOnEveryPath) {
     Molecule m = sampleMolecule("dna");
     addCopies(m, {{0, 0, 0}, {6, 3, 18}});
     for (const Style style : {Style::spacefill, Style::licorice, Style::cartoon}) {
-        RepresentationOptions options{style, ColorScheme::element};
-        options.assembly = "1";
+        RepresentationOptions options{.style = style, .color = ColorScheme::element, .assembly = "1"};
         Representation r = represent(m, drawnAtoms(m), options);
         const std::vector<bool> chosen = selectAtoms(m, parseSelection("chain B and resi 19"));
         RenderSettings s = closeTo(chosen, r, kOrtho);

@@ -109,8 +109,7 @@ TEST(MapScene, ASliceIsFlatAndHasItsOwnColours) {
 
 TEST(MapScene, ASliceEndsWhereItsValuesAreTooLow) {
     const DensityMap x = alongX();
-    MapSlice slice{2, 0.25, 1};
-    slice.least = 1.25;
+    MapSlice slice{.axis = 2, .place = 0.25, .opacity = 1, .least = 1.25};
     Representation scene;
     addSlice(MapRegion(x, glm::ivec3(0), x.size - 1), slice, sixToSix(x), scene);
     double least = 100;

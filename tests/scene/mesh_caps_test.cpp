@@ -114,8 +114,7 @@ TEST(MeshCapsOf, SurfacesHaveTheNearestAtoms) {
 
 TEST(MeshCapsOf, OpenAndTranslucentMeshesHaveNone) {
     const Molecule dna = sampleMolecule("dna");
-    RepresentationOptions options{Style::surface};
-    options.surfaceOpacity = 0.5;
+    RepresentationOptions options{.style = Style::surface, .surfaceOpacity = 0.5};
     const Representation r = represent(dna, drawnAtoms(dna), options);
     Clip clip;
     EXPECT_FALSE(needsCaps(represent(dna, drawnAtoms(dna), {Style::surface}), clip));

@@ -19,8 +19,7 @@ Representation dnaTwice() {
     glm::mat4x3 aside(1.0f);
     aside[3] = {100, 0, 0};
     m.assemblies = {{"1", "", {{{glm::mat4x3(1.0f), aside}, subchains}}}};
-    RepresentationOptions options{Style::spacefill, ColorScheme::element};
-    options.assembly = "1";
+    RepresentationOptions options{.style = Style::spacefill, .color = ColorScheme::element, .assembly = "1"};
     return represent(m, drawnAtoms(m), options);
 }
 
