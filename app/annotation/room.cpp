@@ -71,8 +71,7 @@ void Room::put(const std::string& text, glm::dvec2 at, double em) {
 }
 
 bool Room::isFree(const Area& area) const {
-    return area.within(frame) &&
-           std::none_of(taken.begin(), taken.end(), [&](const Area& other) { return area.overlaps(other); });
+    return area.within(frame) && std::ranges::none_of(taken, [&](const Area& other) { return area.overlaps(other); });
 }
 
 /// Cost of a free position: increases with the distance of a text from its anchor.

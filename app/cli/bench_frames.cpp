@@ -252,8 +252,7 @@ void addFrames(const BenchOptions& options, const Representation& scene, Json& r
     report["lacks"] = lacks;
     // The path that users get.
     const std::string used = deviceInfo(options.picture.device).visibility;
-    const auto it =
-        std::find_if(timed.begin(), timed.end(), [&](const Timed& t) { return visibilityName(t.path) == used; });
+    const auto it = std::ranges::find_if(timed, [&](const Timed& t) { return visibilityName(t.path) == used; });
     const DeviceInfo& device = it->renderer->stats().device;
     report["device"] = {{"name", device.name}, {"driver", device.driver}, {"visibility", used}};
     report["times"]["bake"] = it->renderer->stats().bakeMilliseconds;

@@ -89,8 +89,7 @@ std::string optionsNamed(const std::string& name, std::span<const CommandSpec> c
             const std::vector<std::string> written = writtenNames(option);
             if (std::find(written.begin(), written.end(), longName) == written.end()) continue;
             const std::string text = described(option);
-            const auto known =
-                std::find_if(texts.begin(), texts.end(), [&](const auto& other) { return other.first == text; });
+            const auto known = std::ranges::find_if(texts, [&](const auto& other) { return other.first == text; });
             if (known == texts.end())
                 texts.emplace_back(text, "nacre " + command.name);
             else
@@ -256,8 +255,7 @@ std::string helpTopic(const std::string& name, std::span<const CommandSpec> comm
     if (name == "keywords") return pythonKeywords();
     if (name == "molviewspec") return mvs::nodeTable();
     const std::string spelt = name == "colours" || name == "colour" || name == "color" ? "colors" : name;
-    const auto topic =
-        std::find_if(std::begin(kTopics), std::end(kTopics), [&](const HelpTopic& t) { return spelt == t.name; });
+    const auto topic = std::ranges::find_if(kTopics, [&](const HelpTopic& t) { return spelt == t.name; });
     if (topic == std::end(kTopics)) {
         std::string named = optionsNamed(name, commands);
         if (!named.empty()) return named;
@@ -270,8 +268,7 @@ std::string helpTopic(const std::string& name, std::span<const CommandSpec> comm
                          ", every command and every option");
     }
     std::string text = topic->text;
-    const auto render =
-        std::find_if(commands.begin(), commands.end(), [](const CommandSpec& c) { return c.name == "render"; });
+    const auto render = std::ranges::find_if(commands, [](const CommandSpec& c) { return c.name == "render"; });
     for (const Option& option : options())
         if (has(topic->topics, option.topic))
             for (const OptionSpec& spec : render->options)

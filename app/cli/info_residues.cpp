@@ -46,9 +46,8 @@ Json residueList(const Molecule& molecule) {
 std::string residueText(const Json& residues) {
     std::ostringstream out;
     out << "  residues\n";
-    const bool several = std::any_of(residues.begin(), residues.end(), [&](const Json& residue) {
-        return residue["model"] != residues.front()["model"];
-    });
+    const bool several = std::ranges::any_of(
+        residues, [&](const Json& residue) { return residue["model"] != residues.front()["model"]; });
     for (const Json& residue : residues) {
         const std::string chain = residue["chain"], name = residue["name"];
         const std::string place =

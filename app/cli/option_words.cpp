@@ -110,8 +110,7 @@ std::vector<std::string> optionsThatTake(const std::string& word, const CommandS
     std::vector<std::string> taking;
     for (const OptionSpec& option : command.options) {
         const std::vector<std::string> choices = listChoices(option);
-        if (std::find(choices.begin(), choices.end(), word) != choices.end())
-            taking.push_back(option.longName() + " " + word);
+        if (std::ranges::find(choices, word) != choices.end()) taking.push_back(option.longName() + " " + word);
     }
     return taking;
 }
@@ -149,8 +148,7 @@ std::vector<std::string> listChoices(const OptionSpec& option) {
     std::string type = option.type;
     std::replace(type.begin(), type.end(), '|', ' ');
     for (const std::string& word : lowerWords(type + " " + option.help))
-        if (takesValue(option, word) && std::find(choices.begin(), choices.end(), word) == choices.end())
-            choices.push_back(word);
+        if (takesValue(option, word) && std::ranges::find(choices, word) == choices.end()) choices.push_back(word);
     return choices;
 }
 

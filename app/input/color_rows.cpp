@@ -117,9 +117,7 @@ void ColorRows::fail(std::uint64_t number, const std::string& why) const {
     throw Error("cannot read colours", name_, (number > 0 ? place : "") + why);  // columns of JSON have no row
 }
 
-bool ColorRows::has(Column column) const {
-    return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
-}
+bool ColorRows::has(Column column) const { return std::ranges::find(columns_, column) != columns_.end(); }
 
 void ColorRows::chooseUnknown(const Cells& names, const std::vector<std::string>& unknown, std::uint64_t number) {
     if (unknown.size() != 1)

@@ -277,8 +277,7 @@ private:
             guide_->primitives.labels.push_back(makeLabel(
                 label.text, label.atoms, s,
                 colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()]), &depth));
-            auto list =
-                std::find_if(drawn.begin(), drawn.end(), [&](const auto& d) { return d.first == label.source; });
+            auto list = std::ranges::find_if(drawn, [&](const auto& d) { return d.first == label.source; });
             if (list == drawn.end()) list = drawn.insert(drawn.end(), {label.source, {}});
             list->second.add(guide_->primitives.labels.back(), depth);
         }

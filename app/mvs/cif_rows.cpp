@@ -217,8 +217,7 @@ AnnotationTable readColumns(const std::string& name, const MsgpackValue& categor
         const std::string label = nameIn(column, "name");
         const auto match = std::find_if(wanted.begin(), wanted.end(),
                                         [&](std::string_view one) { return lowerCase(one) == lowerCase(label); });
-        const bool known = match != wanted.end() &&
-                           std::find(table.columns.begin(), table.columns.end(), *match) == table.columns.end();
+        const bool known = match != wanted.end() && std::ranges::find(table.columns, *match) == table.columns.end();
         if (!known) continue;
         table.columns.emplace_back(*match);
         try {

@@ -55,8 +55,7 @@ bool within(const std::optional<std::int64_t>& from, const std::optional<std::in
 
 bool Expression::empty() const {
     const auto given = [&](const auto& field) { return (this->*field.field).has_value(); };
-    return std::none_of(std::begin(kTexts), std::end(kTexts), given) &&
-           std::none_of(std::begin(kNumbers), std::end(kNumbers), given);
+    return std::ranges::none_of(kTexts, given) && std::ranges::none_of(kNumbers, given);
 }
 
 bool setField(Expression& expression, std::string_view field, const Json& value) {

@@ -161,8 +161,7 @@ std::string nodeTable() {
 }
 
 const NodeRow* nodeRow(std::string_view kind) {
-    const auto found =
-        std::find_if(std::begin(kRows), std::end(kRows), [&](const NodeRow& row) { return row.kind == kind; });
+    const auto found = std::ranges::find_if(kRows, [&](const NodeRow& row) { return row.kind == kind; });
     return found == std::end(kRows) ? nullptr : &*found;
 }
 

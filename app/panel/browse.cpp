@@ -65,8 +65,7 @@ void drawPlaces(PanelFrame& f) {
     if (f.host.recent)
         for (const RecentFile& recent : f.host.recent()) {
             const fs::path folder = fs::path(recent.input).parent_path();
-            const bool known =
-                std::any_of(places.begin(), places.end(), [&](const auto& p) { return p.second == folder; });
+            const bool known = std::ranges::any_of(places, [&](const auto& p) { return p.second == folder; });
             if (folder.is_absolute() && !known && places.size() < kMostPlaces)
                 places.emplace_back(folder.filename().string(), folder);
         }

@@ -98,8 +98,7 @@ void PanelInput::typed(const std::string& name, const std::string& text) {
 
 bool PanelInput::shortcut(char32_t letter) {
     const Turn turn(context_);
-    const auto known =
-        std::find_if(std::begin(kLetters), std::end(kLetters), [&](const auto& of) { return of.second == letter; });
+    const auto known = std::ranges::find_if(kLetters, [&](const auto& of) { return of.second == letter; });
     if (known == std::end(kLetters)) return false;
 #if IMGUI_VERSION_NUM < 18700
     ImGuiIO& io = ImGui::GetIO();
@@ -147,8 +146,7 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
 #if IMGUI_VERSION_NUM < 18700
     // Before Dear ImGui 1.87, Enter activates fields and sliders only, and Space presses.
     if (key == SpecialKey::enter && !io.WantTextInput) {
-        const auto focus =
-            std::find_if(s_.ui.controls.begin(), s_.ui.controls.end(), [](const Control& c) { return c.focused; });
+        const auto focus = std::ranges::find_if(s_.ui.controls, [](const Control& c) { return c.focused; });
         const bool typing = focus != s_.ui.controls.end() && (focus->role == "field" || focus->role == "slider");
         if (!typing && down) {
             shortcut(U' ');

@@ -52,8 +52,7 @@ std::vector<std::string> inputNames(const InputOptions& input) {
     std::vector<std::string> names;
     const auto add = [&](const std::string& name, const std::string& path) {
         std::string wanted = name.empty() ? plainName(path) : name, free = wanted;
-        for (int i = 2; std::find(names.begin(), names.end(), free) != names.end(); ++i)
-            free = wanted + "_" + std::to_string(i);
+        for (int i = 2; std::ranges::find(names, free) != names.end(); ++i) free = wanted + "_" + std::to_string(i);
         names.push_back(free);
     };
     add(input.name, input.path);

@@ -81,8 +81,7 @@ Measure parseMeasure(std::string_view text) {
     char quote = '\0';
     const auto add = [&](std::size_t to) {
         std::string part(text.substr(from, to - from));
-        const bool number =
-            !part.empty() && std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+        const bool number = !part.empty() && std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
         measure.points.push_back(parseSelection(number ? "id " + part : part));
         from = to + 1;
     };

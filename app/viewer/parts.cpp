@@ -98,8 +98,7 @@ void labelParts(std::vector<Part>& parts, std::size_t from) {
         names.push_back(nameWords(part.title));
         chains.push_back(&part);
     }
-    const bool differ =
-        std::any_of(names.begin(), names.end(), [&](const auto& name) { return name != names.front(); });
+    const bool differ = std::ranges::any_of(names, [&](const auto& name) { return name != names.front(); });
     const std::size_t begin = differ ? sharedWords(names, false) : 0, end = differ ? sharedWords(names, true) : 0;
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::string text;

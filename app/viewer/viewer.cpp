@@ -121,8 +121,7 @@ void Viewer::resume(double now) {
 // --- files
 
 void Viewer::open(const std::vector<std::string>& paths, bool beside, double now) {
-    const auto view =
-        std::find_if(paths.begin(), paths.end(), [](const auto& path) { return detectKind(path) == FileKind::view; });
+    const auto view = std::ranges::find_if(paths, [](const auto& path) { return detectKind(path) == FileKind::view; });
     if (view == paths.end()) return beside ? reading_.add(paths, now) : reading_.open(paths, now);
     messages().dismissFailure();
     try {

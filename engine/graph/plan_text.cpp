@@ -28,9 +28,7 @@ std::string subpassUses(const Graph& graph, const RenderPassPlan& pass, const Su
         text += (text.empty() ? "" : ", ") + graph.images()[pass.attachments[attachment].image].name + " " + use;
     };
     if (subpass.depth >= 0) add(static_cast<std::uint32_t>(subpass.depth), subpass.depthWrite ? "write" : "test");
-    const auto both = [&](std::uint32_t a) {
-        return std::find(subpass.inputs.begin(), subpass.inputs.end(), a) != subpass.inputs.end();
-    };
+    const auto both = [&](std::uint32_t a) { return std::ranges::find(subpass.inputs, a) != subpass.inputs.end(); };
     for (const std::uint32_t a : subpass.inputs)
         if (std::find(subpass.colors.begin(), subpass.colors.end(), a) == subpass.colors.end()) add(a, "input");
     for (const std::uint32_t a : subpass.colors) add(a, both(a) ? "ordered" : "write");

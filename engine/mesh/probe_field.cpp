@@ -139,8 +139,7 @@ private:
         const auto height = [&](std::uint32_t ball) {
             return glm::distance(balls_[ball].center, place) - balls_[ball].radius;
         };
-        return balls_[*std::min_element(of.begin(), of.end(), [&](auto a, auto b) { return height(a) < height(b); })]
-            .atom;
+        return balls_[*std::ranges::min_element(of, [&](auto a, auto b) { return height(a) < height(b); })].atom;
     }
 
     /// Without a probe: the point where a line leaves the balls, which is exact.

@@ -177,10 +177,9 @@ std::vector<glm::dmat4x3> crystalMates(const Molecule& molecule, double distance
     for (const glm::dmat4x3& motion : crystalCopies(molecule, {-3, -3, -3}, {3, 3, 3})) {
         const glm::dvec3 middle = motion * glm::dvec4(crystal.middle, 1.0);
         if (glm::distance(middle, crystal.middle) > 2 * reach + distance) continue;
-        const bool near =
-            mates.empty() || std::any_of(molecule.atoms.begin(), molecule.atoms.end(), [&](const Atom& atom) {
-                return atomGrid.isNear(motion * glm::dvec4(glm::dvec3(atom.position), 1.0));
-            });
+        const bool near = mates.empty() || std::ranges::any_of(molecule.atoms, [&](const Atom& atom) {
+                              return atomGrid.isNear(motion * glm::dvec4(glm::dvec3(atom.position), 1.0));
+                          });
         if (near) mates.push_back(motion);
     }
     return mates;

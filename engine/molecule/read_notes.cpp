@@ -11,9 +11,8 @@ namespace nacre {
 void addNote(ReadNotes& notes, ReadAction action, std::string_view what, std::string_view why, std::int64_t count,
              std::uint64_t line) {
     if (count == 0) return;
-    const auto known = std::find_if(notes.begin(), notes.end(), [&](const ReadNote& note) {
-        return note.action == action && note.what == what && note.why == why;
-    });
+    const auto known = std::ranges::find_if(
+        notes, [&](const ReadNote& note) { return note.action == action && note.what == what && note.why == why; });
     if (known == notes.end())
         notes.push_back({action, std::string(what), std::string(why), count, line});
     else

@@ -135,8 +135,7 @@ TEST(ColorFrom, ValuesRunAlongARampAsBFactorsDo) {
     ASSERT_EQ(mine.spheres.size(), theirs.spheres.size());
     for (std::size_t i = 0; i < mine.spheres.size(); ++i)
         EXPECT_EQ(mine.sphereLooks[i].color, theirs.sphereLooks[i].color);
-    const auto legend =
-        std::find_if(mine.legends.begin(), mine.legends.end(), [](const Legend& l) { return l.stops > 0; });
+    const auto legend = std::ranges::find_if(mine.legends, [](const Legend& l) { return l.stops > 0; });
     ASSERT_NE(legend, mine.legends.end());
     EXPECT_EQ(legend->scheme, "b");
     EXPECT_EQ(legend->entries.front().label, theirs.legends[0].entries.front().label);

@@ -189,8 +189,7 @@ bool covers(const std::string& name, const std::string& file) {
 std::size_t closeness(const std::string& name) { return name.ends_with("*.h") ? name.size() - 2 : name.size(); }
 
 bool allowedOfProject(const Include& include) {
-    if (std::find(kPlain.begin(), kPlain.end(), include.header) != kPlain.end() && startsWith(include.file, "engine/"))
-        return true;
+    if (std::ranges::find(kPlain, include.header) != kPlain.end() && startsWith(include.file, "engine/")) return true;
     const Arrows* arrows = nullptr;
     for (const Arrows& a : kArrows)
         if (covers(a.from, include.file) && (!arrows || closeness(a.from) > closeness(arrows->from))) arrows = &a;
@@ -237,11 +236,10 @@ TEST(House, EveryIncludePointsTheRightWay) {
 }
 
 TEST(House, WhatPointsTheWrongWayIsNoticed) {
-    for (const Include& wrong : {Include{"engine/graph/plan.cpp", "engine/gpu/execute.h"},
-                                 Include{"engine/renderer.h", "engine/gpu/device.h"},
-                                 Include{"app/cli/stats.cpp", "engine/gpu/device.h"},
-                                 Include{"app/desktop/window.h", "app/cli/options.h"},
-                                 Include{"app/panel/panel.cpp", "GLFW/glfw3.h", true}})
+    for (const Include& wrong :
+         {Include{"engine/graph/plan.cpp", "engine/gpu/execute.h"}, Include{"engine/renderer.h", "engine/gpu/device.h"},
+          Include{"app/cli/stats.cpp", "engine/gpu/device.h"}, Include{"app/desktop/window.h", "app/cli/options.h"},
+          Include{"app/panel/panel.cpp", "GLFW/glfw3.h", true}})
         EXPECT_FALSE(allowed(wrong)) << wrong.file << " -> " << wrong.header;
 }
 

@@ -239,8 +239,7 @@ TEST(CartoonResidues, DisulphidesAreSticksOfTheirAtoms) {
     const Mesh mesh = makeCartoon(molecule);
     expectSound(mesh, molecule.atoms.size());
     EXPECT_GT(mesh.triangles.size(), without);
-    for (const std::uint32_t atom : {2u, 3u, 7u, 8u})
-        EXPECT_TRUE(std::count(mesh.atoms.begin(), mesh.atoms.end(), atom)) << atom;
+    for (const std::uint32_t atom : {2u, 3u, 7u, 8u}) EXPECT_TRUE(std::ranges::count(mesh.atoms, atom)) << atom;
     EXPECT_EQ(makeCartoon(molecule, CartoonOptions{.disulfides = false}).triangles.size(), without);
 }
 

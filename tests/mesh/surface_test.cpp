@@ -297,9 +297,8 @@ double openArea(const Molecule& molecule, std::span<const std::uint32_t> atoms, 
             const double z = 1 - (2 * k + 1.0) / kPlaces, turn = k * kPi * (3 - std::sqrt(5.0));
             const double across = std::sqrt(1 - z * z);
             const glm::dvec3 place = center + radius * glm::dvec3(across * std::cos(turn), across * std::sin(turn), z);
-            open += std::none_of(near.begin(), near.end(), [&](const glm::dvec4& ball) {
-                return glm::distance(place, glm::dvec3(ball)) < ball.w;
-            });
+            open += std::ranges::none_of(
+                near, [&](const glm::dvec4& ball) { return glm::distance(place, glm::dvec3(ball)) < ball.w; });
         }
         area += 4 * kPi * radius * radius * open / kPlaces;
     }

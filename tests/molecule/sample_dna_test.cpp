@@ -152,8 +152,7 @@ TEST_F(SampleDna, CarriesExactlyThoseBonds) {
     for (const Bond& bond : molecule.bonds)
         EXPECT_LT(glm::distance(molecule.atoms[bond.a].position, molecule.atoms[bond.b].position), 1.7f);
     // Kekulé structures: A has 4 double bonds, G 4, C 3, T 3; each phosphate has one.
-    const auto doubles =
-        std::count_if(molecule.bonds.begin(), molecule.bonds.end(), [](const Bond& bond) { return bond.order == 2; });
+    const auto doubles = std::ranges::count_if(molecule.bonds, [](const Bond& bond) { return bond.order == 2; });
     EXPECT_EQ(doubles, 4 * 4 + 8 * 4 + 8 * 3 + 4 * 3 + 22);
 }
 

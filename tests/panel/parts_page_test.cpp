@@ -218,8 +218,7 @@ TEST(Panel, ADragAcrossTheSequenceSelectsResidues) {
     EXPECT_EQ(b.viewer.picking().selection().text, "chain A and resi 3-5");
     EXPECT_GT(b.viewer.picking().selection().count, 50u);
     const std::vector<bool>& marked = b.viewer.frames().marks().selected;
-    EXPECT_EQ(static_cast<std::size_t>(std::count(marked.begin(), marked.end(), true)),
-              b.viewer.picking().selection().count);
+    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(marked, true)), b.viewer.picking().selection().count);
 }
 
 TEST(Panel, KeysGoAlongTheSequence) {

@@ -88,8 +88,7 @@ TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
     const AssemblyCase& c = GetParam();
     if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA(c.file);
     const Molecule m = makeMolecule(c);
-    const auto assembly =
-        std::find_if(m.assemblies.begin(), m.assemblies.end(), [&](const Assembly& a) { return a.id == c.assembly; });
+    const auto assembly = std::ranges::find_if(m.assemblies, [&](const Assembly& a) { return a.id == c.assembly; });
     ASSERT_NE(assembly, m.assemblies.end());
     const Representation whole = makeScene(writtenOut(m, *assembly), c, false);
     const Representation r = makeScene(m, c, true);

@@ -131,9 +131,8 @@ TEST_P(Effect, PlanesCutAsExactRaysSay) {
             const auto owns = [&](const Inside& i) { return i.enter < near && i.leave > near; };
             for (const Inside& i : solids)
                 if (owns(i)) deepest = std::max(deepest, i.deep);
-            wrongOwners += std::none_of(solids.begin(), solids.end(), [&](const Inside& i) {
-                return owns(i) && i.atom == layers.id[at] && i.deep > deepest - 0.01;
-            });
+            wrongOwners += std::ranges::none_of(
+                solids, [&](const Inside& i) { return owns(i) && i.atom == layers.id[at] && i.deep > deepest - 0.01; });
         }
     EXPECT_GT(caps, 150);
     EXPECT_GT(skins, 300);

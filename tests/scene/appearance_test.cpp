@@ -145,9 +145,8 @@ TEST(Appearance, AChromophoreKeepsItsSticksBesideTheRibbon) {
         sticks += a.styles[i] == Style::licorice;
     }
     EXPECT_EQ(sticks, 22u);
-    const auto inCartoon = std::count_if(a.cartoon.atoms.begin(), a.cartoon.atoms.end(), [&](std::uint32_t atom) {
-        return gfp.residues[gfp.atoms[atom].residue].name == Name("CRO");
-    });
+    const auto inCartoon = std::ranges::count_if(
+        a.cartoon.atoms, [&](std::uint32_t atom) { return gfp.residues[gfp.atoms[atom].residue].name == Name("CRO"); });
     EXPECT_EQ(inCartoon, 22);
     const Appearance hidden =
         makeAppearance(gfp, drawnAtoms(gfp), {Style::cartoon, ColorScheme::element, {hide("resn CRO")}});

@@ -57,8 +57,7 @@ bool inPorphyrin(const ChemistryWork& work, const std::vector<std::uint8_t>& atM
     for (const std::uint32_t atom : ring.atoms) {
         holds = holds || (atMetal[atom] && work.element(atom) == kNitrogen);
         for (const Neighbour& n : work.chemistry.of(atom))
-            outward +=
-                work.inRing[n.bond] && std::find(ring.atoms.begin(), ring.atoms.end(), n.atom) == ring.atoms.end();
+            outward += work.inRing[n.bond] && std::ranges::find(ring.atoms, n.atom) == ring.atoms.end();
     }
     return holds && outward >= 2;
 }
@@ -79,9 +78,8 @@ void chooseDrawnRings(ChemistryWork& work) {
     }
     const std::vector<std::uint8_t> atMetal = boundToMetals(work);
     for (const Ring& ring : chemistry.rings) {
-        const bool whole = std::all_of(ring.atoms.begin(), ring.atoms.end(), [&](std::uint32_t atom) {
-            return systems.of(atom) == systems.of(ring.atoms.front());
-        });
+        const bool whole = std::ranges::all_of(
+            ring.atoms, [&](std::uint32_t atom) { return systems.of(atom) == systems.of(ring.atoms.front()); });
         // Neighbouring rings may make all bonds of a non-aromatic ring aromatic, such as a pentagon of a fullerene.
         if ((whole && !ring.aromatic) || inPorphyrin(work, atMetal, ring)) kekule[systems.of(ring.atoms.front())] = 1;
     }

@@ -10,9 +10,7 @@
 namespace nacre {
 namespace {
 
-bool anyOf(Element e, std::initializer_list<Element> list) {
-    return std::find(list.begin(), list.end(), e) != list.end();
-}
+bool anyOf(Element e, std::initializer_list<Element> list) { return std::ranges::find(list, e) != list.end(); }
 
 /// A carbon that has only carbon and hydrogen neighbours.
 bool hydrophobicCarbon(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom) {

@@ -73,8 +73,7 @@ private:
                 std::min_element(left.begin(), left.end(),
                                  [&](const Neighbour& l, const Neighbour& r) { return measure(l) < measure(r); });
             const float most = measure(*shortest) + kLengthError;
-            const auto next =
-                std::find_if(left.begin(), left.end(), [&](const Neighbour& n) { return measure(n) <= most; });
+            const auto next = std::ranges::find_if(left, [&](const Neighbour& n) { return measure(n) <= most; });
             ends.push_back(*next);
             left.erase(next);
         }

@@ -194,16 +194,14 @@ private:
                 rings[atom] = static_cast<std::uint8_t>(rings[atom] < 2 ? rings[atom] + 1 : 2);
         const auto wants = [&](std::uint32_t atom) {
             const auto around = chemistry_.of(atom);
-            const bool twofold = std::any_of(around.begin(), around.end(), [&](const Neighbour& n) {
-                return rings[n.atom] == 0 && chemistry_.order[n.bond] > 1;
-            });
+            const bool twofold = std::ranges::any_of(
+                around, [&](const Neighbour& n) { return rings[n.atom] == 0 && chemistry_.order[n.bond] > 1; });
             if (rings[atom] != 1 || twofold || receptor(atom)) return false;
             return element(atom) == kCarbon || (element(atom) == kNitrogen && around.size() == 2);
         };
         for (const Ring& ring : chemistry_.rings) {
-            if (ring.atoms.size() != 5 || !ring.aromatic || !std::all_of(ring.atoms.begin(), ring.atoms.end(), wants))
-                continue;
-            const std::uint32_t first = *std::min_element(ring.atoms.begin(), ring.atoms.end());
+            if (ring.atoms.size() != 5 || !ring.aromatic || !std::ranges::all_of(ring.atoms, wants)) continue;
+            const std::uint32_t first = *std::ranges::min_element(ring.atoms);
             const Neighbour* last = nullptr;
             for (const Neighbour& n : chemistry_.of(first))
                 if (rings[n.atom] == 1 && std::find(ring.atoms.begin(), ring.atoms.end(), n.atom) != ring.atoms.end() &&
@@ -368,9 +366,8 @@ private:
                     const auto ends = findNeighbours(atom, kOxygen);
                     addCharge(ends, ends, false);
                 } else if (degree == 3 && count(atom, kNitrogen) == 3) {
-                    const bool end = std::any_of(around.begin(), around.end(), [&](std::uint32_t n) {
-                        return heavyNeighbours(molecule_, chemistry_, n).size() == 1;
-                    });
+                    const bool end = std::ranges::any_of(
+                        around, [&](std::uint32_t n) { return heavyNeighbours(molecule_, chemistry_, n).size() == 1; });
                     if (end) addCharge(around, {atom}, true);
                 }
                 break;

@@ -75,8 +75,7 @@ Element elementOfLabel(std::string_view label, const std::vector<Element>& formu
     };
     const bool usable = formula.size() > 1;
     for (const Element element : {known(2), known(1)})
-        if (usable && element != 0 && std::find(formula.begin(), formula.end(), element) != formula.end())
-            return element;
+        if (usable && element != 0 && std::ranges::find(formula, element) != formula.end()) return element;
     return known(2) != 0 ? known(2) : known(1);
 }
 
@@ -213,8 +212,7 @@ void separateSharedSites(MoleculeBuilder& builder) {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return atoms[a].position.x < atoms[b].position.x; });
     const auto share = [&](std::vector<std::uint32_t>& site, float whole) {
-        const bool labelled =
-            std::any_of(site.begin(), site.end(), [&](std::uint32_t i) { return atoms[i].alternate; });
+        const bool labelled = std::ranges::any_of(site, [&](std::uint32_t i) { return atoms[i].alternate; });
         if (site.size() < 2 || site.size() > kMostOnSite || labelled || whole > kFull) return;
         std::stable_sort(site.begin(), site.end(), [&](std::uint32_t a, std::uint32_t b) {
             return atoms[a].occupancy != atoms[b].occupancy ? atoms[a].occupancy > atoms[b].occupancy : a < b;

@@ -226,8 +226,7 @@ Coordinates coordinates(std::string_view line) {
     const auto isCut = [](std::string_view field) {
         return pdb::number(field) && field.find('.') != std::string_view::npos;
     };
-    if (touch && at == kUsualEnd && column(line, 30) == ' ' &&
-        std::all_of(columned.fields.begin(), columned.fields.end(), isCut))
+    if (touch && at == kUsualEnd && column(line, 30) == ' ' && std::ranges::all_of(columned.fields, isCut))
         return columned;
     found.shift = at > kUsualEnd ? at - kUsualEnd : 0;
     return found;

@@ -17,8 +17,7 @@ bool isWord(char c) { return isLetter(c) || isDigit(c) || c == '\''; }
 bool staysCapital(std::string_view word) {
     if (std::any_of(word.begin(), word.end(), isDigit)) return true;
     if (word.size() == 1) return true;  // "N-acetyl-D-glucosamine"
-    return word.size() <= kLongestAbbreviation &&
-           std::find(std::begin(kShortWords), std::end(kShortWords), word) == std::end(kShortWords);
+    return word.size() <= kLongestAbbreviation && std::ranges::find(kShortWords, word) == std::end(kShortWords);
 }
 
 bool isOneWord(std::string_view text) {

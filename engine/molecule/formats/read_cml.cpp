@@ -195,8 +195,7 @@ private:
         static constexpr std::string_view kScalars[] = {"a", "b", "c", "alpha", "beta", "gamma"};
         std::string_view name = attributes["title"].empty() ? attributes["dictRef"] : attributes["title"];
         name = name.substr(name.find_last_of(":_") + 1);
-        return static_cast<std::size_t>(std::find(std::begin(kScalars), std::end(kScalars), name) -
-                                        std::begin(kScalars));
+        return static_cast<std::size_t>(std::ranges::find(kScalars, name) - std::begin(kScalars));
     }
 
     /// "<cellParameter parameterType="length">4 5 6</cellParameter>" is three numbers.

@@ -75,8 +75,7 @@ public:
         takeBox(builder);
         for (; unread_ > 0; --unread_) builder.leaveOut("lists", "numbers of an unexpected type");
         for (const auto& entry : names_)
-            if (const bool used =
-                    std::find(std::begin(kGsdLists), std::end(kGsdLists), entry.first) != std::end(kGsdLists);
+            if (const bool used = std::ranges::find(kGsdLists, entry.first) != std::end(kGsdLists);
                 !used && chunk(entry.first))
                 builder.pass("further lists");
         FileSummary& file = molecule.file;

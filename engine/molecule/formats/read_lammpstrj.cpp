@@ -156,8 +156,7 @@ private:
             static constexpr std::string_view kUsed[] = {"id", "type", "element", "mol", "mass", "q",  "radius", "vx",
                                                          "vy", "vz",   "fx",      "fy",  "fz",   "ix", "iy",     "iz"};
             const bool place = name.find_first_not_of("xyzsu") == std::string::npos;
-            if (!place && std::find(std::begin(kUsed), std::end(kUsed), name) == std::end(kUsed))
-                builder_.pass("further columns");
+            if (!place && std::ranges::find(kUsed, name) == std::end(kUsed)) builder_.pass("further columns");
         }
     }
 

@@ -270,9 +270,8 @@ private:
             std::uint32_t record = 0;
             return index.find(id, record) == IdIndex::Found::one ? std::int64_t{record} : -1;
         };
-        const bool usable =
-            !index.repeats() && std::none_of(ids_.begin(), ids_.end(), [](std::int64_t id) { return id < 0; });
-        const bool byId = usable && std::all_of(pending_.begin(), pending_.end(), [&](const Mol2Bond& bond) {
+        const bool usable = !index.repeats() && std::ranges::none_of(ids_, [](std::int64_t id) { return id < 0; });
+        const bool byId = usable && std::ranges::all_of(pending_, [&](const Mol2Bond& bond) {
                               return findRecord(bond.a) >= 0 && findRecord(bond.b) >= 0;
                           });
         const auto findAtom = [&](std::int64_t id) { return builder_.atomOfRecord(byId ? findRecord(id) : id - 1); };

@@ -348,8 +348,7 @@ private:
         const auto control = [](char c) {
             return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t';
         };
-        if (std::count_if(head.begin(), head.end(), control) > 0)
-            cannotRead(name_, "it is not text, so not a PDB file");
+        if (std::ranges::count_if(head, control) > 0) cannotRead(name_, "it is not text, so not a PDB file");
         cannotRead(name_, "it has no ATOM or HETATM records");
     }
 

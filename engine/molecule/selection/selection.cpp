@@ -171,8 +171,7 @@ private:
 
     Set ofKind(std::initializer_list<ResidueKind> wanted) {
         const std::vector<ResidueKind>& known = facts_.kinds();
-        return whereResidue(
-            [&](std::size_t i) { return std::find(wanted.begin(), wanted.end(), known[i]) != wanted.end(); });
+        return whereResidue([&](std::size_t i) { return std::ranges::find(wanted, known[i]) != wanted.end(); });
     }
 
     Set ofPolymer(bool backbone) {

@@ -284,9 +284,8 @@ private:
         static constexpr std::pair<std::string_view, std::uint8_t> kSigns[] = {
             {"<=", 3}, {">=", 6}, {"!=", 5}, {"==", 2}, {"<", 1}, {">", 4}, {"=", 2}};
         skipBlanks();
-        const auto sign = std::find_if(std::begin(kSigns), std::end(kSigns), [&](const auto& known) {
-            return text_.substr(position_, known.first.size()) == known.first;
-        });
+        const auto sign = std::ranges::find_if(
+            kSigns, [&](const auto& known) { return text_.substr(position_, known.first.size()) == known.first; });
         if (sign == std::end(kSigns)) expected("one of < <= = >= > !=");
         position_ += sign->first.size();
         step.comparison = static_cast<Comparison>(sign->second);

@@ -225,9 +225,8 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
     const auto findStyle = [&](std::size_t i) {
         return looks[i].style == kBase ? appearance.style : rules[looks[i].style - 1].style;
     };
-    const bool anyBackbone =
-        std::any_of(rules.begin(), rules.end(), [](const Rule& r) { return r.style == Style::backbone; }) ||
-        appearance.style == Style::backbone;
+    const bool anyBackbone = std::ranges::any_of(rules, [](const Rule& r) { return r.style == Style::backbone; }) ||
+                             appearance.style == Style::backbone;
     const std::vector<bool> guides = anyBackbone ? guideAtoms(facts) : std::vector<bool>();
     const std::vector<bool> bonded =
         wanted.empty() && !anyBackbone && std::ranges::none_of(looks, [](const AtomLook& look) { return look.beside; })

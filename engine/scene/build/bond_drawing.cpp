@@ -157,10 +157,9 @@ public:
         };
         for (int i = 0; i < kPieces; ++i) {
             const glm::dvec3 a = point(i), b = point(i + 1), half = (a + b) / 2.0;
-            const std::uint32_t atom =
-                *std::min_element(ring.begin(), ring.end(), [&](std::uint32_t l, std::uint32_t r) {
-                    return glm::distance(at(l), half) < glm::distance(at(r), half);
-                });
+            const std::uint32_t atom = *std::ranges::min_element(ring, [&](std::uint32_t l, std::uint32_t r) {
+                return glm::distance(at(l), half) < glm::distance(at(r), half);
+            });
             const SphereLook& seen = look(atom);
             result_.spheres.push_back({glm::vec3(a), radius});
             result_.sphereLooks.push_back(seen);

@@ -123,8 +123,7 @@ bool isSolid(const Representation& r) {
     std::size_t closed = 0;
     for (const MeshRun& mesh : r.meshes) closed += mesh.closed ? mesh.count : 0;
     const auto mirrors = [](const glm::dmat4x3& m) { return glm::dot(glm::cross(m[0], m[1]), m[2]) < 0; };
-    return closed > 0 && closed == r.triangles.size() &&
-           std::none_of(r.copies.transforms.begin(), r.copies.transforms.end(), mirrors);
+    return closed > 0 && closed == r.triangles.size() && std::ranges::none_of(r.copies.transforms, mirrors);
 }
 
 glm::vec3 decodeNormal(const MeshVertex& v) {

@@ -295,8 +295,7 @@ GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32
 std::vector<SceneLayer> splitLayers(const Appearance& appearance, const RepresentationOptions& options) {
     std::vector<SceneLayer> layers;
     const auto findLayer = [&](Style style) -> SceneLayer& {
-        const auto found =
-            std::find_if(layers.begin(), layers.end(), [&](const SceneLayer& layer) { return layer.style == style; });
+        const auto found = std::ranges::find_if(layers, [&](const SceneLayer& layer) { return layer.style == style; });
         if (found != layers.end()) return *found;
         SceneLayer& layer = layers.emplace_back();
         layer.style = style;

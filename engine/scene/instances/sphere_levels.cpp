@@ -180,8 +180,7 @@ private:
 /// The atoms' mean colour, weighted by visible area, and the number of the most visible one.
 SphereLook averageLook(std::span<const SphereLook> looks, std::span<const float> areas,
                        std::span<const std::uint32_t> atoms) {
-    const std::uint32_t most =
-        *std::max_element(atoms.begin(), atoms.end(), [&](auto a, auto b) { return areas[a] < areas[b]; });
+    const std::uint32_t most = *std::ranges::max_element(atoms, [&](auto a, auto b) { return areas[a] < areas[b]; });
     SphereLook look = looks[most];
     std::vector<std::uint32_t> colors;
     std::vector<float> shares;
