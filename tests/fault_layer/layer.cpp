@@ -152,20 +152,13 @@ VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice gone, const VkAllocationCallba
 VKAPI_ATTR VkResult VKAPI_CALL deviceExtensions(VkPhysicalDevice physical, const char* layer, std::uint32_t* count,
                                                 VkExtensionProperties* list) {
     if (layer) return nextDeviceExtensions(physical, layer, count, list);
-    std::uint32_t there = 0;
-    nextDeviceExtensions(physical, layer, &there, nullptr);
-    std::vector<VkExtensionProperties> all(there);
-    nextDeviceExtensions(physical, layer, &there, all.data());
+    std::vector<VkExtensionProperties> all = test::listExtensions(nextDeviceExtensions, physical);
     VkExtensionProperties fault{};
     std::strcpy(fault.extensionName, VK_EXT_DEVICE_FAULT_EXTENSION_NAME);
     if (offersFaultData()) all.push_back(fault);
     addDisplayExtensions(all);
     std::erase_if(all, [](const VkExtensionProperties& e) { return hides(e.extensionName); });
-    const auto wanted = static_cast<std::uint32_t>(all.size());
-    if (list) std::copy_n(all.data(), std::min(*count, wanted), list);
-    const bool whole = !list || *count >= wanted;
-    *count = list ? std::min(*count, wanted) : wanted;
-    return whole ? VK_SUCCESS : VK_INCOMPLETE;
+    return test::tellExtensions(all, count, list);
 }
 
 VKAPI_ATTR void VKAPI_CALL features2(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* features) {

@@ -5,7 +5,6 @@
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
-#include <algorithm>
 #include <cstring>
 #include <string_view>
 #include <vector>
@@ -70,18 +69,12 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties(VkPhysicalDevice of
 VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevice of, const char* layer,
                                                                   std::uint32_t* count, VkExtensionProperties* list) {
     if (layer) return nextExtensions(of, layer, count, list);
-    std::uint32_t all = 0;
-    nextExtensions(of, nullptr, &all, nullptr);
-    std::vector<VkExtensionProperties> kept(all);
-    nextExtensions(of, nullptr, &all, kept.data());
+    std::vector<VkExtensionProperties> kept = test::listExtensions(nextExtensions, of);
     std::erase_if(kept, [](const VkExtensionProperties& e) {
         return std::string_view(e.extensionName).find("rasterization_order_attachment_access") !=
                std::string_view::npos;
     });
-    const auto most = static_cast<std::uint32_t>(kept.size()), room = list ? *count : most;
-    *count = std::min(room, most);
-    if (list) std::copy_n(kept.begin(), *count, list);
-    return room < most ? VK_INCOMPLETE : VK_SUCCESS;
+    return test::tellExtensions(kept, count, list);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceCreateInfo* info,

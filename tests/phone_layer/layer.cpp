@@ -231,10 +231,7 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFormatProperties2(VkPhysicalDevice o
 VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevice of, const char* layer,
                                                                   std::uint32_t* count, VkExtensionProperties* list) {
     if (layer) return nextEnumerateDeviceExtensionProperties(of, layer, count, list);
-    std::uint32_t all = 0;
-    nextEnumerateDeviceExtensionProperties(of, nullptr, &all, nullptr);
-    std::vector<VkExtensionProperties> kept(all);
-    nextEnumerateDeviceExtensionProperties(of, nullptr, &all, kept.data());
+    std::vector<VkExtensionProperties> kept = test::listExtensions(nextEnumerateDeviceExtensionProperties, of);
     std::erase_if(kept, [](const VkExtensionProperties& e) {
         const std::string_view name = e.extensionName;
         const bool ordered = name == VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME;
@@ -256,12 +253,7 @@ VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevi
         own.specVersion = 1;
         kept.push_back(own);
     }
-    const auto room = list ? *count : 0;
-    *count = static_cast<std::uint32_t>(kept.size());
-    if (!list) return VK_SUCCESS;
-    *count = std::min(room, *count);
-    std::copy_n(kept.begin(), *count, list);
-    return room < kept.size() ? VK_INCOMPLETE : VK_SUCCESS;
+    return test::tellExtensions(kept, count, list);
 }
 
 // --- shaders
