@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "app/annotation/room.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::app {
 
@@ -34,9 +35,8 @@ void layScaleBar(Room& room, ScaleBar unit) {
     const double most = room.view.width / 5.0 / room.view.pixelsPerAngstrom;  // Å
     const double ten = std::pow(10.0, std::floor(std::log10(most)));
     const double length = most >= 5 * ten ? 5 * ten : most >= 2 * ten ? 2 * ten : ten;
-    char number[32];
-    std::snprintf(number, sizeof number, "%.12g", unit == ScaleBar::nanometre ? length / 10 : length);
-    const std::string text = std::string(number) + (unit == ScaleBar::nanometre ? " nm" : " Å");
+    const std::string text =
+        unit == ScaleBar::nanometre ? formatted("%.12g nm", length / 10) : formatted("%.12g Å", length);
     const double pixels = length * room.view.pixelsPerAngstrom, tick = 0.28 * room.size;
     const glm::dvec2 right(room.view.width - room.margin, room.view.height - room.margin - tick);
     const glm::dvec2 left = right - glm::dvec2(pixels, 0);

@@ -1,24 +1,15 @@
 #include "app/annotation/measurement.h"
 
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "app/annotation/element_names.h"
 #include "engine/molecule/element.h"
+#include "engine/molecule/text.h"
 #include "engine/scene/build/contacts.h"
 
 namespace nacre::app {
-namespace {
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
-}  // namespace
 
 double measureDistance(const glm::dvec3& a, const glm::dvec3& b) { return glm::distance(a, b); }
 

@@ -16,6 +16,7 @@
 #include "app/annotation/shaping.h"
 #include "app/annotation/system_font.h"
 #include "engine/error.h"
+#include "engine/molecule/text.h"
 #include "engine/srgb.h"
 
 namespace nacre::app {
@@ -315,11 +316,8 @@ std::vector<std::string> WordPainter::listWarnings(const Marks& marks) const {
         constexpr std::size_t kNamed = 4;
         std::string text =
             "no installed font has " + std::string(missing.size() == 1 ? "the character" : "the characters");
-        for (std::size_t i = 0; i < std::min(missing.size(), kNamed); ++i) {
-            char code[16];
-            std::snprintf(code, sizeof code, " U+%04X", static_cast<unsigned>(missing[i]));
-            text += (i ? "," : "") + std::string(code);
-        }
+        for (std::size_t i = 0; i < std::min(missing.size(), kNamed); ++i)
+            text += formatted(i ? ", U+%04X" : " U+%04X", static_cast<unsigned>(missing[i]));
         if (missing.size() > kNamed) text += " and " + std::to_string(missing.size() - kNamed) + " more";
         warnings.push_back(text + ": the picture shows boxes instead");
     }

@@ -12,6 +12,7 @@
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/residue_facts.h"
+#include "engine/molecule/text.h"
 #include "engine/scene/instances/sphere_levels.h"
 
 namespace nacre::app {
@@ -66,9 +67,7 @@ std::string fieldValue(std::string_view name, const Molecule& molecule, std::uin
     if (name == "id") return std::to_string(index + 1);
     if (name == "altloc") return atom.alternate ? plainValue(std::string_view(&atom.alternate, 1)) : "";
     const double value = static_cast<double>(name == "b-factor" ? atom.temperatureFactor : atom.occupancy);
-    char text[32];
-    std::snprintf(text, sizeof text, name == "b-factor" ? "%.1f" : "%.2f", value);
-    return text;
+    return formatted(name == "b-factor" ? "%.1f" : "%.2f", value);
 }
 
 std::string filledIn(std::string_view text, const Molecule& molecule, std::uint32_t atom) {
@@ -259,9 +258,7 @@ void placeDistances(const Representation& scene, PlacedWords& placed) {
         PlacedLabel label;
         const glm::dvec4 middle(contact.middle, 1.0);
         label.at = scene.copies.transforms.empty() ? contact.middle : scene.copies.transforms[contact.copy] * middle;
-        char text[32];
-        std::snprintf(text, sizeof text, "%.1f", contact.interaction.distance);
-        label.text = text;
+        label.text = formatted("%.1f", contact.interaction.distance);
         label.ofAtom = true;  // keeps the text off the line
         placed.labels.push_back(std::move(label));
     }

@@ -3,7 +3,6 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 #include "engine/error.h"
@@ -88,9 +87,7 @@ std::string percentEncoded(std::string_view text) {
             coded += c;
             continue;
         }
-        char hex[4];
-        std::snprintf(hex, sizeof hex, "%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
-        coded += hex;
+        coded += formatted("%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
     }
     return coded;
 }
@@ -101,10 +98,8 @@ std::string pubchemFileName(const std::string& id) {
     if (isNumber(id)) return "pubchem-cid-" + id;
     const std::string name = lowerCase(id);
     const XXH128_hash_t hash = XXH3_128bits(name.data(), name.size());
-    char hex[40];
-    std::snprintf(hex, sizeof hex, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                  static_cast<unsigned long long>(hash.low64));
-    return std::string("pubchem-name-") + hex;
+    return formatted("pubchem-name-%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                     static_cast<unsigned long long>(hash.low64));
 }
 
 std::vector<Source> pdbSources(const std::string& id, const Environment& environment) {

@@ -2,8 +2,6 @@
 
 #include <xxhash.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -49,11 +47,9 @@ std::string plainName(const std::string& uri) { return fs::path(uri).lexically_n
 
 /// The name of an address in the cache of downloads.
 std::string makeCacheName(const std::string& url) {
-    std::array<char, 33> digits{};
     const XXH128_hash_t hash = XXH3_128bits(url.data(), url.size());
-    std::snprintf(digits.data(), digits.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                  static_cast<unsigned long long>(hash.low64));
-    return std::string("mvs-") + digits.data();
+    return formatted("mvs-%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                     static_cast<unsigned long long>(hash.low64));
 }
 
 class SceneFetch {

@@ -9,7 +9,6 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -24,6 +23,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/read.h"
+#include "engine/molecule/text.h"
 
 extern char** environ;
 
@@ -156,13 +156,11 @@ std::string writePdb(const Molecule& molecule, const std::vector<std::uint32_t>&
         const std::string symbol(elementSymbol(atom.element));
         std::string name(atom.name.view().substr(0, 4));
         if (name.size() < 4 && symbol.size() < 2) name.insert(0, " ");  // symbols end in the second column
-        char line[96];
-        std::snprintf(line, sizeof line, "%-6s%5d %-4s %3.3s %c%4d    %8.3f%8.3f%8.3f  1.00  0.00          %2s\n",
-                      atom.hetero ? "HETATM" : "ATOM", ++serial % kSerials, name.c_str(),
-                      std::string(residue.name.view()).c_str(), letters.of(residue.chain), number % kNumbers,
-                      static_cast<double>(atom.position.x), static_cast<double>(atom.position.y),
-                      static_cast<double>(atom.position.z), symbol.c_str());
-        text += line;
+        text += formatted("%-6s%5d %-4s %3.3s %c%4d    %8.3f%8.3f%8.3f  1.00  0.00          %2s\n",
+                          atom.hetero ? "HETATM" : "ATOM", ++serial % kSerials, name.c_str(),
+                          std::string(residue.name.view()).c_str(), letters.of(residue.chain), number % kNumbers,
+                          static_cast<double>(atom.position.x), static_cast<double>(atom.position.y),
+                          static_cast<double>(atom.position.z), symbol.c_str());
     }
     return text + "END\n";
 }
@@ -173,12 +171,9 @@ std::string writePqr(const Molecule& molecule, const std::vector<std::uint32_t>&
     int serial = 0;
     for (const std::uint32_t i : atoms) {
         const Atom& atom = molecule.atoms[i];
-        char line[128];
-        std::snprintf(line, sizeof line, "ATOM %d X UNK 1 %.3f %.3f %.3f %.4f %.4f\n", ++serial,
-                      static_cast<double>(atom.position.x), static_cast<double>(atom.position.y),
-                      static_cast<double>(atom.position.z), static_cast<double>(molecule.partialCharges[i]),
-                      static_cast<double>(molecule.radii[i]));
-        text += line;
+        text += formatted("ATOM %d X UNK 1 %.3f %.3f %.3f %.4f %.4f\n", ++serial, static_cast<double>(atom.position.x),
+                          static_cast<double>(atom.position.y), static_cast<double>(atom.position.z),
+                          static_cast<double>(molecule.partialCharges[i]), static_cast<double>(molecule.radii[i]));
     }
     return text + "END\n";
 }
@@ -226,17 +221,15 @@ Grid gridAbout(const Molecule& charged, std::uint64_t bytes) {
 }
 
 std::string solverInput(const Grid& grid) {
-    char text[1024];
-    std::snprintf(text, sizeof text,
-                  "read\n  mol pqr charged.pqr\nend\n"
-                  "elec\n  mg-auto\n  dime %d %d %d\n  cglen %.4f %.4f %.4f\n  fglen %.4f %.4f %.4f\n"
-                  "  cgcent mol 1\n  fgcent mol 1\n  mol 1\n  lpbe\n  bcfl sdh\n"
-                  "  ion charge 1 conc 0.150 radius 2.0\n  ion charge -1 conc 0.150 radius 2.0\n"
-                  "  pdie 2.0\n  sdie 78.54\n  srfm smol\n  chgm spl2\n  sdens 10.0\n  srad 1.4\n  swin 0.3\n"
-                  "  temp 298.15\n  calcenergy no\n  calcforce no\n  write pot dx potential\nend\nquit\n",
-                  grid.nodes.x, grid.nodes.y, grid.nodes.z, grid.coarse.x, grid.coarse.y, grid.coarse.z, grid.fine.x,
-                  grid.fine.y, grid.fine.z);
-    return text;
+    return formatted(
+        "read\n  mol pqr charged.pqr\nend\n"
+        "elec\n  mg-auto\n  dime %d %d %d\n  cglen %.4f %.4f %.4f\n  fglen %.4f %.4f %.4f\n"
+        "  cgcent mol 1\n  fgcent mol 1\n  mol 1\n  lpbe\n  bcfl sdh\n"
+        "  ion charge 1 conc 0.150 radius 2.0\n  ion charge -1 conc 0.150 radius 2.0\n"
+        "  pdie 2.0\n  sdie 78.54\n  srfm smol\n  chgm spl2\n  sdens 10.0\n  srad 1.4\n  swin 0.3\n"
+        "  temp 298.15\n  calcenergy no\n  calcforce no\n  write pot dx potential\nend\nquit\n",
+        grid.nodes.x, grid.nodes.y, grid.nodes.z, grid.coarse.x, grid.coarse.y, grid.coarse.z, grid.fine.x, grid.fine.y,
+        grid.fine.z);
 }
 
 std::string readContents(const std::string& path) {

@@ -1,7 +1,6 @@
 #include "app/input/fit_inputs.h"
 
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <span>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "engine/molecule/matched_atoms.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/molecule/superpose.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::app {
 namespace {
@@ -43,11 +43,7 @@ double measureSpread(const std::vector<glm::dvec3>& points) {
     return std::sqrt(squares / static_cast<double>(points.size()));
 }
 
-std::string threeDecimals(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.3f", value);
-    return text;
-}
+std::string threeDecimals(double value) { return formatted("%.3f", value); }
 
 /// " (chain A on B, C on D)": the paired chains, at most six pairs.
 std::string describeChains(const Molecule& molecule, const AtomPairs& pairs) {

@@ -10,6 +10,7 @@
 
 #include "app/files/opened_file.h"
 #include "app/picture/appearance_values.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::app {
 namespace fs = std::filesystem;
@@ -65,10 +66,8 @@ std::string hashOfFile(const std::string& path, std::uint64_t most) {
         }
     }
     if (std::ferror(file.get())) return {};
-    std::array<char, 17> digits{};
-    std::snprintf(digits.data(), digits.size(), "%016llx",
-                  static_cast<unsigned long long>(XXH3_64bits_digest(state.get())));
-    return std::to_string(bytes) + "-" + digits.data();
+    return std::to_string(bytes) +
+           formatted("-%016llx", static_cast<unsigned long long>(XXH3_64bits_digest(state.get())));
 }
 
 bool isOutside(const std::string& view, const std::string& path) {

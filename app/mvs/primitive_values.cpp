@@ -1,11 +1,11 @@
 #include "app/mvs/primitive_values.h"
 
 #include <cmath>
-#include <cstdio>
 #include <glm/gtc/type_ptr.hpp>
 #include <stdexcept>
 
 #include "app/mvs/scene_primitives.h"
+#include "engine/molecule/text.h"
 #include "engine/scene/build/primitives.h"
 
 namespace nacre::app::mvs {
@@ -89,9 +89,7 @@ std::vector<double> numbers(const Node& node, const char* name) {
 }
 
 std::string roundedText(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.2f", value);
-    std::string plain = text;
+    std::string plain = formatted("%.2f", value);
     plain.erase(plain.find_last_not_of('0') + 1);
     if (plain.ends_with('.')) plain.pop_back();
     return plain;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
+
+#include "engine/molecule/text.h"
 
 namespace nacre::app::mvs {
 namespace {
@@ -27,9 +28,7 @@ Out makeNode(const char* kind, Out params) {
 }
 
 std::string toHex(std::uint32_t color) {
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff);
-    return text;
+    return formatted("#%02x%02x%02x", color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff);
 }
 
 Out toList(const glm::dvec3& v) { return Out::array({rounded(v.x), rounded(v.y), rounded(v.z)}); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "app/viewer/picture_words.h"
 #include "engine/molecule/chemistry/drawn_orders.h"
 #include "engine/molecule/matched_atoms.h"
+#include "engine/molecule/text.h"
 #include "engine/scene/color/colors.h"
 
 namespace nacre::app {
@@ -66,11 +66,10 @@ std::vector<std::string> fitTexts(const ResidueFacts& facts, const InputOptions&
         }
         const double count = static_cast<double>(std::max<std::size_t>(pairs.first.size(), 1));
         const bool unlike = 10 * pairs.sameResidues < 3 * pairs.residues;
-        char text[100];
-        std::snprintf(text, sizeof text, "%zu pairs of atoms, RMSD %.2f Å%s", pairs.first.size(),
-                      std::sqrt(squares / count), unlike ? "; the sequences differ" : "");
         const int model = m.chains[m.residues[m.atoms[static_cast<std::size_t>(first)].residue].chain].model;
-        texts.at(static_cast<std::size_t>(model - 1)) = text;
+        texts.at(static_cast<std::size_t>(model - 1)) =
+            formatted("%zu pairs of atoms, RMSD %.2f Å%s", pairs.first.size(), std::sqrt(squares / count),
+                      unlike ? "; the sequences differ" : "");
     }
     return texts;
 }

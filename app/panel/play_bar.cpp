@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "app/panel/panel_state.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::app {
 namespace {
@@ -35,11 +35,8 @@ std::string placeText(const PanelFrame& f) {
         text += std::to_string(static_cast<int>(place) + 1) + " of " + std::to_string(count);
     }
     if (const auto time = playback.frameTime()) {
-        std::array<char, 40> number{};
         const bool nanoseconds = std::abs(*time) >= 1000;
-        std::snprintf(number.data(), number.size(), ", %.5g %s", nanoseconds ? *time / 1000 : *time,
-                      nanoseconds ? "ns" : "ps");
-        text += number.data();
+        text += nanoseconds ? formatted(", %.5g ns", *time / 1000) : formatted(", %.5g ps", *time);
     }
     return text;
 }
@@ -115,11 +112,7 @@ void drawPlayOptions(PanelFrame& f) {
     }
     if (playback.hasTrajectory()) changed = f.ui.toggle("Whole molecules", laid.whole) || changed;
     if (changed) playback.setMotion(laid, f.now);
-    if (laid.fit) {
-        std::array<char, 60> text{};
-        std::snprintf(text.data(), text.size(), "%.2f Å from the first (RMSD)", playback.frameRmsd());
-        f.ui.caption(text.data());
-    }
+    if (laid.fit) f.ui.caption(formatted("%.2f Å from the first (RMSD)", playback.frameRmsd()));
 }
 
 }  // namespace

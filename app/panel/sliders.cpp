@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "app/panel/widgets.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::app {
 namespace {
@@ -17,12 +17,6 @@ namespace {
 float toShare(float value, float low, float high, bool byRatio) {
     const float share = byRatio ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
     return std::clamp(share, 0.0f, 1.0f);
-}
-
-std::string formatted(const char* format, double value) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
 }
 
 }  // namespace

@@ -6,14 +6,12 @@
 #include <cstring>
 
 #include "app/picture/appearance_values.h"
+#include "engine/molecule/text.h"
 #include "engine/srgb.h"
 
 namespace nacre::app {
 
-std::string numberText(double value) {
-    std::array<char, 32> digits{};
-    return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.12g", value))};
-}
+std::string numberText(double value) { return formatted("%.12g", value); }
 
 std::string exactText(double value) {
     std::array<char, 40> digits{};
@@ -35,10 +33,8 @@ const char* styleName(Style style) {
 std::string backgroundText(const std::array<float, 4>& color) {
     for (const char* name : {"white", "black", "gray", "lightgray", "transparent"})
         if (color == parseColor(name)) return name;
-    char text[16];
-    std::snprintf(text, sizeof text, color[3] < 1 ? "#%02x%02x%02x%02x" : "#%02x%02x%02x", toByte(color[0]),
-                  toByte(color[1]), toByte(color[2]), toByte(color[3]));
-    return text;
+    return formatted(color[3] < 1 ? "#%02x%02x%02x%02x" : "#%02x%02x%02x", toByte(color[0]), toByte(color[1]),
+                     toByte(color[2]), toByte(color[3]));
 }
 
 std::string clipText(const Clip& clip) {

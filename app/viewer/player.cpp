@@ -1,11 +1,10 @@
 #include "app/viewer/player.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <iterator>
 #include <utility>
 
+#include "engine/molecule/text.h"
 #include "engine/threads.h"
 
 namespace nacre::app {
@@ -186,11 +185,7 @@ void PlayClock::shown(std::size_t frame, double now) {
     due_ = std::max(due_ + interval, now);
 }
 
-std::string rateText(double rate) {
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%g frame%s per second", rate, rate == 1 ? "" : "s");
-    return text.data();
-}
+std::string rateText(double rate) { return formatted("%g frame%s per second", rate, rate == 1 ? "" : "s"); }
 
 void PlayClock::setRate(double rate) { rate_ = std::clamp(rate, kSlowest, kFastest); }
 

@@ -1,5 +1,8 @@
 #include "engine/molecule/text.h"
 
+#include <cstdarg>
+#include <cstdio>
+
 #include "engine/molecule/floating_point.h"
 #include "engine/molecule/read.h"
 
@@ -58,6 +61,17 @@ std::string upperCase(std::string_view text) {
 }
 
 bool startsWith(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
+
+std::string formatted(const char* format, ...) {
+    std::va_list values, measured;
+    va_start(values, format);
+    va_copy(measured, values);
+    std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, measured)), '\0');
+    va_end(measured);
+    std::vsnprintf(text.data(), text.size() + 1, format, values);
+    va_end(values);
+    return text;
+}
 
 std::optional<std::int64_t> parseInteger(std::string_view text) { return parseWhole<std::int64_t>(trim(text)); }
 

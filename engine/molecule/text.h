@@ -24,6 +24,8 @@ std::string_view trim(std::string_view text);
 std::string lowerCase(std::string_view text);
 std::string upperCase(std::string_view text);
 bool startsWith(std::string_view text, std::string_view start);
+/// What printf() writes.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
 /// The whole `text` as a number, with blanks allowed around it; empty if it is not a number. parseNumber also accepts
 /// Fortran exponents ("1.0D+02", "1.0-102") and C's "nan" and "inf", which callers must check.

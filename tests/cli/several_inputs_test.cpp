@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "app/picture/input_names.h"
 #include "app/picture/saved_view.h"
 #include "engine/error.h"
+#include "engine/molecule/text.h"
 #include "engine/scene/color/colors.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_data.h"
@@ -119,11 +119,9 @@ std::string turned(double angle, double bend) {
     std::string text;
     for (int i = 0; i < 8; ++i) {
         const double x = 3.0 * i, y = i * i % 5 + (i % 2 ? bend : 0), z = i * i * i % 7;
-        char line[90];
-        std::snprintf(line, sizeof line, "ATOM  %5d  CA  %s A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", i + 1,
-                      i % 3 ? "ALA" : "GLY", i + 1, std::cos(angle) * x - std::sin(angle) * y + 5,
-                      std::sin(angle) * x + std::cos(angle) * y - 9, z + 2);
-        text += line;
+        text += formatted("ATOM  %5d  CA  %s A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", i + 1,
+                          i % 3 ? "ALA" : "GLY", i + 1, std::cos(angle) * x - std::sin(angle) * y + 5,
+                          std::sin(angle) * x + std::cos(angle) * y - 9, z + 2);
     }
     return text + "END\n";
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/molecule/read.h"
+#include "engine/molecule/text.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {
@@ -11,11 +12,8 @@ namespace {
 /// One atom line for each "chain residue number atom".
 std::string line(char chain, const char* residue, int number, const char* atom, bool hetero = false,
                  char alternate = ' ', double along = 0) {
-    char text[128];
-    std::snprintf(text, sizeof text, "%-6s%5d %-4s%c%3s %c%4d    %8.3f%8.3f%8.3f  1.00  0.00\n",
-                  hetero ? "HETATM" : "ATOM", 1, atom, alternate, residue, chain, number, number * 3.0 + along, 0.0,
-                  0.0);
-    return text;
+    return formatted("%-6s%5d %-4s%c%3s %c%4d    %8.3f%8.3f%8.3f  1.00  0.00\n", hetero ? "HETATM" : "ATOM", 1, atom,
+                     alternate, residue, chain, number, number * 3.0 + along, 0.0, 0.0);
 }
 
 TEST(ChainSummary, SequenceLigandsIonsAndWater) {

@@ -22,6 +22,7 @@
 
 #include "engine/molecule/join_models.h"
 #include "engine/molecule/read.h"
+#include "engine/molecule/text.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {
@@ -182,9 +183,7 @@ TEST(Displacements, OfTheTableOfAtomsAreThoseOfTheirOwnTable) {
     std::string ofU, ofBeta;
     for (int i = 0; i < 6; ++i) {
         ofU += " " + std::to_string(u[i]);
-        char text[32];
-        std::snprintf(text, sizeof text, " %.9f", 19.7392088 * lengths[axes[i][0]] * lengths[axes[i][1]] * u[i]);
-        ofBeta += text;
+        ofBeta += formatted(" %.9f", 19.7392088 * lengths[axes[i][0]] * lengths[axes[i][1]] * u[i]);
     }
     const Molecule own =
         readMolecule("a.cif", cell + "C1 0.1 0.2 0.3\nC2 0.5 0.5 0.5\nloop_\n_atom_site_aniso_label\n" + tags("U") +
@@ -221,16 +220,11 @@ TEST(Displacements, OfMmcifMayStandInTheTableOfAtoms) {
 
 TEST(Displacements, OfPdbBelongToTheAtomBefore) {
     const auto atom = [](int serial, const char* name, const char* x) {
-        char line[128];
-        std::snprintf(line, sizeof line, "ATOM  %5d  %-3s LIG A   1    %8s   0.000   0.000  1.00 10.00           C\n",
-                      serial, name, x);
-        return std::string(line);
+        return formatted("ATOM  %5d  %-3s LIG A   1    %8s   0.000   0.000  1.00 10.00           C\n", serial, name, x);
     };
     const auto aniso = [](int serial, const char* name) {
-        char line[128];
-        std::snprintf(line, sizeof line,
-                      "ANISOU%5d  %-3s LIG A   1     1000   2000   3000    100   -200    300       C\n", serial, name);
-        return std::string(line);
+        return formatted("ANISOU%5d  %-3s LIG A   1     1000   2000   3000    100   -200    300       C\n", serial,
+                         name);
     };
     const Molecule m = readMolecule("a.pdb", atom(1, "C1", "0.000") + atom(2, "C2", "1.500") + aniso(2, "C2") +
                                                  atom(3, "C3", "?") + aniso(3, "C3") + atom(4, "C4", "4.500"));

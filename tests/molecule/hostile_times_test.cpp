@@ -8,6 +8,7 @@
 #include "engine/molecule/chain_summary.h"
 #include "engine/molecule/chemistry/chemistry.h"
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/text.h"
 #include "engine/occlusion/atlas_layout.h"
 #include "engine/occlusion/open_texels.h"
 #include "engine/scene/build/representation.h"
@@ -108,10 +109,10 @@ TEST(HostileTimes, AnOverlayOfAThousandModelsIsNot) {
 Molecule lonelyModels(int count) {
     std::string text;
     for (int i = 0; i < count; ++i) {
-        char line[100];
-        std::snprintf(line, sizeof line, "ATOM      1  CA  ALA A   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n",
-                      i % 100 * 4.0, i / 100 % 100 * 4.0, i / 10000 * 4.0);
-        text += "MODEL\n" + std::string(line) + "ENDMDL\n";
+        text += "MODEL\n" +
+                formatted("ATOM      1  CA  ALA A   1    %8.3f%8.3f%8.3f  1.00  0.00           C\n", i % 100 * 4.0,
+                          i / 100 % 100 * 4.0, i / 10000 * 4.0) +
+                "ENDMDL\n";
     }
     return readMolecule("a.pdb", text, {.model = kAllModels});
 }
@@ -166,10 +167,8 @@ TEST(HostileTimes, IdsThatCollide) {
 }
 
 std::string atomLine(int serial, int residue, const char* name, glm::vec3 at) {
-    char text[100];
-    std::snprintf(text, sizeof text, "ATOM  %5d  %-3s ALA A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", serial,
-                  name, residue, static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z));
-    return text;
+    return formatted("ATOM  %5d  %-3s ALA A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", serial, name, residue,
+                     static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z));
 }
 
 TEST(HostileTimes, RingsOfBondsAtRandom) {
@@ -215,9 +214,7 @@ TEST(HostileTimes, BondsOfEveryAtomWithEveryOther) {
     for (int i = 0; i < 100; ++i) few += atomLine(i + 1, i, "N", {static_cast<float>(4 * i), 0, 0});
     for (int a = 1; a <= 100; ++a)
         for (int b = 1; b <= 100; ++b) {
-            char line[40];
-            std::snprintf(line, sizeof line, "CONECT%5d%5d\n", a, b);
-            few += line;
+            few += formatted("CONECT%5d%5d\n", a, b);
         }
     const Molecule molecule = readMolecule("a.pdb", few);
     EXPECT_EQ(molecule.bonds.size(), 0u);

@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 #include "engine/molecule/formats/plain_names.h"
 #include "engine/molecule/read.h"
+#include "engine/molecule/text.h"
 #include "tests/molecule/text_file.h"
 #include "tests/support/test_data.h"
 
@@ -81,9 +80,7 @@ TEST(Names, OfMmcif) {
 TEST(Names, AreBounded) {
     std::string text;
     for (int i = 0; i < 5000; ++i) {
-        char line[64];
-        std::snprintf(line, sizeof line, "HETNAM     %03X A NAME\n", i % 4096);
-        text += line;
+        text += formatted("HETNAM     %03X A NAME\n", i % 4096);
     }
     text += "ATOM      1  CA  PRO A   1       0.000   0.000   0.000  1.00  0.00           C\n";
     EXPECT_EQ(readMolecule("a.pdb", text).file.componentNames.size(), kMostNames);

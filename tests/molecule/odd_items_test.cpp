@@ -118,11 +118,8 @@ TEST(OddPdb, LinesThatLongSerialNumbersPush) {
 std::string rowOfCarbons(int count, double step, const std::string& conect) {
     std::string text;
     for (int i = 0; i < count; ++i) {
-        char line[100];
-        std::snprintf(line, sizeof line,
-                      "HETATM%5d  C%-2d LIG A   1    %8.3f   0.000   0.000  1.00  0.00           C\n", i + 1, i + 1,
-                      step * i);
-        text += line;
+        text += formatted("HETATM%5d  C%-2d LIG A   1    %8.3f   0.000   0.000  1.00  0.00           C\n", i + 1, i + 1,
+                          step * i);
     }
     return text + conect;
 }
@@ -171,10 +168,8 @@ TEST(OddPdb, LinesThatNothingReadsAreTold) {
 TEST(OddPdb, ChainsOfAlphaCarbonsAreJoined) {
     std::string text;
     for (int i = 0; i < 8; ++i) {
-        char line[100];
-        std::snprintf(line, sizeof line, "ATOM  %5d  CA  ALA A%4d    %8.3f   0.000   0.000  1.00  0.00           C\n",
-                      i + 1, i + (i > 3 ? 5 : 1), 3.8 * i + (i > 3 ? 12.0 : 0.0));
-        text += line;
+        text += formatted("ATOM  %5d  CA  ALA A%4d    %8.3f   0.000   0.000  1.00  0.00           C\n", i + 1,
+                          i + (i > 3 ? 5 : 1), 3.8 * i + (i > 3 ? 12.0 : 0.0));
     }
     const Molecule chain = readMolecule("a.pdb", text);
     EXPECT_EQ(chain.bonds.size(), 6u) << "but not across the gap";
@@ -187,10 +182,8 @@ TEST(OddPdb, BeadsAreNoBoronAndNoTungsten) {
         std::string xyz = "5\n\n", pdb;
         for (int i = 0; i < 5; ++i) {
             xyz += std::string(name) + " " + std::to_string(4.7 * i) + " 0 0\n";
-            char line[100];
-            std::snprintf(line, sizeof line, "ATOM  %5d  %s   BEA A%4d    %8.3f   0.000   0.000  1.00  0.00\n", i + 1,
-                          name, i + 1, 4.7 * i);
-            pdb += line;
+            pdb += formatted("ATOM  %5d  %s   BEA A%4d    %8.3f   0.000   0.000  1.00  0.00\n", i + 1, name, i + 1,
+                             4.7 * i);
         }
         for (const auto& [file, text] : {std::pair("a.xyz", xyz), std::pair("a.pdb", pdb)}) {
             const Molecule beads = readMolecule(file, text);
@@ -500,9 +493,7 @@ DensityMap makeCube(const char* format, double factor, double offset) {
         text += std::string("    2    ") + axis + "\n";
     text += "    6    6.000000    0.000000    0.000000    0.000000\n";
     for (int i = 0; i < 8; ++i) {
-        char value[40];
-        std::snprintf(value, sizeof value, format, factor * (i + 1) + offset);
-        text += value;
+        text += formatted(format, factor * (i + 1) + offset);
         if (i % 2 == 1) text += "\n";
     }
     return readMap("a.cube", text);

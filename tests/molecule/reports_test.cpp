@@ -416,10 +416,8 @@ TEST(OddFiles, GrainsNamedByTheLettersOfAminoAcids) {
     std::string text;
     int i = 0;
     for (const auto& [letter, residue] : names) {
-        char line[100];
-        std::snprintf(line, sizeof line, "ATOM  %5d  %s   %s A%4d    %8.3f   0.000   0.000  1.00  0.00\n", i + 1,
-                      letter, residue, i + 1, 3.8 * i);
-        text += line;
+        text += formatted("ATOM  %5d  %s   %s A%4d    %8.3f   0.000   0.000  1.00  0.00\n", i + 1, letter, residue,
+                          i + 1, 3.8 * i);
         ++i;
     }
     const Molecule grains = readMolecule("a.pdb", text);
@@ -433,10 +431,8 @@ TEST(OddFiles, OneGrainPerResidue) {
     std::string text;
     const char* names[] = {"GLY", "ALA", "TRP", "LYS", "SER", "VAL"};
     for (int i = 0; i < 6; ++i) {
-        char line[100];
-        std::snprintf(line, sizeof line, "ATOM  %5d  B   %s A%4d    %8.3f   0.000   0.000  1.00  0.00\n", i + 1,
-                      names[i], i + 1, 3.8 * i);
-        text += line;
+        text +=
+            formatted("ATOM  %5d  B   %s A%4d    %8.3f   0.000   0.000  1.00  0.00\n", i + 1, names[i], i + 1, 3.8 * i);
     }
     const Molecule grains = readMolecule("a.pdb", text);
     EXPECT_EQ(symbols(grains), "? ? ? ? ? ?") << "no boron";
@@ -452,10 +448,8 @@ TEST(OddFiles, TungstenStaysTungsten) {
 
 /// An alpha carbon, or another atom of one residue.
 std::string atomLine(const char* record, const char* residue, char chain, int number, int x) {
-    char line[100];
-    std::snprintf(line, sizeof line, "%-6s    1  CA  %3s %c%4d    %8.3f   0.000   0.000  1.00  0.00\n", record, residue,
-                  chain, number, static_cast<double>(x));
-    return line;
+    return formatted("%-6s    1  CA  %3s %c%4d    %8.3f   0.000   0.000  1.00  0.00\n", record, residue, chain, number,
+                     static_cast<double>(x));
 }
 
 TEST(OddFiles, LettersThatBeginAgainAreOtherChains) {

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "engine/molecule/chain_summary.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/molecule/selection/selection.h"
+#include "engine/molecule/text.h"
 #include "tests/molecule/build_molecule.h"
 #include "tests/support/test_data.h"
 
@@ -94,10 +94,8 @@ TEST(ResidueKind, EntitiesComeFirst) {
 
 TEST(ResidueKind, PeptideLikeInhibitorsAreOneLigand) {
     const auto line = [](const char* record, const char* atom, const char* residue, int number, double x) {
-        char text[90];
-        std::snprintf(text, sizeof text, "%-6s%5d  %-3s %3s A%4d    %8.3f%8.3f%8.3f  1.00  0.00           %c\n", record,
-                      number, atom, residue, number, x, 0.0, 0.0, atom[0]);
-        return std::string(text);
+        return formatted("%-6s%5d  %-3s %3s A%4d    %8.3f%8.3f%8.3f  1.00  0.00           %c\n", record, number, atom,
+                         residue, number, x, 0.0, 0.0, atom[0]);
     };
     const auto backbone = [&](const char* record, const char* residue, int number, double x) {
         return line(record, "N", residue, number, x) + line(record, "CA", residue, number, x + 1.45) +

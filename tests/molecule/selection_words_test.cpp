@@ -6,16 +6,15 @@
 
 #include "engine/molecule/read.h"
 #include "engine/molecule/selection/selection.h"
+#include "engine/molecule/text.h"
 #include "tests/molecule/expect_error.h"
 
 namespace nacre {
 namespace {
 
 std::string line(int residue, const char* name, const char* chain, double x, double occupancy, double b) {
-    char text[100];
-    std::snprintf(text, sizeof text, "ATOM  %5d  CA  %s %s%4d    %8.3f%8.3f%8.3f%6.2f%6.2f           C\n", residue,
-                  name, chain, residue, x, 0.0, 0.0, occupancy, b);
-    return text;
+    return formatted("ATOM  %5d  CA  %s %s%4d    %8.3f%8.3f%8.3f%6.2f%6.2f           C\n", residue, name, chain,
+                     residue, x, 0.0, 0.0, occupancy, b);
 }
 
 /// Seven residues 10 Å apart, a helix, a strand, two chains.
@@ -58,10 +57,8 @@ Molecule ligands(std::initializer_list<std::pair<const char*, int>> residues) {
     for (const auto& [name, atoms] : residues) {
         ++number;
         for (int i = 0; i < atoms; ++i, ++atom) {
-            char line[100];
-            std::snprintf(line, sizeof line, "HETATM%5d  C%-2d %s A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n",
-                          atom + 1, i, name, number, 1.5 * atom, 0.0, 0.0);
-            text += line;
+            text += formatted("HETATM%5d  C%-2d %s A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", atom + 1, i,
+                              name, number, 1.5 * atom, 0.0, 0.0);
         }
     }
     return readMolecule("a.pdb", text);

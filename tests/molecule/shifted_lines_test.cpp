@@ -1,11 +1,11 @@
 // Atom lines of PDB and GRO files whose fields are not in their columns.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <string>
 
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/read.h"
+#include "engine/molecule/text.h"
 
 namespace nacre {
 namespace {
@@ -91,12 +91,9 @@ TEST(ShiftedLines, ResiduesWithStarsForNumbers) {
 TEST(ShiftedLines, NumbersInBaseSixteen) {
     std::string text;
     for (int number = 9995; number < 10020; ++number) {
-        char line[100];
-        std::snprintf(line, sizeof line,
-                      number > 9999 ? "ATOM  %5d  OH2 TIP3W%4x    %8.3f   0.000   0.000\n"
-                                    : "ATOM  %5d  OH2 TIP3W%4d    %8.3f   0.000   0.000\n",
-                      number, number, 3.0 * number);
-        text += line;
+        text += formatted(number > 9999 ? "ATOM  %5d  OH2 TIP3W%4x    %8.3f   0.000   0.000\n"
+                                        : "ATOM  %5d  OH2 TIP3W%4d    %8.3f   0.000   0.000\n",
+                          number, number, 3.0 * number);
     }
     const Molecule waters = readMolecule("a.pdb", text);
     ASSERT_EQ(waters.residues.size(), 25u);

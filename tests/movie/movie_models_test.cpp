@@ -6,6 +6,7 @@
 #include <fstream>
 #include <vector>
 
+#include "engine/molecule/text.h"
 #include "tests/movie/films.h"
 #include "tests/support/measured_run.h"
 
@@ -122,10 +123,8 @@ TEST(Movie, HoldsNoMoreOfAFileThanItsModels) {
     const TemporaryFolder folder;
     std::string model;
     for (int i = 0; i < 5000; ++i) {
-        char line[100];
-        std::snprintf(line, sizeof line, "ATOM  %5d  CA  GLY A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", i, i,
-                      i % 20 * 4.0, i / 20 % 20 * 4.0, i / 400 * 4.0);
-        model += line;
+        model += formatted("ATOM  %5d  CA  GLY A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", i, i, i % 20 * 4.0,
+                           i / 20 % 20 * 4.0, i / 400 * 4.0);
     }
     const auto write = [&](const char* name, int models) {
         std::ofstream out(folder / name);

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
 #include <glm/geometric.hpp>
 
 #include "app/mvs/molstar_radii.h"
 #include "engine/error.h"
 #include "engine/molecule/residue_facts.h"
+#include "engine/molecule/text.h"
 #include "engine/scene/build/mesh_scene.h"
 #include "engine/scene/build/representation.h"
 #include "engine/scene/build/scene_layers.h"
@@ -166,10 +166,8 @@ TEST(SceneTransforms, ACentreIsFoundOnceForAllInstances) {
     std::string instances, pdb;
     for (int i = 0; i < 5000; ++i) instances += instance;
     for (int i = 0; i < 60'000; ++i) {
-        char line[90];
-        std::snprintf(line, sizeof line, "HETATM%5d  O   HOH A%4d    %8.3f%8.3f%8.3f  1.00  0.00           O\n",
-                      i % 99999, i % 9999, i % 97 * 3.0, i % 89 * 3.0, i % 83 * 3.0);
-        pdb += line;
+        pdb += formatted("HETATM%5d  O   HOH A%4d    %8.3f%8.3f%8.3f  1.00  0.00           O\n", i % 99999, i % 9999,
+                         i % 97 * 3.0, i % 89 * 3.0, i % 83 * 3.0);
     }
     const SceneTree tree =
         parseScene(scene(instances + component(R"("all")", drawn(R"({"type": "spacefill"})"))), "a.mvsj");

@@ -1,9 +1,7 @@
 #include "engine/scene/color/color_schemes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <map>
@@ -81,10 +79,7 @@ void alignDecimals(std::vector<LegendEntry>& numbers) {
 }
 
 /// At most twelve digits: as written.
-std::string exactNumber(double value) {
-    std::array<char, 32> digits{};
-    return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.12g", value))};
-}
+std::string exactNumber(double value) { return formatted("%.12g", value); }
 
 /// The palette of a colouring, else the scheme's own.
 AnyPalette chooseRamp(const Coloring& coloring, Palette own) {

@@ -1,11 +1,10 @@
 #include "engine/scene/color/value_colors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <unordered_map>
 
+#include "engine/molecule/text.h"
 #include "engine/scene/build/mesh_streams.h"
 #include "engine/scene/color/palettes.h"
 
@@ -31,10 +30,7 @@ ColorRange usualRange(std::vector<double> values, bool signs) {
     return range;
 }
 
-std::string formatNumber(double value) {
-    std::array<char, 32> digits{};
-    return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.3g", value))};
-}
+std::string formatNumber(double value) { return formatted("%.3g", value); }
 
 }  // namespace
 
