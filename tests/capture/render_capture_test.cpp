@@ -65,8 +65,7 @@ void expectOneRenderPass(const nlohmann::json& pass) {
 
 TEST(RenderCapture, ShowsTheBakeAndOneRenderPassAndReplaysToThePicture) {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder, kRender + "--visibility encoded --capture a.rdc --validate");
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    nacreDone(folder, kRender + "--visibility encoded --capture a.rdc --validate");
     EXPECT_EQ(folder.count(), 2u) << "something was left behind";
     const nlohmann::json listing =
         inspect(folder / "a.rdc", "--save 'screen: colour' '" + (folder / "replayed.png") + "'");
@@ -81,7 +80,7 @@ TEST(RenderCapture, ShowsTheBakeAndOneRenderPassAndReplaysToThePicture) {
     EXPECT_EQ(readPixels(folder / "replayed.png"), drawn);
 
     // Capturing changes no pixel.
-    ASSERT_EQ(nacreIn(folder, kRender).code, 0);
+    nacreDone(folder, kRender);
     EXPECT_EQ(readPixels(folder / "a.png"), drawn);
 }
 
@@ -89,8 +88,7 @@ TEST(RenderCapture, EveryResourceOfEveryPathHasAName) {
     const TemporaryFolder folder;
     for (const char* path :
          {"fragdepth --merge off --supersample 1", "tiles", "deferred --supersample 2 --layers l.exr"}) {
-        const Outcome outcome = nacreIn(folder, kPicture + "--capture a.rdc --visibility " + path);
-        ASSERT_EQ(outcome.code, 0) << path << ": " << outcome.err;
+        nacreDone(folder, kPicture + "--capture a.rdc --visibility " + path);
         EXPECT_EQ(inspect(folder / "a.rdc")["unnamed"], nlohmann::json::array()) << path;
     }
 }
@@ -149,7 +147,7 @@ TEST(RenderCapture, SaysWhyItCannot) {
 
 TEST(RenderCapture, ACutFileIsTold) {
     const TemporaryFolder folder;
-    ASSERT_EQ(nacreIn(folder, kRender + "--capture a.rdc").code, 0);
+    nacreDone(folder, kRender + "--capture a.rdc");
     const std::string whole = readContents(folder / "a.rdc");
     EXPECT_TRUE(app::isWholeCapture(folder / "a.rdc"));
     for (std::size_t n = 0; n < whole.size(); n += n < 200 ? 1 : 9973) {

@@ -36,9 +36,7 @@ class AssemblyOption : public testing::Test {
 protected:
     AssemblyOption() { std::ofstream(folder / "two.pdb") << kTwoAssemblies; }
     nlohmann::json stats(const std::string& options) {
-        const Outcome outcome =
-            nacreIn(folder, "render two.pdb -o a.png --occlusion off --size 64x64 --stats s.json " + options);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        nacreDone(folder, "render two.pdb -o a.png --occlusion off --size 64x64 --stats s.json " + options);
         return nlohmann::json::parse(readContents(folder / "s.json"));
     }
     const TemporaryFolder folder;

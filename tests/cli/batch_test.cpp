@@ -13,6 +13,7 @@ namespace nacre::app {
 namespace {
 
 using test::job;
+using test::nacreDone;
 using test::nacreIn;
 using test::Outcome;
 using test::parseReport;
@@ -30,8 +31,7 @@ TEST(Batch, DrawsWhatRenderDraws) {
                job("sample:glucose", "b.jpg", R"("size": [40, 30], "lighting": false, "style": "licorice")"),
                job("sample:dna", "c.png", R"("show": ["chain A=licorice"], "hide": "chain B", "offline": true)"),
                job("sample:glucose", "d.png", R"("rules": [{"color-by": "all=red"}], "layers": "d.exr")")});
-    const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 3") + kSmall);
-    ASSERT_EQ(batch.code, 0) << batch.err << batch.out;
+    const Outcome batch = nacreDone(folder, std::string("batch jobs.jsonl --jobs 3") + kSmall);
     const auto report = parseReport(batch.out);
     ASSERT_EQ(report.size(), 4u);
     const std::pair<int, const char*> alone[] = {
@@ -46,7 +46,7 @@ TEST(Batch, DrawsWhatRenderDraws) {
         const std::string output = told["output"];
         const bool sized = std::string(command).find("--size") != std::string::npos;
         const std::string rest = sized ? " --occlusion 4 --occlusion-detail 8" : kSmall;
-        ASSERT_EQ(nacreIn(folder, command + rest).code, 0) << command;
+        nacreDone(folder, command + rest);
         const std::string same = readContents(folder / ("one" + output.substr(1)));
         EXPECT_EQ(readContents(folder / output), same) << command;
         EXPECT_EQ(told["bytes"].get<std::size_t>(), same.size());
@@ -63,8 +63,7 @@ TEST(Batch, DrawsTheSameByAnyNumberOfJobs) {
             jobs.push_back(job(i % 3 == 0 ? "sample:dna" : "sample:glucose", prefix + std::to_string(i) + ".png",
                                R"("rotate": [0, )" + std::to_string(30 * i) + ", 0]"));
         writeJobs(folder, jobs);
-        const Outcome batch = nacreIn(folder, "batch jobs.jsonl --validate" + more + kSmall);
-        EXPECT_EQ(batch.code, 0) << batch.err << batch.out;
+        nacreDone(folder, "batch jobs.jsonl --validate" + more + kSmall);
     };
     draw("one", " --jobs 1");
     draw("four", " --jobs 4");
@@ -83,11 +82,9 @@ TEST(Batch, TakesSeveralInputsAndWhatFitsThem) {
     const auto report = parseReport(batch.out);
     EXPECT_EQ(report.at(1)["status"], "done") << report.at(1);
     EXPECT_NE(report.at(2)["error"].get<std::string>().find("expected two values"), std::string::npos);
-    ASSERT_EQ(nacreIn(folder, std::string("render a=sample:dna b=sample:dna --fit '/b and name P' '/a and name P' "
-                                          "--rotate 0,30,0 -o one.png") +
-                                  kSmall)
-                  .code,
-              0);
+    nacreDone(folder, std::string("render a=sample:dna b=sample:dna --fit '/b and name P' '/a and name P' "
+                                  "--rotate 0,30,0 -o one.png") +
+                          kSmall);
     EXPECT_EQ(readContents(folder / "a.png"), readContents(folder / "one.png"));
 }
 
@@ -140,12 +137,9 @@ TEST(Batch, AFailedJobStopsNoOther) {
 TEST(Batch, OptionsOfTheCommandLineHoldForAllAndJobsPrevail) {
     const TemporaryFolder folder;
     writeJobs(folder, {job("sample:glucose", "a.png"), job("sample:glucose", "b.png", R"("background": "blue")")});
-    ASSERT_EQ(nacreIn(folder, std::string("batch jobs.jsonl --background red") + kSmall).code, 0);
+    nacreDone(folder, std::string("batch jobs.jsonl --background red") + kSmall);
     for (const char* color : {"red", "blue"})
-        ASSERT_EQ(
-            nacreIn(folder, std::string("render sample:glucose -o ") + color + ".png --background " + color + kSmall)
-                .code,
-            0);
+        nacreDone(folder, std::string("render sample:glucose -o ") + color + ".png --background " + color + kSmall);
     EXPECT_EQ(readContents(folder / "a.png"), readContents(folder / "red.png"));
     EXPECT_EQ(readContents(folder / "b.png"), readContents(folder / "blue.png"));
     EXPECT_EQ(nacreIn(folder, "batch jobs.jsonl --background nocolour").code, 2);
@@ -172,8 +166,7 @@ TEST(Batch, ResumesWhereFilesAreMissing) {
     std::ofstream(folder / "b.png") << "its other file is missing";
     std::ofstream(folder / "c.png").close();  // there, and nothing in it
     const std::string command = std::string("batch jobs.jsonl --resume") + kSmall;
-    const Outcome first = nacreIn(folder, command);
-    ASSERT_EQ(first.code, 0) << first.err;
+    const Outcome first = nacreDone(folder, command);
     auto report = parseReport(first.out);
     EXPECT_EQ(report.at(1)["status"], "skipped");
     EXPECT_EQ(report.at(2)["status"], "done");
@@ -181,8 +174,7 @@ TEST(Batch, ResumesWhereFilesAreMissing) {
     EXPECT_EQ(readContents(folder / "a.png"), "kept");
     EXPECT_EQ(readContents(folder / "b.png"), readContents(folder / "c.png"));
     // All is there: no device is asked for.
-    const Outcome second = nacreIn(folder, command, "", "export VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
-    EXPECT_EQ(second.code, 0) << second.err;
+    const Outcome second = nacreDone(folder, command, "", "export VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
     for (const auto& [line, told] : parseReport(second.out)) EXPECT_EQ(told["status"], "skipped") << line;
 }
 
@@ -222,8 +214,7 @@ TEST(Batch, OfNoJobsIsDone) {
     std::ofstream(folder / "none.jsonl").close();
     std::ofstream(folder / "blank.jsonl") << "\n \n";
     for (const char* jobs : {"none.jsonl", "blank.jsonl", "-"}) {
-        const Outcome batch = nacreIn(folder, std::string("batch ") + jobs);
-        EXPECT_EQ(batch.code, 0) << jobs << batch.err;
+        const Outcome batch = nacreDone(folder, std::string("batch ") + jobs);
         EXPECT_EQ(batch.out + batch.err, "") << jobs;
     }
     EXPECT_EQ(nacreIn(folder, "batch .").err, "nacre: error: cannot read jobs: .: it is a folder\n");
@@ -244,8 +235,7 @@ TEST(Batch, WithoutADeviceIsOneError) {
 TEST(Batch, ReadsStandardInputWhereverItEnds) {
     const TemporaryFolder folder;
     std::ofstream(folder / "jobs") << job("sample:glucose", "a.png");  // no line end
-    const Outcome batch = nacreIn(folder, std::string("batch -") + kSmall, "<jobs");
-    EXPECT_EQ(batch.code, 0) << batch.err;
+    nacreDone(folder, std::string("batch -") + kSmall, "<jobs");
     EXPECT_TRUE(std::filesystem::exists(folder / "a.png"));
 }
 

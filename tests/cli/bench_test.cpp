@@ -10,6 +10,7 @@
 namespace nacre {
 namespace {
 
+using test::nacreDone;
 using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
@@ -18,8 +19,7 @@ constexpr const char* kSmall = "bench sample:dna --size 96x96 --occlusion 4 --fr
 
 TEST(Bench, FramesOfEveryPathAndTheFloorOfTheOneInUse) {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder, std::string(kSmall) + " --rotate 10,20,30 --json");
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = nacreDone(folder, std::string(kSmall) + " --rotate 10,20,30 --json");
     const auto report = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(report["paths"].size() + report["lacks"].size(), 5u);
     for (const auto& path : report["paths"]) {
@@ -47,10 +47,9 @@ TEST(Bench, FramesOfEveryPathAndTheFloorOfTheOneInUse) {
     EXPECT_GT(report["times"]["frame_processor"]["min"], 0);
     EXPECT_GT(report["memory"]["resident_peak"], 1 << 20);
 
-    const Outcome render = nacreIn(folder,
-                                   "render sample:dna --style spacefill --size 96x96 --occlusion 4 --rotate 10,20,30 "
-                                   "--supersample 1 --zoom 1 -o a.png --stats -");
-    ASSERT_EQ(render.code, 0) << render.err;
+    const Outcome render = nacreDone(folder,
+                                     "render sample:dna --style spacefill --size 96x96 --occlusion 4 --rotate 10,20,30 "
+                                     "--supersample 1 --zoom 1 -o a.png --stats -");
     EXPECT_EQ(report["covered_pixels"], nlohmann::json::parse(render.out)["covered_pixels"]);
 }
 
@@ -101,10 +100,9 @@ TEST(Bench, EdgesByTilesAndByMoreSamples) {
 TEST(Bench, ModelsDrawnTogetherHaveAFloor) {
     const TemporaryFolder folder;
     std::ofstream(folder / "two.xyz") << "2\none\nO 0 0 0\nC 0 0 3\n2\ntwo\nO 4 0 0\nC 4 0 3\n";
-    const Outcome outcome = nacreIn(folder,
-                                    "bench two.xyz --model all --style spacefill --size 64x64 "
-                                    "--occlusion 4 --frames 1 --visibility tiles --json");
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = nacreDone(folder,
+                                      "bench two.xyz --model all --style spacefill --size 64x64 "
+                                      "--occlusion 4 --frames 1 --visibility tiles --json");
     const auto report = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(report["spheres"]["submitted"], 4);
     EXPECT_EQ(report["spheres"]["visible"], 2);  // two hide behind the others

@@ -15,6 +15,7 @@ namespace nacre {
 namespace {
 
 using test::expectOneErrorLine;
+using test::nacreDone;
 using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
@@ -22,8 +23,7 @@ using test::TemporaryFolder;
 TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
     const TemporaryFolder folder;
     EXPECT_NE(nacreIn(folder, "--help").out.find("nacre render sample:dna -o dna.png"), std::string::npos);
-    const Outcome help = nacreIn(folder, "render --help");
-    EXPECT_EQ(help.code, 0);
+    const Outcome help = nacreDone(folder, "render --help");
     EXPECT_EQ(help.err, "");
     for (const char* option : {"--view",
                                "--occlusion-memory",
@@ -131,7 +131,7 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
     EXPECT_NE(halos.find("--halos WIDTH"), std::string::npos) << halos;
     EXPECT_EQ(nacreIn(folder, "help --halos").out, halos);
     EXPECT_NE(nacreIn(folder, "help -o").out.find("nacre movie:\n  -o,--output"), std::string::npos);
-    EXPECT_EQ(nacreIn(folder, "render sample:glucose -o a.png --style sticks --size 32x32 --occlusion off").code, 0);
+    nacreDone(folder, "render sample:glucose -o a.png --style sticks --size 32x32 --occlusion off");
     // A frame that its device cannot draw is the user's mistake.
     const Outcome plan = nacreIn(folder, "plan --caps powervr --visibility raster-order");
     EXPECT_EQ(plan.code, 1);
@@ -180,8 +180,7 @@ TEST(CommandLine, WhoWritesNoPictureOrPngLoadsNoImageFormats) {
     const TemporaryFolder folder;
     for (const char* command : {"info sample:glucose", "render sample:glucose -o a.png --size 32x32 --occlusion off"}) {
         // The loader names every library that it loads.
-        const Outcome outcome = nacreIn(folder, command, "", "export LD_DEBUG=files");
-        EXPECT_EQ(outcome.code, 0);
+        const Outcome outcome = nacreDone(folder, command, "", "export LD_DEBUG=files");
         EXPECT_NE(outcome.err.find("libc.so"), std::string::npos);
         EXPECT_EQ(outcome.err.find("OpenEXR"), std::string::npos) << command;
         EXPECT_EQ(outcome.err.find("nacre_images"), std::string::npos) << command;
@@ -211,16 +210,14 @@ TEST(CommandLine, AModuleOfAnotherBuildIsToldNotCalled) {
 
 TEST(CommandLine, VersionNamesCommitHeadersAndDevice) {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder, "--version");
-    EXPECT_EQ(outcome.code, 0);
+    const Outcome outcome = nacreDone(folder, "--version");
     for (const char* word : {"nacre 0.", "Vulkan headers 1.", "captures by RenderDoc", "device "})
         EXPECT_NE(outcome.out.find(word), std::string::npos) << outcome.out;
 }
 
 TEST(CommandLine, NoticesNameEveryPartAndHoldItsLicence) {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder, "--notices");
-    EXPECT_EQ(outcome.code, 0);
+    const Outcome outcome = nacreDone(folder, "--notices");
     // Words of the licences of Nacre, GLM, gemmi, OpenEXR, curl, GLFW, Dear ImGui and DejaVu.
     for (const char* words : {"Redistribution and use in source and binary forms", "Christophe Riccio",
                               "Mozilla Public", "OpenEXR", "Daniel Stenberg", "Camilla", "Omar Cornut", "Bitstream"})
@@ -287,10 +284,9 @@ TEST(CommandLine, OutputThatIsLostIsAnError) {
 TEST(CommandLine, RenderWritesWholeFilesAndTheStats) {
     const TemporaryFolder folder;
     const Outcome outcome =
-        nacreIn(folder,
-                "render sample:glucose -o a.png --size 64x48 --occlusion 8 --zoom 1 --rotate -90,0,0 "
-                "--layers l.exr --stats s.json");
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+        nacreDone(folder,
+                  "render sample:glucose -o a.png --size 64x48 --occlusion 8 --zoom 1 --rotate -90,0,0 "
+                  "--layers l.exr --stats s.json");
     EXPECT_EQ(outcome.out + outcome.err, "");
     EXPECT_EQ(folder.count(), 3u);
     EXPECT_EQ(test::readContents(folder / "a.png").substr(1, 3), "PNG");

@@ -15,8 +15,7 @@ TEST(Loopback, IsWhereLibrariesListenThatAskForAnyAddress) {
     std::filesystem::create_symlink(NACRE_LATE_BIND, library);
     const std::string preload =
         "export LD_PRELOAD='" + library.string() + "' ASAN_OPTIONS=\"$ASAN_OPTIONS:verify_asan_link_order=0\"";
-    const Outcome run = nacreIn(folder, "--version", "", preload);
-    EXPECT_EQ(run.code, 0) << run.err;
+    const Outcome run = nacreDone(folder, "--version", "", preload);
     EXPECT_TRUE(run.out.ends_with("bound to 127.0.0.1\nbound to ::1\nbound to 127.0.0.2\n") ||
                 run.out.ends_with("bound to 127.0.0.1\nnot bound\nbound to 127.0.0.2\n"))  // no IPv6 here
         << run.out;

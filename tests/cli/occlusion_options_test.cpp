@@ -9,6 +9,7 @@
 namespace nacre::app {
 namespace {
 
+using test::nacreDone;
 using test::nacreIn;
 using test::Outcome;
 using test::readContents;
@@ -17,10 +18,9 @@ using test::TemporaryFolder;
 TEST(OcclusionMemory, IsKeptToAndSaid) {
     const TemporaryFolder folder;
     for (const int megabytes : {1, 64}) {
-        const Outcome outcome = nacreIn(
+        const Outcome outcome = nacreDone(
             folder, "render sample:dna -o a.png --size 64x64 --occlusion 16 --stats s.json --occlusion-memory " +
                         std::to_string(megabytes));
-        ASSERT_EQ(outcome.code, 0) << outcome.err;
         const auto occlusion = nlohmann::json::parse(readContents(folder / "s.json"))["occlusion"];
         EXPECT_LE(occlusion["bytes"].get<std::uint64_t>(), std::uint64_t(megabytes) << 20);
         const std::string patch = std::to_string(occlusion["patch_texels"].get<int>());
@@ -46,7 +46,7 @@ TEST(OcclusionDetail, BoundsPatchesAndDepthMaps) {
     const TemporaryFolder folder;
     const auto bakeWith = [&](const std::string& detail) {
         const std::string command = "render sample:dna -o a.png --size 64x64 --occlusion 4 --stats s.json";
-        EXPECT_EQ(nacreIn(folder, command + detail).code, 0);
+        nacreDone(folder, command + detail);
         return nlohmann::json::parse(readContents(folder / "s.json"))["occlusion"];
     };
     const auto full = bakeWith(""), coarse = bakeWith(" --occlusion-detail 12");

@@ -13,6 +13,7 @@ namespace nacre {
 namespace {
 
 namespace fs = std::filesystem;
+using test::nacreDone;
 using test::nacreIn;
 using test::Outcome;
 using test::readContents;
@@ -53,8 +54,7 @@ std::array<std::uint32_t, 3> readPaper(const std::string& png) {
 TEST(Outputs, PaperBecomesPixels) {
     const TemporaryFolder folder;
     const auto drawn = [&](const std::string& options) {
-        const Outcome outcome = nacreIn(folder, "render sample:glucose -o - --occlusion off " + options);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const Outcome outcome = nacreDone(folder, "render sample:glucose -o - --occlusion off " + options);
         return readPaper(outcome.out);
     };
     using Paper = std::array<std::uint32_t, 3>;
@@ -149,8 +149,7 @@ TEST(Outputs, NothingFromOutsideCommandsTheTerminal) {
 TEST(Outputs, InfoTakesSeveralFiles) {
     const TemporaryFolder folder;
     put(folder / "m.pdb", kAtom);
-    const Outcome text = nacreIn(folder, "info sample:glucose m.pdb");
-    EXPECT_EQ(text.code, 0) << text.err;
+    const Outcome text = nacreDone(folder, "info sample:glucose m.pdb");
     EXPECT_NE(text.out.find("sample:glucose ("), std::string::npos);
     EXPECT_NE(text.out.find("\nm.pdb (pdb)"), std::string::npos) << text.out;
     const auto json = nlohmann::json::parse(nacreIn(folder, "info sample:glucose m.pdb --json").out);
@@ -176,9 +175,8 @@ TEST(Outputs, OneCameraIsForAllModelsUnlessAsked) {
     const TemporaryFolder folder;
     put(folder / "two.xyz", "2\n\nHe 0 0 0\nNe 2 0 0\n2\n\nHe 10 0 0\nNe 12 0 0\n");
     const auto measureCenter = [&](const std::string& options, const std::string& input = "two.xyz") {
-        const Outcome drawn = nacreIn(folder, "render " + input + " -o a.png --stats s.json " + options + kTiny,
-                                      input == "-" ? "<two.xyz" : "");
-        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        nacreDone(folder, "render " + input + " -o a.png --stats s.json " + options + kTiny,
+                  input == "-" ? "<two.xyz" : "");
         return nlohmann::json::parse(readContents(folder / "s.json"))["view"]["center"].dump();
     };
     for (const char* options : {"", "--model 2", "--model all", "--model 2 --camera all"})

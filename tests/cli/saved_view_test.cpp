@@ -13,6 +13,7 @@
 namespace nacre {
 namespace {
 
+using test::nacreDone;
 using test::nacreIn;
 using test::readContents;
 using test::TemporaryFolder;
@@ -27,8 +28,7 @@ constexpr const char* kOptions =
     "--rotate 0,90,0";
 
 std::string rendered(const TemporaryFolder& folder, const std::string& arguments) {
-    const test::Outcome outcome = nacreIn(folder, "render " + arguments + " -o a.png --size 160x120");
-    EXPECT_EQ(outcome.code, 0) << arguments << ": " << outcome.err;
+    nacreDone(folder, "render " + arguments + " -o a.png --size 160x120");
     return readContents(folder / "a.png");
 }
 
@@ -82,9 +82,7 @@ TEST(SavedView, NamesMapsFromItsFolderAndTellsOfOthers) {
     for (const auto& [map, told] : {std::pair("inside.cube", false), {"../outside.cube", true}}) {
         std::ofstream(folder / "views/v.json")
             << R"({"input": "sample:glucose", "map": [")" << map << R"("], "map-level": ["0.5"]})";
-        const test::Outcome outcome =
-            nacreIn(folder, "render --view views/v.json -o a.png --size 32x32 --occlusion off");
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const Outcome outcome = nacreDone(folder, "render --view views/v.json -o a.png --size 32x32 --occlusion off");
         EXPECT_EQ(outcome.err.find("not in its folder") != std::string::npos, told) << outcome.err;
         app::PictureDescription view;
         app::applySavedView(folder / "views/v.json", view);
@@ -95,9 +93,7 @@ TEST(SavedView, NamesMapsFromItsFolderAndTellsOfOthers) {
         folder, "render sample:glucose --map outside.cube --map-level 0.5 -o a.png --size 32x32 --occlusion off");
     EXPECT_EQ(own.err, "");
     // A map alone is drawn.
-    const test::Outcome alone =
-        nacreIn(folder, "render outside.cube --map-level 0.5 -o a.png --size 32x32 --occlusion off --stats s.json");
-    EXPECT_EQ(alone.code, 0) << alone.err;
+    nacreDone(folder, "render outside.cube --map-level 0.5 -o a.png --size 32x32 --occlusion off --stats s.json");
     EXPECT_NE(readContents(folder / "s.json").find("\"read\": 0"), std::string::npos);
     EXPECT_NE(nacreIn(folder, "render sample:glucose --map-level 0.5 -o a.png --size 32x32").err.find("without --map"),
               std::string::npos);
@@ -119,7 +115,7 @@ TEST(SavedView, FindsItsFileBesideItByItsHash) {
     EXPECT_EQ(carbon.substr(0, carbon.find('-')), "83") << carbon;
     put("oxygen.pdb", "O");
     EXPECT_NE(app::fileHash(folder / "oxygen.pdb"), carbon);
-    ASSERT_EQ(nacreIn(folder, "render carbon.pdb -o c.png --size 16x16 --occlusion off").code, 0);
+    nacreDone(folder, "render carbon.pdb -o c.png --size 16x16 --occlusion off");
     const std::string picture = readContents(folder / "c.png");
 
     view("/nowhere/at/all/carbon.pdb", carbon);

@@ -17,6 +17,7 @@
 namespace nacre::app {
 namespace {
 
+using test::nacreDone;
 using test::nacreIn;
 using test::Outcome;
 using test::readContents;
@@ -33,8 +34,7 @@ TEST(SeveralInputs, AMapAmongThemIsThatOfTheStructure) {
     for (int i = 0; i < 64; ++i) map << i % 7 << '\n';
     map.close();
     const auto drawn = [&](const std::string& inputs) {
-        const Outcome outcome = nacreIn(folder, "render " + inputs + kBeside);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        nacreDone(folder, "render " + inputs + kBeside);
         return readContents(folder / "a.png");
     };
     const std::string named = drawn("sample:dna --map m.dx");
@@ -59,16 +59,14 @@ TEST(SeveralInputs, HaveNames) {
 
 TEST(SeveralInputs, AreOnePicture) {
     const TemporaryFolder folder;
-    const Outcome both = nacreIn(folder, "render sample:glucose a=sample:buckyball --stats s.json" + kBeside);
-    ASSERT_EQ(both.code, 0) << both.err;
+    nacreDone(folder, "render sample:glucose a=sample:buckyball --stats s.json" + kBeside);
     EXPECT_NE(readContents(folder / "s.json").find("\"read\": 84"), std::string::npos)
         << readContents(folder / "s.json");
     const std::string together = readContents(folder / "a.png");
-    ASSERT_EQ(
-        nacreIn(folder, "render sample:glucose a=sample:buckyball --hide /a --style ball-and-stick" + kBeside).code, 0);
+    nacreDone(folder, "render sample:glucose a=sample:buckyball --hide /a --style ball-and-stick" + kBeside);
     const std::string hidden = readContents(folder / "a.png");
     EXPECT_NE(hidden, together);
-    ASSERT_EQ(nacreIn(folder, "render sample:glucose --style ball-and-stick" + kBeside).code, 0);
+    nacreDone(folder, "render sample:glucose --style ball-and-stick" + kBeside);
     EXPECT_EQ(readContents(folder / "a.png"), hidden) << "what is named is what is hidden";
 }
 
@@ -88,12 +86,12 @@ TEST(SeveralInputs, StandInASavedView) {
     std::string text = readContents(folder / "there/both.json");
     text.replace(text.find("\"fits\""), text.find("\"style\"") - text.find("\"fits\""), "");
     std::ofstream(folder / "there/both.json") << text;
-    ASSERT_EQ(nacreIn(folder, "render --view there/both.json" + kBeside).code, 0);
+    nacreDone(folder, "render --view there/both.json" + kBeside);
     const std::string byView = readContents(folder / "a.png");
     // The same by words; the colours that keep molecules apart lie below those of the view.
-    ASSERT_EQ(nacreIn(folder, "render g=sample:glucose w=there/water.xyz" + look + kBeside).code, 0);
+    nacreDone(folder, "render g=sample:glucose w=there/water.xyz" + look + kBeside);
     EXPECT_EQ(readContents(folder / "a.png"), byView);
-    ASSERT_EQ(nacreIn(folder, "render g=sample:glucose" + look + kBeside).code, 0);
+    nacreDone(folder, "render g=sample:glucose" + look + kBeside);
     EXPECT_NE(readContents(folder / "a.png"), byView);
     for (const char* bad : {R"({"input": "a", "further-inputs": [{"name": "b"}]})", R"({"further-inputs": {}})",
                             R"({"name": "a b"})", R"({"further-inputs": [{"input": "b", "name": "x/y"}]})",
@@ -104,13 +102,13 @@ TEST(SeveralInputs, StandInASavedView) {
 TEST(SeveralInputs, AreColouredApartUnlessAsked) {
     const TemporaryFolder folder;
     const std::string two = "render sample:buckyball b=sample:buckyball";
-    ASSERT_EQ(nacreIn(folder, two + " --hide /buckyball" + kBeside).code, 0);
+    nacreDone(folder, two + " --hide /buckyball" + kBeside);
     const std::string apart = readContents(folder / "a.png");
-    ASSERT_EQ(nacreIn(folder, two + " --hide /b" + kBeside).code, 0);
+    nacreDone(folder, two + " --hide /b" + kBeside);
     EXPECT_NE(readContents(folder / "a.png"), apart) << "the second has carbons of its own colour";
-    ASSERT_EQ(nacreIn(folder, two + " --hide /buckyball --color white" + kBeside).code, 0);
+    nacreDone(folder, two + " --hide /buckyball --color white" + kBeside);
     const std::string white = readContents(folder / "a.png");
-    ASSERT_EQ(nacreIn(folder, two + " --hide /b --color white" + kBeside).code, 0);
+    nacreDone(folder, two + " --hide /b --color white" + kBeside);
     EXPECT_EQ(readContents(folder / "a.png"), white);
 }
 
@@ -131,9 +129,8 @@ TEST(SeveralInputs, AreAlignedByStructure) {
     NACRE_NEEDS_DATA();
     const TemporaryFolder folder;
     const std::string file = test::dataFile("4hhb.pdb");
-    const Outcome outcome = nacreIn(folder, "render a=" + file + " b=" + file +
-                                                " --align '/a and chain A' '/b and chain B' --style line" + kBeside);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = nacreDone(folder, "render a=" + file + " b=" + file +
+                                                  " --align '/a and chain A' '/b and chain B' --style line" + kBeside);
     EXPECT_NE(outcome.err.find("(chain A on B): 139 pairs of residues"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("TM-score 0.904 by the 141 residues"), std::string::npos) << outcome.err;
     const Outcome none = nacreIn(folder, "render a=" + file + " b=sample:dna --align /a /b" + kBeside);
@@ -153,8 +150,7 @@ TEST(SeveralInputs, HaveColorsThatTheChainsOfTheFirstDoNotHave) {
 
 TEST(OneInput, WithoutACellIsDrawnWithAWarning) {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder, "render sample:glucose --cell on" + kBeside);
-    EXPECT_EQ(outcome.code, 0);
+    const Outcome outcome = nacreDone(folder, "render sample:glucose --cell on" + kBeside);
     EXPECT_NE(outcome.err.find("the file states no unit cell or box"), std::string::npos) << outcome.err;
 }
 
@@ -162,16 +158,14 @@ TEST(SeveralInputs, AreLaidOntoEachOther) {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.pdb") << turned(0, 0);
     std::ofstream(folder / "b.pdb") << turned(1.2, 0);
-    const Outcome same = nacreIn(folder, "render a.pdb b.pdb --fit /b /a --style spacefill --color white" + kBeside);
-    ASSERT_EQ(same.code, 0) << same.err;
+    const Outcome same = nacreDone(folder, "render a.pdb b.pdb --fit /b /a --style spacefill --color white" + kBeside);
     EXPECT_EQ(same.err, "nacre: fit of /b onto /a (chain A on A): 8 pairs of atoms, RMSD 0.000 Å\n");
     const std::string together = readContents(folder / "a.png");
-    ASSERT_EQ(nacreIn(folder, "render a.pdb --style spacefill --color white" + kBeside).code, 0);
+    nacreDone(folder, "render a.pdb --style spacefill --color white" + kBeside);
     // Both are where the first is; they differ by what a PDB file rounds.
     EXPECT_NEAR(static_cast<double>(readContents(folder / "a.png").size()), static_cast<double>(together.size()), 200);
     std::ofstream(folder / "c.pdb") << turned(0.7, 0.5);
-    const Outcome bent = nacreIn(folder, "render --fit /c /a a.pdb c.pdb --fit 'name CA and /a' /c" + kBeside);
-    ASSERT_EQ(bent.code, 0) << bent.err;
+    const Outcome bent = nacreDone(folder, "render --fit /c /a a.pdb c.pdb --fit 'name CA and /a' /c" + kBeside);
     // By numpy's SVD (Kabsch's way) from the same numbers.
     EXPECT_NE(bent.err.find("8 pairs of atoms, RMSD 0.242 Å"), std::string::npos) << bent.err;
     EXPECT_EQ(bent.err.find("no sense"), std::string::npos) << bent.err;

@@ -14,6 +14,7 @@
 namespace nacre {
 namespace {
 
+using test::nacreDone;
 using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
@@ -36,14 +37,13 @@ constexpr const char* kTinyPicture = " --size 32x32 --occlusion off";
 TEST(Snapshots, AllOfThemArePicturesOfTheirOwn) {
     const TemporaryFolder folder;
     putSnapshots(folder);
-    const Outcome all = nacreIn(folder, std::string("render s.mvsj --snapshot all -o a.png") + kTinyPicture);
-    ASSERT_EQ(all.code, 0) << all.err;
+    nacreDone(folder, std::string("render s.mvsj --snapshot all -o a.png") + kTinyPicture);
     const std::string first = test::readContents(folder / "a-1.png"), second = test::readContents(folder / "a-2.png");
     EXPECT_FALSE(first.empty());
     EXPECT_NE(first, second);
-    ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj --snapshot 2 -o b.png") + kTinyPicture).code, 0);
+    nacreDone(folder, std::string("render s.mvsj --snapshot 2 -o b.png") + kTinyPicture);
     EXPECT_EQ(test::readContents(folder / "b.png"), second);
-    ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj -o c.png") + kTinyPicture).code, 0);
+    nacreDone(folder, std::string("render s.mvsj -o c.png") + kTinyPicture);
     EXPECT_EQ(test::readContents(folder / "c.png"), first);
     const Outcome missing = nacreIn(folder, std::string("render s.mvsj --snapshot 3 -o d.png") + kTinyPicture);
     EXPECT_EQ(missing.code, 1);
@@ -54,8 +54,7 @@ TEST(Snapshots, AMovieRestsAtEachAndGoesOverIntoTheNext) {
     const TemporaryFolder folder;
     putSnapshots(folder);
     // 0.3 s at rest, 0.2 s on the way, 0.5 s at rest: the last has no next.
-    const Outcome movie = nacreIn(folder, std::string("movie s.mvsj -o frames/ --fps 10") + kTinyPicture);
-    ASSERT_EQ(movie.code, 0) << movie.err;
+    const Outcome movie = nacreDone(folder, std::string("movie s.mvsj -o frames/ --fps 10") + kTinyPicture);
     const auto frame = [&](int number) {
         return test::readContents(
             folder / (std::string("frames/frame_000") + (number < 10 ? "0" : "") + std::to_string(number) + ".png"));
@@ -77,8 +76,7 @@ TEST(Snapshots, AnAnimationPlaysWhileItsSnapshotRests) {
     std::ofstream(folder / "s.mvsj") << R"({"root": {"kind": "root", "children": [)" << ball
                                      << R"(]}, "animation": {"kind": "animation", "children": [{"kind": "interpolate",
         "params": {"kind": "color", "target_ref": "balls", "property": "color", "end": "blue", "duration_ms": 400}}]}})";
-    const Outcome movie = nacreIn(folder, std::string("movie s.mvsj -o frames/ --fps 10") + kTinyPicture);
-    ASSERT_EQ(movie.code, 0) << movie.err;
+    nacreDone(folder, std::string("movie s.mvsj -o frames/ --fps 10") + kTinyPicture);
     const auto frame = [&](int number) {
         return test::readContents(folder / ("frames/frame_0000" + std::to_string(number) + ".png"));
     };
@@ -87,7 +85,7 @@ TEST(Snapshots, AnAnimationPlaysWhileItsSnapshotRests) {
     EXPECT_NE(frame(1), frame(2));
     EXPECT_NE(frame(3), frame(4));
     // The first frame is the scene as a picture shows it.
-    ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj -o a.png") + kTinyPicture).code, 0);
+    nacreDone(folder, std::string("render s.mvsj -o a.png") + kTinyPicture);
     EXPECT_EQ(test::readContents(folder / "a.png"), frame(1));
 }
 

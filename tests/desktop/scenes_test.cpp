@@ -62,8 +62,7 @@ TEST(Window, ADroppedSceneIsShownAndSaved) {
     EXPECT_EQ(nodes[1]["params"]["background_color"], "#0000ff");
     EXPECT_EQ(nodes[2]["kind"], "camera");
     EXPECT_NE(nodes[2]["params"]["position"][0], nodes[2]["params"]["target"][0]);
-    const Outcome drawn = nacreIn(session.folder(), "render '" + saved + "' -o again.png --size 60x60 --occlusion off");
-    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    nacreDone(session.folder(), "render '" + saved + "' -o again.png --size 60x60 --occlusion off");
     EXPECT_EQ(session.quit(), 0) << session.errors();
 }
 

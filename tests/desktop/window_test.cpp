@@ -83,9 +83,7 @@ Difference measureDifference(const WindowPicture& shown, const Image& image) {
 /// Renders what the window shows, without the window, and compares. The window's refinement takes 2 x 2 samples.
 void expectAsRendered(XSession& session, const std::string& view) {
     const std::string size = formatSize(session.picture());
-    const Outcome outcome =
-        nacreIn(session.folder(), "render --view '" + view + "' -o render.png --supersample 2 --size " + size);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    nacreDone(session.folder(), "render --view '" + view + "' -o render.png --supersample 2 --size " + size);
     const Image image = readImage(session.folder() / "render.png");
     Difference d;
     // On a busy machine the refinement may be late; what counts is the picture that stays.
@@ -199,10 +197,8 @@ TEST(Window, ClickPicksTheAtomThatIsSeen) {
         XSession session(std::string("sample:dna --size 260x300 --rotate 20,30,0 --style ") + style);
         session.type("m");
         const std::string view = saveView(session);
-        const Outcome outcome =
-            nacreIn(session.folder(), "render --view '" + view + "' -o r.png --layers l.exr --occlusion 1 --size " +
-                                          formatSize(session.picture()));
-        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        nacreDone(session.folder(), "render --view '" + view + "' -o r.png --layers l.exr --occlusion 1 --size " +
+                                        formatSize(session.picture()));
         const Image layers = readImage(session.folder() / "l.exr");
         std::vector<int> expected;
         for (int i = 0; i < 3; ++i) session.type("u");  // measures torsions: four atoms
@@ -258,9 +254,8 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     std::filesystem::copy(saved, elsewhere / "v.json");
     std::filesystem::copy(session.folder() / "two words.xyz", elsewhere / "renamed.xyz");
     for (const std::string& view : {elsewhere / "v.json", saved}) {
-        const Outcome drawn = nacreIn(elsewhere, "render --view '" + view + "' -o " + (view == saved ? "r" : "v") +
-                                                     ".png --size 40x40 --occlusion off");
-        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        nacreDone(elsewhere, "render --view '" + view + "' -o " + (view == saved ? "r" : "v") +
+                                 ".png --size 40x40 --occlusion off");
     }
     EXPECT_TRUE(readContents(elsewhere / "v.png") == readContents(elsewhere / "r.png"));
     session.sleep(4.3);  // until the message of the saved view is gone

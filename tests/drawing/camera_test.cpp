@@ -17,7 +17,7 @@ namespace nacre::app {
 namespace {
 
 using Options = std::initializer_list<std::pair<const char*, const char*>>;
-using test::nacreIn;
+using test::nacreDone;
 using test::TemporaryFolder;
 
 PictureDescription cameraPicture(Options options) {
@@ -268,8 +268,7 @@ TEST(AutomaticFog, EndsWithWhatIsSeenOfAClosedShell) {
 }
 
 nlohmann::json viewOfStats(const TemporaryFolder& folder, const std::string& arguments) {
-    const test::Outcome outcome = nacreIn(folder, "render " + arguments + " -o a.png --size 160x120 --stats s.json");
-    EXPECT_EQ(outcome.code, 0) << arguments << ": " << outcome.err;
+    nacreDone(folder, "render " + arguments + " -o a.png --size 160x120 --stats s.json");
     return nlohmann::json::parse(test::readContents(folder / "s.json"))["view"];
 }
 

@@ -18,8 +18,7 @@ TEST(Movie, GoesThroughModels) {
     std::ofstream xyz(folder / "m.xyz");
     for (int model = 0; model < 3; ++model) xyz << "2\nm\nC 0 0 0\nO " << 1.2 + model * 0.2 << " 0 0\n";
     xyz.close();
-    const Outcome outcome = nacreIn(folder, "movie m.xyz -o f/ --models --fps 10 --report -" + kSmall);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = test::nacreDone(folder, "movie m.xyz -o f/ --models --fps 10 --report -" + kSmall);
     for (const char* model : {"1", "2", "3"})
         EXPECT_NE(outcome.out.find(R"({"frame": )" + std::string(model) + R"(, "frames": 3, "model": )" + model + "}"),
                   std::string::npos)
@@ -35,8 +34,7 @@ TEST(Movie, GoesThroughARangeOfModelsInStrides) {
     for (int model = 0; model < 7; ++model) xyz << "2\nm\nC 0 0 0\nO " << 1.2 + model * 0.2 << " 0 0\n";
     xyz.close();
     const auto models = [&](const std::string& options) {
-        const Outcome outcome = nacreIn(folder, "movie m.xyz -o f.png --models --report - " + options + kSmall);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const Outcome outcome = test::nacreDone(folder, "movie m.xyz -o f.png --models --report - " + options + kSmall);
         std::string shown;
         for (std::size_t at = 0; (at = outcome.out.find("\"model\": ", at)) != std::string::npos; ++at)
             if (shown.empty() || shown.back() != outcome.out[at + 9]) shown += outcome.out[at + 9];
@@ -66,11 +64,9 @@ TEST(Movie, ModelsAreThePicturesThatRenderDraws) {
     std::ofstream(folder / "m.xyz") << "2\nm\nC 0 0 0\nO 1.2 0 0\n2\nm\nC 0 5 0\nO 2.6 5 0\n3\nm\nC 0 0 3\nO 0 1.2 3\n"
                                        "N 4 4 4\n";
     for (const std::string options : {"", " --camera model", " --projection perspective --rotate 10,20,30"}) {
-        const Outcome movie = nacreIn(folder, "movie m.xyz -o f/ --models --fps 10" + kSmall + options);
-        ASSERT_EQ(movie.code, 0) << movie.err;
+        test::nacreDone(folder, "movie m.xyz -o f/ --models --fps 10" + kSmall + options);
         for (const char* model : {"1", "2", "3"}) {
-            ASSERT_EQ(nacreIn(folder, std::string("render m.xyz -o a.png --model ") + model + kSmall + options).code,
-                      0);
+            test::nacreDone(folder, std::string("render m.xyz -o a.png --model ") + model + kSmall + options);
             EXPECT_TRUE(readContents(folder / ("f/frame_0000" + std::string(model) + ".png")) ==
                         readContents(folder / "a.png"))
                 << model << options;
@@ -87,9 +83,8 @@ TEST(Movie, SurfacesThatMoveHaveTheColoursOfAMap) {
     for (int node = 0; node < 27; ++node) cube += std::to_string(node / 9 - 1) + "\n";
     std::ofstream(folder / "x.cube") << cube;
     const std::string movie = "movie m.xyz --models --smooth 3 --fps 10 --style surface" + kSmall;
-    ASSERT_EQ(nacreIn(folder, movie + " -o plain/").code, 0);
-    const Outcome colored = nacreIn(folder, movie + " -o colored/ --surface-color-from x.cube:-0.3..0.3:grays");
-    ASSERT_EQ(colored.code, 0) << colored.err;
+    test::nacreDone(folder, movie + " -o plain/");
+    const Outcome colored = test::nacreDone(folder, movie + " -o colored/ --surface-color-from x.cube:-0.3..0.3:grays");
     for (int i = 1; i <= 3; ++i) {
         const std::string name = "/frame_0000" + std::to_string(i) + ".png";
         EXPECT_NE(readContents(folder / ("plain" + name)), readContents(folder / ("colored" + name))) << i;
@@ -104,10 +99,9 @@ TEST(Movie, ModelsGoOnAlongViews) {
     for (const char* name : {"a.json", "b.json"})
         std::ofstream(folder / name) << R"({"input": "m.xyz", "orientation": [1, 0, 0, 0], "occlusion": "off"})";
     for (const char* smooth : {"", " --smooth 3"}) {
-        const Outcome movie =
-            nacreIn(folder, std::string("movie --views a.json,b.json --models --fps 4 --seconds 1 -o f/ --size 64x48") +
-                                smooth);
-        ASSERT_EQ(movie.code, 0) << movie.err;
+        test::nacreDone(
+            folder,
+            std::string("movie --views a.json,b.json --models --fps 4 --seconds 1 -o f/ --size 64x48") + smooth);
         for (int i = 2; i <= 4; ++i)
             EXPECT_NE(readContents(folder / "f/frame_00001.png"),
                       readContents(folder / ("f/frame_0000" + std::to_string(i) + ".png")))
@@ -162,9 +156,7 @@ TEST(Movie, FitsAndSmoothsModels) {
     write("still", {still + frame, still + frame});
     const auto frames = [&](const std::string& molecule, const std::string& options) {
         const std::string movie = std::to_string(folder.count()) + ".png";
-        const Outcome outcome =
-            nacreIn(folder, "movie " + molecule + ".xyz -o " + movie + " --models --fps 10 " + options + kSmall);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        test::nacreDone(folder, "movie " + molecule + ".xyz -o " + movie + " --models --fps 10 " + options + kSmall);
         return readFrames(folder / movie);
     };
     // Outlines that pass through centres of pixels fall to either side.
@@ -191,21 +183,21 @@ TEST(Movie, MorphsFromModelToModelOrFromInputToInput) {
     std::ofstream(folder / "b.xyz") << closed;
     const auto frames = [&](const std::string& options) {
         const std::string movie = std::to_string(folder.count()) + ".png";
-        const Outcome outcome = nacreIn(folder, "movie " + options + " -o " + movie + " --fps 4 --report -" + kSmall);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const Outcome outcome =
+            test::nacreDone(folder, "movie " + options + " -o " + movie + " --fps 4 --report -" + kSmall);
         EXPECT_NE(outcome.out.find(R"("frames": 8,)"), std::string::npos) << "2 s: " << outcome.out;
         return readFrames(folder / movie);
     };
     const std::string through = frames("m.xyz --morph");
     const std::size_t frame = through.size() / 8;
     const auto at = [&](const std::string& all, std::size_t i) { return all.substr(i * frame, frame); };
-    ASSERT_EQ(nacreIn(folder, "movie m.xyz -o models.png --models --fps 10" + kSmall).code, 0);
+    test::nacreDone(folder, "movie m.xyz -o models.png --models --fps 10" + kSmall);
     const std::string models = readFrames(folder / "models.png");
     for (std::size_t i = 1; i < 8; ++i) EXPECT_NE(at(through, i), at(through, i - 1)) << i;
     EXPECT_EQ(at(through, 0), at(models, 0)) << "it begins as the first model";
     EXPECT_EQ(at(frames("a.xyz b.xyz --morph"), 0), at(through, 0));
     // Inputs are shown one by one, too.
-    ASSERT_EQ(nacreIn(folder, "movie a.xyz b.xyz -o inputs.png --models --conformations --fps 10" + kSmall).code, 0);
+    test::nacreDone(folder, "movie a.xyz b.xyz -o inputs.png --models --conformations --fps 10" + kSmall);
     EXPECT_EQ(readFrames(folder / "inputs.png").substr(0, frame), at(models, 0));
     EXPECT_EQ(readFrames(folder / "inputs.png").size(), models.size());
     // There and back in the same time.
@@ -221,9 +213,7 @@ TEST(Movie, WordsGoWithTheAtomsThatTheyName) {
     for (const int y : {-4, 0, 4}) xyz << "3\nm\nC 0 -8 0\nC 0 8 0\nN 4 " << y << " 0\n";
     xyz.close();
     const auto frames = [&](const char* movie, const char* options) {
-        const Outcome outcome =
-            nacreIn(folder, std::string("movie m.xyz --models --smooth 3 --fps 10 -o ") + movie + kSmall + options);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        test::nacreDone(folder, std::string("movie m.xyz --models --smooth 3 --fps 10 -o ") + movie + kSmall + options);
         return readFrames(folder / movie);
     };
     const std::string plain = frames("a.png", ""), named = frames("b.png", "--label 'element N=N'");

@@ -12,16 +12,14 @@ namespace {
 
 TEST(Movie, FramesAreTheFilesThatRenderWrites) {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder, "movie sample:glucose -o f/ --spin y --fps 8 --seconds 0.5" + kSmall);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome =
+        test::nacreDone(folder, "movie sample:glucose -o f/ --spin y --fps 8 --seconds 0.5" + kSmall);
     EXPECT_EQ(outcome.err, "");
     const TemporaryFolder pictures;
     for (int i = 0; i < 4; ++i) {
         const std::string name = std::to_string(i) + ".png";
-        ASSERT_EQ(nacreIn(pictures, "render sample:glucose -o " + name + " --rotate 0," + std::to_string(90 * i) +
-                                        ",0 --zoom 1" + kSmall)
-                      .code,
-                  0);
+        test::nacreDone(pictures, "render sample:glucose -o " + name + " --rotate 0," + std::to_string(90 * i) +
+                                      ",0 --zoom 1" + kSmall);
         EXPECT_EQ(readContents(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png")),
                   readContents(pictures / name))
             << i;
@@ -32,11 +30,11 @@ TEST(Movie, FramesAreTheFilesThatRenderWrites) {
 TEST(Movie, ShowsInteractionsInEveryFrame) {
     const TemporaryFolder folder;
     const std::string look = " --style licorice --zoom 2" + kSmall, contacts = look + " --interactions 'chain A'";
-    ASSERT_EQ(nacreIn(folder, "movie sample:dna -o f/ --spin y --fps 4 --seconds 0.5" + contacts).code, 0);
+    test::nacreDone(folder, "movie sample:dna -o f/ --spin y --fps 4 --seconds 0.5" + contacts);
     for (int i = 0; i < 2; ++i) {
         const std::string turned = " --rotate 0," + std::to_string(180 * i) + ",0";
-        ASSERT_EQ(nacreIn(folder, "render sample:dna -o with.png" + turned + contacts).code, 0);
-        ASSERT_EQ(nacreIn(folder, "render sample:dna -o without.png" + turned + look).code, 0);
+        test::nacreDone(folder, "render sample:dna -o with.png" + turned + contacts);
+        test::nacreDone(folder, "render sample:dna -o without.png" + turned + look);
         const std::string frame = readContents(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png"));
         EXPECT_EQ(frame, readContents(folder / "with.png")) << i;
         EXPECT_NE(frame, readContents(folder / "without.png")) << i;
@@ -51,15 +49,12 @@ TEST(Movie, SweepsTheLevelOfAMap) {
             for (int z = -6; z <= 6; ++z) cube += std::to_string(40 - x * x - y * y - z * z) + "\n";
     std::ofstream(folder / "ball.cube") << cube;
     const std::string map = " --map ball.cube --map-style mesh --center 0,0,0 --scale 20A";
-    const Outcome outcome = nacreIn(
-        folder, "movie sample:glucose -o f/ --map-sweep 10,30 --fps 2 --seconds 1.5 --map-level 3" + map + kSmall);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    test::nacreDone(folder,
+                    "movie sample:glucose -o f/ --map-sweep 10,30 --fps 2 --seconds 1.5 --map-level 3" + map + kSmall);
     for (int i = 0; i < 3; ++i) {
         const std::string name = std::to_string(i) + ".png";
-        ASSERT_EQ(nacreIn(folder, "render sample:glucose -o " + name + " --map-level " + std::to_string(10 + 10 * i) +
-                                      map + kSmall)
-                      .code,
-                  0);
+        test::nacreDone(
+            folder, "render sample:glucose -o " + name + " --map-level " + std::to_string(10 + 10 * i) + map + kSmall);
         EXPECT_EQ(readContents(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png")), readContents(folder / name))
             << i;
     }
@@ -69,7 +64,7 @@ TEST(Movie, SweepsTheLevelOfAMap) {
 TEST(Movie, EveryFormatHoldsTheFramesThatWereDrawn) {
     const TemporaryFolder folder;
     const std::string motion = "movie sample:glucose --spin x --fps 10 --seconds 0.8" + kSmall + "-o ";
-    ASSERT_EQ(nacreIn(folder, motion + "f/").code, 0);
+    test::nacreDone(folder, motion + "f/");
     std::string expected;
     for (int i = 1; i <= 8; ++i) expected += readFrames(folder / ("f/frame_0000" + std::to_string(i) + ".png"));
     ASSERT_EQ(expected.size(), 8 * kFrameBytes);
@@ -78,8 +73,7 @@ TEST(Movie, EveryFormatHoldsTheFramesThatWereDrawn) {
         int difference;
     } formats[] = {{"a.png", "apng", 0}, {"a.gif", "gif", 40}, {"a.mp4", "h264", 255}, {"a.webm", "vp9", 255}};
     for (const auto& format : formats) {
-        const Outcome outcome = nacreIn(folder, motion + format.name);
-        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        test::nacreDone(folder, motion + format.name);
         const std::string told = probed(folder / format.name, "codec_name,width,height,r_frame_rate,nb_read_frames");
         EXPECT_EQ(told, std::string("codec_name=") + format.codec +
                             "\nwidth=64\nheight=48\nr_frame_rate=10/1\nnb_read_frames=8\n");
@@ -92,7 +86,7 @@ TEST(Movie, EveryFormatHoldsTheFramesThatWereDrawn) {
         EXPECT_LT(sum / static_cast<double>(frames.size()), 4) << format.name;
         // The same once more, to the byte.
         const std::string first = readContents(folder / format.name);
-        ASSERT_EQ(nacreIn(folder, motion + format.name).code, 0);
+        test::nacreDone(folder, motion + format.name);
         EXPECT_TRUE(first == readContents(folder / format.name)) << format.name << " is not the same twice";
     }
     EXPECT_EQ(folder.count(), 5u) << "something is left behind";
@@ -101,11 +95,9 @@ TEST(Movie, EveryFormatHoldsTheFramesThatWereDrawn) {
 TEST(Movie, KeepsTransparencyWhereTheFormatCan) {
     const TemporaryFolder folder;
     for (const char* name : {"a.png", "a.gif"}) {
-        ASSERT_EQ(nacreIn(folder, std::string("movie sample:glucose --rock 40 --background transparent --fps 5 "
-                                              "--seconds 0.4 -o ") +
-                                      name + kSmall)
-                      .code,
-                  0);
+        test::nacreDone(folder, std::string("movie sample:glucose --rock 40 --background transparent --fps 5 "
+                                            "--seconds 0.4 -o ") +
+                                    name + kSmall);
         const std::string pixels =
             captureOutput("ffmpeg -v error -nostdin -i '" + (folder / name) + "' -f rawvideo -pix_fmt rgba - 2>&1");
         ASSERT_GE(pixels.size(), 2 * 64 * 48 * 4u) << pixels;
@@ -122,15 +114,13 @@ TEST(Movie, KeyViewsAreThePicturesOfTheirFiles) {
     std::ofstream(folder / "b.json") << R"({"input": "sample:glucose", "orientation": [0.6, 0, 0.8, 0], "zoom": 2,
         "pan": [0.5, 1], "style": "licorice", "background": "navy"})";
     for (const char* name : {"a", "b"})
-        ASSERT_EQ(
-            nacreIn(folder, "render --view " + std::string(name) + ".json -o " + name + ".png --size 64x48 --cache off")
-                .code,
-            0);
+        test::nacreDone(folder,
+                        "render --view " + std::string(name) + ".json -o " + name + ".png --size 64x48 --cache off");
     const std::string common = "movie --views a.json,b.json --size 64x48 --cache off --fps 3 --seconds ";
-    ASSERT_EQ(nacreIn(folder, common + "1 -o open/").code, 0);
+    test::nacreDone(folder, common + "1 -o open/");
     EXPECT_EQ(readContents(folder / "open/frame_00001.png"), readContents(folder / "a.png"));
     EXPECT_EQ(readContents(folder / "open/frame_00003.png"), readContents(folder / "b.png")) << "ends at the last view";
-    ASSERT_EQ(nacreIn(folder, common + "1.3333 -o loop/ --loop").code, 0);
+    test::nacreDone(folder, common + "1.3333 -o loop/ --loop");
     EXPECT_EQ(readContents(folder / "loop/frame_00001.png"), readContents(folder / "a.png"));
     EXPECT_EQ(readContents(folder / "loop/frame_00003.png"), readContents(folder / "b.png"));
     EXPECT_NE(readContents(folder / "loop/frame_00004.png"), readContents(folder / "a.png"));
@@ -142,8 +132,8 @@ TEST(Movie, KeepsTheTransparencyOfItsViews) {
     for (const char* view : {"a", "b"})
         std::ofstream(folder / view + ".json") << R"({"input": "sample:glucose", "background": "transparent"})";
     const std::string common = " --size 64x48 --cache off -o ";
-    ASSERT_EQ(nacreIn(folder, "render --view a.json" + common + "a.png").code, 0);
-    ASSERT_EQ(nacreIn(folder, "movie --views a.json,b.json --seconds 0.2 --fps 10" + common + "f/").code, 0);
+    test::nacreDone(folder, "render --view a.json" + common + "a.png");
+    test::nacreDone(folder, "movie --views a.json,b.json --seconds 0.2 --fps 10" + common + "f/");
     EXPECT_EQ(readContents(folder / "f/frame_00001.png"), readContents(folder / "a.png"));
     EXPECT_NE(probed(folder / "a.png", "pix_fmt").find("rgba"), std::string::npos);
 }
@@ -157,9 +147,8 @@ TEST(Movie, OptionsPrevailOverEachOfItsViews) {
     const std::string options =
         " --occlusion off --style spacefill --color-by 'elem O=lime' --fog auto --label 'elem C=C' --size 64x48 -o ";
     for (const char* name : {"a", "b"})
-        ASSERT_EQ(nacreIn(folder, "render --view " + std::string(name) + ".json" + options + name + ".png").code, 0);
-    const Outcome movie = nacreIn(folder, "movie --views a.json,b.json --fps 4 --seconds 1" + options + "f/");
-    ASSERT_EQ(movie.code, 0) << movie.err;
+        test::nacreDone(folder, "render --view " + std::string(name) + ".json" + options + name + ".png");
+    test::nacreDone(folder, "movie --views a.json,b.json --fps 4 --seconds 1" + options + "f/");
     EXPECT_EQ(readContents(folder / "f/frame_00001.png"), readContents(folder / "a.png"));
     EXPECT_EQ(readContents(folder / "f/frame_00004.png"), readContents(folder / "b.png"));
 }
@@ -173,9 +162,8 @@ TEST(Movie, GoesAlongViewsOfSeveralInputs) {
     std::ofstream(folder / "c.json") << R"({"input": "sample:glucose"})";
     const std::string options = " --occlusion off --size 64x48 --show /sweet=spacefill -o ";
     for (const char* name : {"a", "b"})
-        ASSERT_EQ(nacreIn(folder, "render --view " + std::string(name) + ".json" + options + name + ".png").code, 0);
-    const Outcome movie = nacreIn(folder, "movie --views a.json,b.json --fps 3 --seconds 1" + options + "f/");
-    ASSERT_EQ(movie.code, 0) << movie.err;
+        test::nacreDone(folder, "render --view " + std::string(name) + ".json" + options + name + ".png");
+    const Outcome movie = test::nacreDone(folder, "movie --views a.json,b.json --fps 3 --seconds 1" + options + "f/");
     EXPECT_EQ(readContents(folder / "f/frame_00001.png"), readContents(folder / "a.png"));
     EXPECT_EQ(readContents(folder / "f/frame_00003.png"), readContents(folder / "b.png"));
     const Outcome other = nacreIn(folder, "movie --views a.json,c.json -o c/");
@@ -191,14 +179,14 @@ TEST(Movie, WordsAlongViewsStandAsInEachView) {
     std::ofstream(folder / "b.json") << view << "[0.6, 0, 0.8, 0]}";
     const std::string size = " --size 96x96 -o ";
     for (const char* name : {"a", "b"})
-        ASSERT_EQ(nacreIn(folder, "render --view " + std::string(name) + ".json" + size + name + ".png").code, 0);
+        test::nacreDone(folder, "render --view " + std::string(name) + ".json" + size + name + ".png");
     const std::string movie = "movie --views a.json,b.json,a.json --fps 10 --seconds 0.9" + size;
-    ASSERT_EQ(nacreIn(folder, movie + "f/").code, 0);
+    test::nacreDone(folder, movie + "f/");
     EXPECT_EQ(readContents(folder / "f/frame_00001.png"), readContents(folder / "a.png"));
     EXPECT_EQ(readContents(folder / "f/frame_00005.png"), readContents(folder / "b.png"));
     EXPECT_EQ(readContents(folder / "f/frame_00009.png"), readContents(folder / "a.png"));
     // A palette is made of some frames beforehand: that moves no label.
-    ASSERT_EQ(nacreIn(folder, movie + "a.gif").code, 0);
+    test::nacreDone(folder, movie + "a.gif");
     std::string drawn;
     for (int i = 1; i <= 9; ++i) drawn += readFrames(folder / ("f/frame_0000" + std::to_string(i) + ".png"));
     EXPECT_LE(largestDifference(readFrames(folder / "a.gif"), drawn), 60);
@@ -206,13 +194,11 @@ TEST(Movie, WordsAlongViewsStandAsInEachView) {
 
 TEST(Movie, RocksToEitherSideAndBackWithoutAJump) {
     const TemporaryFolder folder;
-    ASSERT_EQ(nacreIn(folder, "movie sample:glucose -o f/ --rock 40 --fps 8 --seconds 1" + kSmall).code, 0);
+    test::nacreDone(folder, "movie sample:glucose -o f/ --rock 40 --fps 8 --seconds 1" + kSmall);
     const auto frame = [&](int i) { return readFrames(folder / ("f/frame_0000" + std::to_string(i) + ".png")); };
     const auto rotated = [&](const char* degrees) {
-        EXPECT_EQ(nacreIn(folder,
-                          std::string("render sample:glucose -o a.png --rotate 0,") + degrees + ",0 --zoom 1" + kSmall)
-                      .code,
-                  0);
+        test::nacreDone(folder,
+                        std::string("render sample:glucose -o a.png --rotate 0,") + degrees + ",0 --zoom 1" + kSmall);
         return readFrames(folder / "a.png");
     };
     EXPECT_EQ(frame(1), rotated("0"));
@@ -227,8 +213,7 @@ TEST(Movie, RocksToEitherSideAndBackWithoutAJump) {
 TEST(Movie, ReportsEachFrame) {
     const TemporaryFolder folder;
     const Outcome outcome =
-        nacreIn(folder, "movie sample:glucose -o a.gif --spin y --seconds 0.4 --fps 10 --report -" + kSmall);
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+        test::nacreDone(folder, "movie sample:glucose -o a.gif --spin y --seconds 0.4 --fps 10 --report -" + kSmall);
     for (const char* line : {"{\"frame\": 1, \"frames\": 4}\n", "{\"frame\": 4, \"frames\": 4}\n"})
         EXPECT_NE(outcome.out.find(line), std::string::npos) << outcome.out;
 }

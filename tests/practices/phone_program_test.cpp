@@ -13,8 +13,7 @@ using Json = nlohmann::json;
 
 Json told(const std::string& arguments, const std::string& before = "true") {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder, arguments, "", before);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = nacreDone(folder, arguments, "", before);
     return Json::parse(outcome.out, nullptr, false);
 }
 

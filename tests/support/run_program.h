@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -23,6 +24,14 @@ inline Outcome nacreIn(const TemporaryFolder& folder, const std::string& argumen
                                 " >'" + (logs / "out") + "' 2>'" + (logs / "err") + "' </dev/null " + redirection;
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, readContents(logs / "out"), readContents(logs / "err")};
+}
+
+/// The same for a run that is to succeed.
+inline Outcome nacreDone(const TemporaryFolder& folder, const std::string& arguments,
+                         const std::string& redirection = "", const std::string& before = "true") {
+    Outcome outcome = nacreIn(folder, arguments, redirection, before);
+    EXPECT_EQ(outcome.code, 0) << "nacre " << arguments << ": " << outcome.err << outcome.out;
+    return outcome;
 }
 
 }  // namespace nacre::test

@@ -13,14 +13,13 @@
 namespace nacre::app {
 namespace {
 
+using test::nacreDone;
 using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
 
 nlohmann::json renderView(const TemporaryFolder& folder, const std::string& options) {
-    const Outcome outcome =
-        nacreIn(folder, "render -q -o a.png --size 64x48 --occlusion off --stats s.json " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    nacreDone(folder, "render -q -o a.png --size 64x48 --occlusion off --stats s.json " + options);
     return nlohmann::json::parse(test::readContents(folder / "s.json"))["view"];
 }
 
@@ -65,9 +64,8 @@ struct Extent {
     int height() const { return bottom - top + 1; }
 };
 Extent measureExtent(const TemporaryFolder& folder, const std::string& options) {
-    const Outcome outcome = nacreIn(
-        folder, "render -q -o a.png --size 300x200 --occlusion off --background transparent --stats s.json " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    nacreDone(folder,
+              "render -q -o a.png --size 300x200 --occlusion off --background transparent --stats s.json " + options);
     const std::unique_ptr<OIIO::ImageInput> file = OIIO::ImageInput::open(folder / "a.png");
     std::vector<unsigned char> pixels(300 * 200 * 4);
     EXPECT_TRUE(file && file->read_image(0, 0, 0, 4, OIIO::TypeDesc::UINT8, pixels.data()));

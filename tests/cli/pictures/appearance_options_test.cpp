@@ -18,7 +18,7 @@
 namespace nacre::app {
 namespace {
 
-using test::nacreIn;
+using test::nacreDone;
 using test::Outcome;
 using test::TemporaryFolder;
 
@@ -122,11 +122,10 @@ TEST(AppearanceOptions, CartoonsTakeTheColoursOfChains) {
 TEST(AppearanceOptions, ACartoonIsOfGuideAtomsAndItsParts) {
     const TemporaryFolder folder;
     const auto readAtoms = [&](const std::string& options) {
-        const Outcome outcome = nacreIn(folder,
-                                        "render sample:dna -o a.png --layers l.exr --size 128x128 --occlusion off "
-                                        "--style cartoon " +
-                                            options);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        nacreDone(folder,
+                  "render sample:dna -o a.png --layers l.exr --size 128x128 --occlusion off "
+                  "--style cartoon " +
+                      options);
         const Molecule dna = sampleMolecule("dna");
         std::map<std::string, int> pixels;
         for (const auto& [id, count] : pixelsOfAtoms(folder / "l.exr"))
@@ -148,10 +147,9 @@ TEST(AppearanceOptions, ACartoonIsOfGuideAtomsAndItsParts) {
 
 TEST(AppearanceOptions, HiddenAtomsAreNotInThePicture) {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder,
-                                    "render sample:dna -o a.png --layers l.exr --size 128x128 --occlusion 4 "
-                                    "--hide 'chain A' --show 'chain A and elem P=spacefill'");
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Outcome outcome = nacreDone(folder,
+                                      "render sample:dna -o a.png --layers l.exr --size 128x128 --occlusion 4 "
+                                      "--hide 'chain A' --show 'chain A and elem P=spacefill'");
     EXPECT_EQ(outcome.err, "");
     const Molecule dna = sampleMolecule("dna");
     int hidden = 0, phosphorus = 0, others = 0;
@@ -170,8 +168,7 @@ TEST(AppearanceOptions, WhatChangesNothingIsSaid) {
     const TemporaryFolder folder;
     const auto said = [&](const std::string& options) {
         const Outcome outcome =
-            nacreIn(folder, "render sample:glucose -o a.png --size 16x16 --supersample 1 --occlusion off " + options);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+            nacreDone(folder, "render sample:glucose -o a.png --size 16x16 --supersample 1 --occlusion off " + options);
         return outcome.err;
     };
     EXPECT_EQ(said("--cap hatched --halo-depth 3 --contours 1 --contour-depth 2"),
@@ -188,11 +185,10 @@ TEST(AppearanceOptions, WhatChangesNothingIsSaid) {
 TEST(AppearanceOptions, ColoursAndLegendReachPictureAndStats) {
     const TemporaryFolder folder;
     const Outcome outcome =
-        nacreIn(folder,
-                "render sample:glucose -o a.exr --stats s.json --size 96x96 --supersample 1 --occlusion off "
-                "--lighting off --color element:red --color-by 'elem O=blue' --hide hydrogens "
-                "--show 'elem C=licorice' --color-by 'resn QQQ=chain'");
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
+        nacreDone(folder,
+                  "render sample:glucose -o a.exr --stats s.json --size 96x96 --supersample 1 --occlusion off "
+                  "--lighting off --color element:red --color-by 'elem O=blue' --hide hydrogens "
+                  "--show 'elem C=licorice' --color-by 'resn QQQ=chain'");
     EXPECT_EQ(outcome.err, "nacre: warning: 'resn QQQ' matches no atoms to color\n");
     const auto stats = nlohmann::json::parse(test::readContents(folder / "s.json"));
     EXPECT_EQ(stats["legend"].dump(),

@@ -13,6 +13,7 @@
 namespace nacre::app {
 namespace {
 
+using test::nacreDone;
 using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
@@ -37,8 +38,7 @@ struct DrawnFigure {
 
 DrawnFigure drawFigure(const TemporaryFolder& folder, const std::string& panels, const std::string& options) {
     std::ofstream(folder / "p.jsonl") << panels;
-    const Outcome outcome = nacreIn(folder, "figure p.jsonl -o f.png -q --cache off --occlusion off " + options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    nacreDone(folder, "figure p.jsonl -o f.png -q --cache off --occlusion off " + options);
     DrawnFigure figure;
     const std::unique_ptr<OIIO::ImageInput> file = OIIO::ImageInput::open(folder / "f.png");
     if (!file) return figure;

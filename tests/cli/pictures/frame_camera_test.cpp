@@ -55,11 +55,10 @@ std::string drifting(int frames) {
 }
 
 nlohmann::json renderView(const TemporaryFolder& folder, const std::string& options) {
-    const Outcome outcome = nacreIn(folder,
-                                    "render a.xyz --trajectory t.dcd -o a.png --stats s.json --size 64x64 "
-                                    "--occlusion off " +
-                                        options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    nacreDone(folder,
+              "render a.xyz --trajectory t.dcd -o a.png --stats s.json --size 64x64 "
+              "--occlusion off " +
+                  options);
     return nlohmann::json::parse(readContents(folder / "s.json"))["view"];
 }
 
@@ -136,7 +135,7 @@ TEST(SavedTrajectory, IsFoundBesideItsViewByItsHash) {
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), said.empty() ? 0 : 1) << outcome.err;
         return outcome.code == 0 ? readContents(folder / "a.png") : "";
     };
-    ASSERT_EQ(nacreIn(folder, "render sent/a.xyz --trajectory sent/t.dcd --frame 2" + small).code, 0);
+    nacreDone(folder, "render sent/a.xyz --trajectory sent/t.dcd --frame 2" + small);
     const std::string picture = readContents(folder / "a.png"), stated = ", \"trajectory-hash\": \"" + hash + "\"";
     view("t.dcd", "");
     EXPECT_EQ(drawn(""), picture);
@@ -163,11 +162,10 @@ TEST(SavedTrajectory, IsFoundBesideItsViewByItsHash) {
 }
 
 std::string renderPicture(const TemporaryFolder& folder, const std::string& options) {
-    const Outcome outcome = nacreIn(folder,
-                                    "render a.xyz --trajectory t.dcd -o p.png -q --size 96x96 --style spacefill "
-                                    "--occlusion off " +
-                                        options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    nacreDone(folder,
+              "render a.xyz --trajectory t.dcd -o p.png -q --size 96x96 --style spacefill "
+              "--occlusion off " +
+                  options);
     return readContents(folder / "p.png");
 }
 

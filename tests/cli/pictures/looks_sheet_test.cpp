@@ -11,16 +11,13 @@
 namespace nacre {
 namespace {
 
-using test::nacreIn;
-using test::Outcome;
+using test::nacreDone;
 using test::readContents;
 using test::TemporaryFolder;
 
 std::string drawnBy(const TemporaryFolder& folder, const std::string& options) {
-    const Outcome outcome =
-        nacreIn(folder, "looks sample:dna -o sheet.png --rotate 0,30,0 --occlusion 16 --cache off --validate --size " +
-                            options);
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    nacreDone(folder,
+              "looks sample:dna -o sheet.png --rotate 0,30,0 --occlusion 16 --cache off --validate --size " + options);
     return readContents(folder / "sheet.png");
 }
 

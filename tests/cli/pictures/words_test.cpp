@@ -13,6 +13,7 @@
 namespace nacre::app {
 namespace {
 
+using test::nacreDone;
 using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
@@ -38,7 +39,7 @@ constexpr const char* kBase = "render sample:glucose --size 200x160 --occlusion 
 
 TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
     const TemporaryFolder folder;
-    ASSERT_EQ(nacreIn(folder, std::string(kBase) + "-o plain.png").code, 0);
+    nacreDone(folder, std::string(kBase) + "-o plain.png");
     const std::vector<float> plain = readPixels(folder / "plain.png");
     const std::pair<const char*, const char*> options[] = {
         {"--label 'elem O={element}_{id}'", R"("labels": ["elem O={element}_{id}"])"},
@@ -48,12 +49,11 @@ TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
         {"--axes on", R"("axes": "on")"},
         {"--legend on --text-color red --text-size 15", R"("legend": "on", "text-color": "#ff0000", "text-size": 15)"}};
     for (const auto& [option, keys] : options) {
-        const Outcome outcome = nacreIn(folder, std::string(kBase) + "-o a.png " + option);
-        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const Outcome outcome = nacreDone(folder, std::string(kBase) + "-o a.png " + option);
         EXPECT_EQ(outcome.err, "");
         EXPECT_GT(differing(plain, readPixels(folder / "a.png")), 100u) << option;
         std::ofstream(folder / "v.json") << "{\"input\": \"sample:glucose\", " << keys << "}";
-        ASSERT_EQ(nacreIn(folder, "render --view v.json --size 200x160 --occlusion off -o b.png").code, 0) << keys;
+        nacreDone(folder, "render --view v.json --size 200x160 --occlusion off -o b.png");
         EXPECT_TRUE(test::readContents(folder / "a.png") == test::readContents(folder / "b.png")) << keys;
     }
 }
@@ -73,10 +73,10 @@ TEST(WordOptions, WhatIsMissingInThePictureIsSaid) {
 TEST(PictureOptions, TransparentEdgesAreRightOnBlackAndOnWhite) {
     const TemporaryFolder folder;
     const std::string draw = "render sample:dna --zoom 1 --size 160x160 --occlusion off --look default -o ";
-    ASSERT_EQ(nacreIn(folder, draw + "open.png --transparent").code, 0);
+    nacreDone(folder, draw + "open.png --transparent");
     const std::vector<float> open = readPixels(folder / "open.png");
     for (const float ground : {0.0f, 1.0f}) {
-        ASSERT_EQ(nacreIn(folder, draw + "on.png --background " + (ground > 0 ? "white" : "black")).code, 0);
+        nacreDone(folder, draw + "on.png --background " + (ground > 0 ? "white" : "black"));
         const std::vector<float> on = readPixels(folder / "on.png");
         ASSERT_EQ(open.size() / 4, on.size() / 3);
         double sum = 0;
@@ -92,8 +92,7 @@ TEST(PictureOptions, TransparentEdgesAreRightOnBlackAndOnWhite) {
 TEST(PictureOptions, AThumbnailIsSmallAndTurnedToItsAxes) {
     const TemporaryFolder folder;
     const auto draws = [&](const std::string& options) {
-        const Outcome outcome = nacreIn(folder, "render sample:dna --occlusion 4 -o a.png " + options);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        nacreDone(folder, "render sample:dna --occlusion 4 -o a.png " + options);
         return test::readContents(folder / "a.png");
     };
     const std::string small = draws("--size 64x64 --orient principal --occlusion-detail 12");
@@ -101,14 +100,14 @@ TEST(PictureOptions, AThumbnailIsSmallAndTurnedToItsAxes) {
     EXPECT_TRUE(draws("--thumbnail 256 --size 64x64") == small);
     EXPECT_FALSE(draws("--thumbnail 64 --orient file") == small);
     std::ofstream(folder / "jobs") << R"({"input": "sample:dna", "output": "b.png", "thumbnail": 64, "occlusion": 4})";
-    EXPECT_EQ(nacreIn(folder, "batch jobs").code, 0);
+    nacreDone(folder, "batch jobs");
     EXPECT_TRUE(test::readContents(folder / "b.png") == small);
 }
 
 TEST(PictureOptions, AThumbnailIsNearlyAsGoodAsFullOcclusion) {
     const TemporaryFolder folder;
     const auto draws = [&](const std::string& options) {
-        EXPECT_EQ(nacreIn(folder, "render sample:dna --cache off -o a.png " + options).code, 0);
+        nacreDone(folder, "render sample:dna --cache off -o a.png " + options);
         return readPixels(folder / "a.png");
     };
     const std::vector<float> small = draws("--thumbnail 256");
@@ -123,10 +122,8 @@ TEST(PictureOptions, AThumbnailIsNearlyAsGoodAsFullOcclusion) {
 TEST(WordOptions, LayersAndDebugViewsHaveNoWords) {
     const TemporaryFolder folder;
     for (const char* title : {"", "--title TITLE --legend on"})
-        ASSERT_EQ(nacreIn(folder, std::string(kBase) + "--debug overdraw -o " + (*title ? "b" : "a") +
-                                      ".png --layers " + (*title ? "b" : "a") + ".exr " + title)
-                      .code,
-                  0);
+        nacreDone(folder, std::string(kBase) + "--debug overdraw -o " + (*title ? "b" : "a") + ".png --layers " +
+                              (*title ? "b" : "a") + ".exr " + title);
     EXPECT_TRUE(test::readContents(folder / "a.png") == test::readContents(folder / "b.png"));
     EXPECT_TRUE(test::readContents(folder / "a.exr") == test::readContents(folder / "b.exr"));
 }
@@ -157,8 +154,7 @@ TEST(WordOptions, FaultsAreOneLine) {
 TEST(WordOptions, ALegendNeedsNoValueAndLeavesTheInputAlone) {
     const TemporaryFolder folder;
     const auto drawn = [&](const std::string& words) {
-        const Outcome outcome = nacreIn(folder, "render -o - --size 64x64 --occlusion off " + words);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const Outcome outcome = nacreDone(folder, "render -o - --size 64x64 --occlusion off " + words);
         return outcome.out;
     };
     const std::string with = drawn("sample:glucose --legend on");
@@ -171,11 +167,10 @@ TEST(WordOptions, ALegendNeedsNoValueAndLeavesTheInputAlone) {
 TEST(WordOptions, StandInMovies) {
     const TemporaryFolder folder;
     const auto frame = [&](const std::string& words) {
-        const Outcome outcome = nacreIn(folder,
-                                        "movie sample:glucose -o frames/ --spin y --seconds 0.1 --fps 20 --size 64x64 "
-                                        "--occlusion off " +
-                                            words);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        nacreDone(folder,
+                  "movie sample:glucose -o frames/ --spin y --seconds 0.1 --fps 20 --size 64x64 "
+                  "--occlusion off " +
+                      words);
         std::string all;
         for (const auto& file : std::filesystem::directory_iterator(folder / "frames"))
             all += test::readContents(file.path().string());
@@ -190,11 +185,9 @@ TEST(WordOptions, StandInMovies) {
 TEST(WordOptions, LabelsOfWhatLiesBehindAreShownOrNot) {
     const TemporaryFolder folder;
     const auto labelled = [&](const char* which) {
-        const Outcome outcome =
-            nacreIn(folder, std::string("render -q sample:dna --size 160x160 --occlusion off --supersample 1 -o a.png "
-                                        "--label 'resi 1-12={number}' --show-labels ") +
-                                which);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        nacreDone(folder, std::string("render -q sample:dna --size 160x160 --occlusion off --supersample 1 -o a.png "
+                                      "--label 'resi 1-12={number}' --show-labels ") +
+                              which);
         return readPixels(folder / "a.png");
     };
     EXPECT_GT(differing(labelled("all"), labelled("seen")), 20u);
@@ -204,8 +197,7 @@ TEST(WordOptions, LabelsOfWhatLiesBehindAreShownOrNot) {
 TEST(MeshOptions, ErrorInPixelsChoosesTheLevelOfACartoon) {
     const TemporaryFolder folder;
     const auto drawn = [&](const std::string& error) {
-        const Outcome outcome = nacreIn(folder, "plan sample:dna --style cartoon --json --mesh-error " + error);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const Outcome outcome = nacreDone(folder, "plan sample:dna --style cartoon --json --mesh-error " + error);
         const auto levels = nlohmann::json::parse(outcome.out)["mesh_levels"];
         EXPECT_GT(levels.size(), 2u);
         std::size_t sum = 0;
@@ -222,9 +214,7 @@ TEST(MeshOptions, ErrorInPixelsChoosesTheLevelOfACartoon) {
 TEST(ColorOptions, SchemesPalettesAndRangesReachTheLegend) {
     const TemporaryFolder folder;
     const auto legend = [&](const std::string& options) {
-        const Outcome outcome =
-            nacreIn(folder, "render -q sample:dna --size 48x48 --occlusion off -o a.png --stats s.json " + options);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        nacreDone(folder, "render -q sample:dna --size 48x48 --occlusion off -o a.png --stats s.json " + options);
         return nlohmann::json::parse(test::readContents(folder / "s.json"))["legend"][0];
     };
     EXPECT_EQ(legend("--color cbc")["scheme"], "chain-carbons");
