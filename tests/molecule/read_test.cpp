@@ -2,9 +2,7 @@
 #include "engine/molecule/read.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "engine/molecule/formats/detect.h"
@@ -12,6 +10,7 @@
 #include "engine/molecule/text.h"
 #include "tests/molecule/expect_error.h"
 #include "tests/support/error_text.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre {
 namespace {
@@ -147,32 +146,19 @@ TEST(Read, NumbersOfText) {
     EXPECT_FALSE(parseInteger("1 2"));
 }
 
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        char pattern[] = "/tmp/nacre-read-XXXXXX";
-        path_ = mkdtemp(pattern);
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    std::filesystem::path path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
-
 TEST(Read, FilesAndWhatIsNone) {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "water.xyz") << kWater;
-    EXPECT_EQ(readMoleculeFile(folder.path() / "water.xyz").atoms.size(), 3u);
-    EXPECT_THROW(readMoleculeFile(folder.path() / "absent.xyz"), Error);
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "water.xyz") << kWater;
+    EXPECT_EQ(readMoleculeFile(folder / "water.xyz").atoms.size(), 3u);
+    EXPECT_THROW(readMoleculeFile(folder / "absent.xyz"), Error);
     EXPECT_THROW(readMoleculeFile(folder.path()), Error);
     EXPECT_THROW(readMoleculeFile("/dev/zero", {.maxBytes = 1 << 20}), Error);
 }
 
 TEST(Read, StandardInput) {
-    const TemporaryFolder folder;
-    std::ofstream(folder.path() / "water.xyz") << kWater;
-    ASSERT_NE(std::freopen((folder.path() / "water.xyz").c_str(), "rb", stdin), nullptr);
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "water.xyz") << kWater;
+    ASSERT_NE(std::freopen((folder / "water.xyz").c_str(), "rb", stdin), nullptr);
     EXPECT_EQ(readMoleculeFile("-").atoms.size(), 3u);
     EXPECT_EQ(test::errorText([&] { readMoleculeFile("-"); }), "cannot read molecule: standard input: it is empty");
 }
