@@ -10,6 +10,8 @@
 #include <random>
 #include <string>
 
+#include "engine/molecule/text.h"
+
 namespace nacre {
 namespace {
 
@@ -27,48 +29,13 @@ void expectSame(const std::string& text) {
 }
 
 TEST(FloatingPoint, ReadsAsTheStandardLibraryDoes) {
-    for (const char* text : {"",
-                             "-",
-                             "+1",
-                             " 1",
-                             "0",
-                             "-0",
-                             "00012.500",
-                             "1.",
-                             ".5",
-                             ".",
-                             "-.5e1",
-                             "1e",
-                             "1e+",
-                             "1e+2x",
-                             "1E-2",
-                             "1e400",
-                             "-1e400",
-                             "1e-400",
-                             "0e-400",
-                             "4.9e-324",
-                             "1e-320",
-                             "0x10",
-                             "1,5",
-                             "1.5.2",
-                             "inf",
-                             "-INF",
-                             "infin",
-                             "Infinity",
-                             "nan",
-                             "-nan",
-                             "NaN(a_1)",
-                             "nan(",
-                             "nan(-)",
-                             "e5",
-                             "12abc",
-                             "--1",
-                             "1d2",
-                             "1.7976931348623158e308",
-                             "1.8e308",
-                             "179769313486231580793728971405301e276",
-                             "0.000000000000000000000000000000000000000000001234"})
-        expectSame(text);
+    for (const char* text : {"", " 1"}) expectSame(text);
+    for (const std::string_view text :
+         splitAllWords("- +1 0 -0 00012.500 1. .5 . -.5e1 1e 1e+ 1e+2x 1E-2 1e400 -1e400 1e-400 0e-400 4.9e-324 "
+                       "1e-320 0x10 1,5 1.5.2 inf -INF infin Infinity nan -nan NaN(a_1) nan( nan(-) e5 12abc "
+                       "--1 1d2 1.7976931348623158e308 1.8e308 179769313486231580793728971405301e276 "
+                       "0.000000000000000000000000000000000000000000001234"))
+        expectSame(std::string(text));
     std::mt19937 random(7);
     constexpr std::string_view kAlphabet = "0123456789.-+eE0123456789infa x(";
     for (int i = 0; i < 30000; ++i) {

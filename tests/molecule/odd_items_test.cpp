@@ -229,6 +229,9 @@ TEST(NumbersThatTouch, InEachFormat) {
 
 TEST(NumbersThatTouch, ShowTheirEnds) {
     EXPECT_EQ(numbersApart("1.2345-6.789012.3456"), "1.2345 -6.7890 12.3456");
+    EXPECT_EQ(numbersApart("-5.1E-018-5.1E-018"), "-5.1E-018 -5.1E-018");
+    EXPECT_EQ(numbersApart("1.5-100"), "1.5-100") << "an exponent without its letter";
+    EXPECT_EQ(numbersApart("1.5-2.5+3."), "1.5 -2.5 +3.");
     EXPECT_EQ(numbersApart("1.0E-021.5E-02"), "1.0E-02 1.5E-02");
     EXPECT_EQ(numbersApart("C1-2 1.5 A.B-3.4"), "C1-2 1.5 A.B-3.4") << "names";
     EXPECT_EQ(numbersApart("1.2.3"), "1.2.3") << "not certain";

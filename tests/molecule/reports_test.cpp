@@ -323,20 +323,6 @@ TEST(OddFiles, FirstLettersAsElements) {
     EXPECT_EQ(element(" O  ", "HOH", " O"), 8);
 }
 
-TEST(OddFiles, SixDigitSerialsThatShiftALine) {
-    const Molecule shifted =
-        readMolecule("a.pdb",
-                     "ATOM  99999  OW  SOL A9998      60.551  26.671 103.023  1.00  2.00           O\n"
-                     "ATOM  100000  OW  SOL A9999      61.551  26.671 103.023  1.00  3.00           O\n");
-    ASSERT_EQ(shifted.atoms.size(), 2u);
-    EXPECT_EQ(shifted.atoms[1].position, glm::vec3(61.551f, 26.671f, 103.023f));
-    EXPECT_EQ(shifted.atoms[1].name.view(), "OW");
-    EXPECT_EQ(shifted.residues[1].name.view(), "SOL");
-    EXPECT_EQ(shifted.residues[1].number, 9999);
-    EXPECT_EQ(shifted.chains.size(), 1u);
-    EXPECT_FLOAT_EQ(shifted.atoms[1].temperatureFactor, 3);
-}
-
 TEST(OddFiles, UnusableCoordinatesAreLeftOutUnlessMostAre) {
     const std::string good = "ATOM      1  C   LIG A   1       1.000   0.000   0.000  1.00  0.00           C\n",
                       bad = "ATOM      2  C   LIG A   1    ********   0.000   0.000  1.00  0.00           C\n";
@@ -350,31 +336,12 @@ TEST(OddFiles, UnusableCoordinatesAreLeftOutUnlessMostAre) {
         1u);
 }
 
-TEST(OddFiles, NumbersThatTouch) {
-    const Molecule touching = readMolecule("a.xyz", "1\n\nC -10.12345-100.12345 5.0\n");
-    EXPECT_FLOAT_EQ(touching.atoms[0].position.y, -100.12345f);
-    EXPECT_EQ(numbersApart("-5.1E-018-5.1E-018"), "-5.1E-018 -5.1E-018");
-    EXPECT_EQ(numbersApart("1.5-100"), "1.5-100") << "an exponent without its letter";
-    EXPECT_EQ(numbersApart("1.5-2.5+3."), "1.5 -2.5 +3.");
-}
-
 TEST(OddFiles, ResidueNamesOfFourLettersInPqr) {
     const Molecule named =
         readMolecule("a.pqr", "ATOM      1  N   NALAA   1      11.104   6.134  -6.504 -0.4000 1.8240\n");
     EXPECT_EQ(named.residues[0].name.view(), "NALA");
     EXPECT_EQ(named.chains[0].name, "A");
     EXPECT_FLOAT_EQ(named.atoms[0].position.x, 11.104f);
-}
-
-TEST(OddFiles, FractionalCoordinatesOfCml) {
-    const Molecule salt =
-        readMolecule("a.cml", R"(<molecule><crystal><scalar title="a">4</scalar><scalar title="b">5</scalar>
-<scalar title="c">6</scalar><scalar title="alpha">90</scalar><scalar title="beta">90</scalar>
-<scalar title="gamma">90</scalar></crystal><atomArray>
-<atom id="a" elementType="Na" xFract="0" yFract="0" zFract="0"/>
-<atom id="b" elementType="Cl" xFract="0.5" yFract="0.5" zFract="0.5"/></atomArray></molecule>)");
-    EXPECT_LT(glm::distance(salt.atoms[1].position, glm::vec3(2, 2.5f, 3)), 1e-5f);
-    EXPECT_TRUE(salt.file.box.has_value());
 }
 
 // The schema's other form of a cell.
