@@ -57,9 +57,9 @@ enum class Multisampling {
 
 /// A window to draw into. The engine knows no window system: the application creates the surface.
 struct SurfaceSource {
-    std::vector<std::string> instanceExtensions;     ///< needed by `create`, VK_KHR_surface included
-    std::function<VkSurfaceKHR(VkInstance)> create;  ///< called again after the surface was lost. @throws Error
-    std::function<double()> clock = {};              ///< seconds, for the pace of frames; empty: the system's
+    std::vector<std::string> instanceExtensions;          ///< needed by `create`, VK_KHR_surface included
+    std::function<VkSurfaceKHR(VkInstance)> create = {};  ///< called again after the surface was lost. @throws Error
+    std::function<double()> clock = {};                   ///< seconds, for the pace of frames; empty: the system's
 };
 
 /// Lets a headset's runtime make the Vulkan objects. The renderer owns and destroys them. All three or none. @throws

@@ -114,7 +114,7 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     // The window's own size uses the window's anti-aliasing; other sizes use that of pictures.
     picture.supersample = asShown ? viewer().frames().mostSamples() : RenderSettings::kEdges;
     if (transparent) picture.background = {0, 0, 0, 0};
-    PictureFormat format{.alpha = transparent, .dpi = dpi};
+    PictureFormat format{.alpha = transparent, .dpi = static_cast<double>(dpi)};
     writePicture(file, viewer().frames().draw(renderer(), std::move(picture), marked), format);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/picture/color_values.h"
 #include "app/picture/option_values.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/files/json_text.h"
+#include "app/picture/color_values.h"
 #include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
 #include "app/picture/words.h"

@@ -10,6 +10,7 @@
 
 #include "app/mvs/node_table.h"
 #include "app/mvs/primitive_values.h"
+#include "app/picture/color_values.h"
 #include "engine/error.h"
 #include "engine/molecule/assemblies.h"
 #include "engine/molecule/crystal.h"

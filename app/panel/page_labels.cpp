@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/panel/panel_state.h"
+#include "app/picture/option_text.h"
 #include "app/picture/words.h"
 
 namespace nacre::app {

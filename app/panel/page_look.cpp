@@ -6,6 +6,7 @@
 
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
+#include "app/picture/color_values.h"
 #include "app/picture/looks.h"
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/picture/color_values.h"
 #include "app/picture/label_fields.h"
 #include "app/picture/option_text.h"
 #include "app/picture/option_values.h"

@@ -14,8 +14,7 @@ constexpr std::uint32_t kQualcommId = 0x5143, kArmId = 0x13B5, kImagination = 0x
 constexpr auto kOfImagination = VK_DRIVER_ID_IMAGINATION_PROPRIETARY;
 
 DriverIdentity identity(std::uint32_t vendor, VkDriverId driver, std::string_view device) {
-    DriverIdentity of{.vendor = vendor, .driver = driver, .device = device};
-    return of;
+    return {.vendor = vendor, .driver = driver, .device = std::string(device)};
 }
 
 Visibility pickPath(const DeviceClass& device) {

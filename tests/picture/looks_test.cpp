@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "app/picture/color_values.h"
 #include "app/picture/options.h"
 #include "app/picture/saved_view.h"
 #include "engine/error.h"

@@ -36,9 +36,9 @@ struct MeasuredRun {
 
 struct RunOptions {
     std::vector<std::pair<std::string, std::string>> environment;
-    bool terminal = false;        ///< standard error is a terminal
-    bool oneCore = false;         ///< so that it takes as long as it works, however many cores there are
-    std::function<bool()> until;  ///< asked again and again; once it is true signals end the program
+    bool terminal = false;             ///< standard error is a terminal
+    bool oneCore = false;              ///< so that it takes as long as it works, however many cores there are
+    std::function<bool()> until = {};  ///< asked again and again; once it is true signals end the program
     int signal = SIGINT;
     bool once = false;               ///< no second signal follows the first
     unsigned processorSeconds = 60;  ///< more of the processor ends it
