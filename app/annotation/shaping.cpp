@@ -3,6 +3,7 @@
 #include <hb.h>
 
 #include <cstdint>
+#include <memory>
 #include FT_TRUETYPE_TABLES_H
 
 #include "app/annotation/bidi.h"

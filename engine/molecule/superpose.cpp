@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gemmi/qcp.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <vector>
 
 namespace nacre {

@@ -1,5 +1,6 @@
 #include "engine/molecule/text.h"
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 

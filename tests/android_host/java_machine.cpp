@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <climits>
 #include <clocale>
 #include <cstring>
 #include <cuchar>

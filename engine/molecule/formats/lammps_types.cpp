@@ -1,6 +1,7 @@
 #include "engine/molecule/formats/lammps_types.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 

@@ -1,3 +1,4 @@
+#include <cmath>
 
 #include "engine/molecule/assemblies.h"
 #include "engine/molecule/formats/mmcif_model.h"
