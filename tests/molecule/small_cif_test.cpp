@@ -5,6 +5,7 @@
 #include <gemmi/cif.hpp>
 #include <gemmi/numb.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <map>
 
 #include "tests/molecule/expect_error.h"
