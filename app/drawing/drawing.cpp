@@ -144,7 +144,7 @@ void Drawing::compose(const PictureDescription& picture) {
 
 /// @returns whether anything differs
 bool Drawing::update(const PictureDescription& description, const std::optional<Bounds>& frame, const Molecule* now) {
-    if (by_ == CameraBy::description) {
+    if (by_ == CameraBy::description && facts_->molecule().atoms.empty() && !description.maps.files.empty()) {
         PictureDescription near = description;
         if (lookIntoCrystal(facts_->molecule(), near)) return update(near, frame, now);
     }

@@ -40,8 +40,8 @@ Representation withMaps(Representation scene, const MapLayers& maps);
 /// Bounds of the primitives, else of the first map, for a molecule without atoms; else empty.
 /// @throws Error
 std::optional<Bounds> frameWithoutAtoms(const Molecule& molecule, const PictureDescription& description);
-/// A crystal's mesh without atoms is too dense as a whole: draws it around the focus, from near. @returns whether it
-/// does
+/// A crystal's mesh without atoms is too dense as a whole: draws it around the focus, from near.
+/// @returns false: the description stays as it is
 bool lookIntoCrystal(const Molecule& molecule, PictureDescription& description);
 
 /// @param seen  the camera: maps may be drawn around its focus @throws Error

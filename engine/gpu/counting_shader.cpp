@@ -14,9 +14,7 @@ constexpr std::uint32_t kBlock = 2, kBinding = 33, kDescriptorSet = 34, kOffset 
 constexpr std::uint32_t kStorageBuffer = 12, kDeviceScope = 1;
 constexpr const char* kNoCounter = "a shader without countFragment()";
 
-bool isCounter(const Instruction& i) {  // glslang appends the parameters' types
-    return i.operation == kOpName && i.operands.size() > 1 && text(i.operands, 1).starts_with("countFragment(");
-}
+bool isCounter(const Instruction& i) { return namesFunction(i, "countFragment"); }
 
 std::vector<std::uint32_t> withCounter(std::span<const std::uint32_t> words) {
     if (words.size() < kHeader) throw std::logic_error("no shader");

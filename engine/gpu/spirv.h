@@ -18,7 +18,6 @@ namespace nacre::gpu::spirv {
 constexpr std::size_t kHeader = 5, kBound = 3;  // in words; position of the bound, above all ids
 enum : std::uint32_t {
     kOpName = 5,
-    kOpExtension = 10,
     kOpEntryPoint = 15,
     kOpCapability = 17,
     kOpTypeVoid = 19,
@@ -76,6 +75,13 @@ Instruction require(Words words, std::size_t from, const char* missing, const Fi
 inline std::string_view text(Words operands, std::size_t first) {
     const std::string_view all(reinterpret_cast<const char*>(operands.data() + first), 4 * (operands.size() - first));
     return all.substr(0, all.find('\0'));
+}
+
+/// Whether an instruction names a function. glslang appends the parameters' types to its name and "(".
+inline bool namesFunction(const Instruction& i, std::string_view name) {
+    if (i.operation != kOpName || i.operands.size() < 2) return false;
+    const std::string_view named = text(i.operands, 1);
+    return named.starts_with(name) && named.substr(name.size()).starts_with("(");
 }
 
 inline void append(std::vector<std::uint32_t>& to, std::uint32_t operation,

@@ -12,9 +12,7 @@ constexpr std::uint32_t kMultiView = 4439, kViewIndex = 4440;                   
 constexpr std::uint32_t kFlat = 14, kBuiltIn = 11;                                      // decorations
 constexpr std::uint32_t kFragment = 4, kInput = 1, kUniformConstant = 0, kArrayed = 4;  // kArrayed: an image's operand
 
-bool isViewIndex(const Instruction& i) {
-    return i.operation == kOpName && i.operands.size() > 1 && text(i.operands, 1).starts_with("viewIndex(");
-}
+bool isViewIndex(const Instruction& i) { return namesFunction(i, "viewIndex"); }
 
 class TwoViews {
 public:

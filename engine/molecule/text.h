@@ -24,7 +24,7 @@ std::string_view trim(std::string_view text);
 std::string lowerCase(std::string_view text);
 std::string upperCase(std::string_view text);
 bool startsWith(std::string_view text, std::string_view start);
-/// What printf() writes.
+/// Text formatted as by printf().
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
 /// The whole `text` as a number, with blanks allowed around it; empty if it is not a number. parseNumber also accepts

@@ -1,5 +1,5 @@
 #pragma once
-// What a call throws.
+// The message of the exception that a call throws.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the Vulkan layers of the tests have in common: how they find what lies below, and how they tell of extensions.
+// Shared by the Vulkan layers of the tests: finding the functions below a layer, and listing extensions.
 
 #include <vulkan/vk_layer.h>
 
