@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/mat4x3.hpp>
+#include <glm/vec4.hpp>
 #include <tuple>
 
 #include "engine/error.h"
