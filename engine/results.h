@@ -39,7 +39,6 @@ struct DeviceInfo {
     bool lazyMemory = false;
     bool timestamps = false;       ///< passes can be timed
     bool rasterOrder = false;      ///< fragments can read their own attachment in raster order
-    bool tiles = false;            ///< compute can draw tile by tile
     bool localRead = false;        ///< render passes with inputs use dynamic rendering with local reads
     bool mergeFeedback = false;    ///< the driver reports how it merges subpasses
     std::string driverKey;         ///< identifies device and driver in names of files

@@ -18,7 +18,7 @@ namespace {
 constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder, Visibility::tiles,
                                  Visibility::deferred};
 constexpr const char* kOutcomes[] = {"right", "wrong", "failed", "unfinished"};
-constexpr const char* kHeading = "nacre self-test 6";
+constexpr const char* kHeading = "nacre self-test 7";
 constexpr std::uint32_t kPixels = 128, kTimedPixels = 720;
 constexpr int kDirections = 48;  // of a bake: three batches; after the second, texels without light are dropped
 
@@ -167,9 +167,7 @@ SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, const
     const std::string& key = device.driverKey;
     SelfTest test = read(options.selfTests, key);
     for (const Visibility path : kPaths) {
-        if (!hasPath(path, device.rasterOrder, device.tiles)) continue;
-        // Compute was measured on a GPU with its own memory. Others draw by it on request only.
-        if (drawsByCompute(path) && device.type != "discrete" && device.type != "software") continue;
+        if (!hasPath(path, device.rasterOrder)) continue;
         auto it = std::find_if(test.begin(), test.end(), [&](const PathResult& r) { return r.visibility == path; });
         if (it == test.end()) it = test.insert(it, {path, PathResult::Outcome::unfinished});
         if (it->known()) continue;
@@ -248,22 +246,24 @@ double slowestShare(const PathResult& path, const PathResult& other) {
 graph::TestedPath choosePath(const SelfTest& test, Visibility byCaps, const std::string& whyByCaps) {
     std::vector<const PathResult*> candidates;
     const PathResult* chosen = nullptr;
+    bool tilesFail = false;
     for (const PathResult& r : test) {
+        tilesFail = tilesFail || (drawsByCompute(r.visibility) && r.outcome != PathResult::Outcome::right);
         if (r.outcome != PathResult::Outcome::right) continue;
         if (r.visibility == byCaps) chosen = &r;
         candidates.push_back(&r);
     }
-    if (candidates.empty()) return {Visibility::automatic, "no path draws right: " + describe(test)};
+    if (candidates.empty()) return {Visibility::automatic, "no path draws right: " + describe(test), tilesFail};
     const PathResult& base = chosen ? *chosen : *candidates.front();
     const PathResult* fastest =
         *std::ranges::min_element(candidates, {}, [&](const PathResult* r) { return slowestShare(*r, base); });
     // Frequencies of phones' GPUs differ by a tenth to a seventh between steps (Adreno 650: 305 to 587 MHz in six,
     // Mali-G610 of RK3588: 300 to 1000 MHz in eight). One step between two tests makes a path look 1.2 times as fast.
     constexpr double kFasterByItself = 0.8;
-    if (chosen && slowestShare(*fastest, *chosen) >= kFasterByItself) return {byCaps, whyByCaps};
+    if (chosen && slowestShare(*fastest, *chosen) >= kFasterByItself) return {byCaps, whyByCaps, tilesFail};
     const std::string what =
         chosen ? "the fastest here: " : std::string(visibilityName(byCaps)) + " draws wrongly here: ";
-    return {fastest->visibility, what + describe(test)};
+    return {fastest->visibility, what + describe(test), tilesFail};
 }
 
 void addSelfTest(DeviceInfo& device, const std::string& folder) {

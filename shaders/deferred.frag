@@ -3,6 +3,7 @@
 // record, by the same arithmetic as the geometry pass.
 //   INPUT / SAMPLED      source of the primitive's number
 //   SURFACE / IDENTITY   layers instead of colour
+//   DEPTH                writes the hit's depth to the depth buffer, for later draws
 //   RIMS                 composites outlines and halos   TRANSLUCENT          on every path: composites a layer of
 // translucent primitives where nothing opaque is in front     TESTED, NEAREST_INPUT, NEAREST_SAMPLED   decided by the
 // depth test, or by the nearest depth: an input                                              attachment, a texture
@@ -119,6 +120,9 @@ void main() {
         showCylinder(index - view.spheres, shown);
     else
         showSphere(index, shown);
+#ifdef DEPTH
+    gl_FragDepth = encodedDepth(shown.hit.order);
+#endif
 #ifdef TRANSLUCENT
     float d = encodedDepth(shown.hit.order);
 #ifdef TESTED

@@ -13,7 +13,7 @@
 #include "common/ordered.glsl"
 
 layout(local_size_x = 64) in;
-layout(push_constant) uniform Push {  // engine/software/splat_maps.cpp
+layout(push_constant) uniform Push {  // engine/tiles/splat_maps.cpp
     float origin, pixel, middle;      // radius of the scene, Å; width of a pixel, Å; the view axis in a map, pixels
     uint primitives, spheres, cylinders;  // per copy
     uint mapPixels, apart, pitch;     // width of a map; from one map to the next; row of the batch

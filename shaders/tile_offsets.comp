@@ -1,11 +1,11 @@
 #version 440
-// Places the list of each bin behind the one before: one workgroup per 256 bins, which first sums all bins before its
+// Places the list of each bin behind the one before: one workgroup per 128 bins, which first sums all bins before its
 // own. A round has the bins whose lists begin within its share of all entries.
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 #include "common/list_layout.glsl"
 
-layout(local_size_x = 256) in;
+layout(local_size_x = 128) in;
 layout(push_constant) uniform Push {
     uint bins;
     uint offsets;  // place of the bins' offsets in the lists
@@ -14,14 +14,15 @@ layout(push_constant) uniform Push {
 layout(set = 0, binding = 0, std430) buffer Work { uint work[]; };
 layout(set = 0, binding = 1, std430) buffer Lists { uint lists[]; };
 
-shared uint sums[256];
+const uint kGroup = 128u;  // the most of the least phone
+shared uint sums[kGroup];
 
 uint countAt(uint bin) { return bin < bins ? work[bin] & ~kSmallBit : 0u; }
 
 /// Turns sums[] into running sums.
 void sumUp(uint lane) {
     barrier();
-    for (uint step = 1u; step < 256u; step <<= 1) {
+    for (uint step = 1u; step < kGroup; step <<= 1) {
         uint other = lane >= step ? sums[lane - step] : 0u;
         barrier();
         sums[lane] += other;
@@ -31,12 +32,12 @@ void sumUp(uint lane) {
 
 void main() {
     const uint tiles = uint(kTilesInBin * kTilesInBin);
-    uint lane = gl_LocalInvocationIndex, first = gl_WorkGroupID.x * 256u, bin = first + lane;
+    uint lane = gl_LocalInvocationIndex, first = gl_WorkGroupID.x * kGroup, bin = first + lane;
     uint own = 0u;
-    for (uint other = lane; other < first; other += 256u) own += countAt(other);
+    for (uint other = lane; other < first; other += kGroup) own += countAt(other);
     sums[lane] = own;
     sumUp(lane);
-    uint base = offsets + bins + 2u, before = sums[255], count = countAt(bin);
+    uint base = offsets + bins + 2u, before = sums[kGroup - 1u], count = countAt(bin);
     barrier();
     sums[lane] = count;
     sumUp(lane);

@@ -23,7 +23,6 @@ nlohmann::ordered_json deviceJson(const DeviceInfo& device) {
             {"lazy_memory", device.lazyMemory},
             {"timestamps", device.timestamps},
             {"raster_order", device.rasterOrder},
-            {"tiles", device.tiles},
             {"dynamic_rendering", device.localRead},
             {"merge_feedback", device.mergeFeedback},
             {"self_test", device.selfTest},

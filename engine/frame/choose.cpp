@@ -49,11 +49,8 @@ PathRow pathOfKind(DeviceKind kind, const graph::PlanCaps& caps) {
         case DeviceKind::layered:
             return {Visibility::fragdepth, "Vulkan over Metal leaves the tile between subpasses"};
         case DeviceKind::software:
-            if (caps.tiles)
-                return {Visibility::tiles,
-                        "software rasteriser: compute over lists of primitives costs less than triangles"};
-            return {Visibility::encoded,
-                    "software rasteriser: early tests against plates save more than a second pass costs"};
+            return {Visibility::tiles,
+                    "software rasteriser: compute over lists of primitives costs less than triangles"};
         case DeviceKind::immediate:
             break;
     }
@@ -160,6 +157,13 @@ bool limited(const VertexOutputs& outputs) { return outputs != VertexOutputs(); 
 /// Render passes beyond the first.
 std::uint32_t begun(const Rounds& rounds) { return rounds.count - (rounds.apart ? 0 : 1); }
 
+/// Render passes of a path's primitives. @param v  of a choice with this path
+std::uint32_t countRenderPasses(const FrameChoice& choice, const VertexOutputs& v) {
+    const auto targets =
+        static_cast<std::uint32_t>(choice.path == Visibility::deferred ? 1 : screenTargets(choice).size());
+    return 1 + begun(v.plating) + begun(v.nearest) + targets * begun(v.shading);
+}
+
 /// Makes one choice, step by step. Steps note their reasons on request.
 class Chooser {
 public:
@@ -194,13 +198,18 @@ private:
         if (reasons_) reasons_->push_back({what, {}, why});
     }
 
+    void replaceReason(const char* what, const char* why) {
+        if (!reasons_) return;
+        std::erase_if(*reasons_, [&](const Decision& d) { return d.what == what; });
+        because(what, why);
+    }
+
     bool debugs() const { return settings_.debug != DebugView::none; }
     bool rims() const { return settings_.effects.rims(); }
 
     /// Whether compute may shade pictures: on software devices always, on others if they draw by tiles.
     bool mayCompute() const {
-        return device_.tiles.shade && device_.plan.tiles &&
-               (!device_.tiles.lists || pickPath(device_) == Visibility::tiles);
+        return device_.tiles.shade && (!device_.tiles.lists || pickPath(device_) == Visibility::tiles);
     }
     /// The device's path, or the path of frames that add samples or depth to a picture. Devices that shade by tiles
     /// always draw those by tiles: other paths draw each sample as a pixel.
@@ -231,6 +240,7 @@ private:
     void refine();
     void chooseEffects();
     void chooseColor();
+    std::uint32_t renderPassesBeyond() const;
     void choosePath();
     void chooseGeometry();
     HostWork hostWorkOfTiles() const;
@@ -383,6 +393,15 @@ void Chooser::chooseColor() {
                     "it does not blend 32 bits per channel, which layers and 16-bit pictures need; use 8 bits");
 }
 
+/// Render passes that a path by triangles takes where compute draws the frame in its place; 0: it does not.
+std::uint32_t Chooser::renderPassesBeyond() const {
+    const bool asked = device_.visibility != Visibility::automatic || choice_.debug != DebugView::none || rims() ||
+                       (choice_.attachmentSamples() > 1 && device_.multisampling == Multisampling::four);
+    if (asked || device_.tested.tilesFail || request_.headset || choice_.path == Visibility::tiles) return 0;
+    const std::uint32_t count = countRenderPasses(choice_, fitted(choice_.path));
+    return count > 1 ? count : 0;
+}
+
 void Chooser::choosePath() {
     const Visibility path = usual(adds());
     const bool computes = path == Visibility::tiles && mayCompute() && choice_.color == ColorFormat::coded &&
@@ -390,13 +409,27 @@ void Chooser::choosePath() {
     choice_.path = rims()     ? (computes ? Visibility::tiles : Visibility::deferred)
                    : debugs() ? pickPath(settings_.debug, path)
                               : path;
-    if (computes && !debugs()) choice_.shading = Shading::compute;
+    const std::uint32_t beyond = renderPassesBeyond();
+    if (beyond > 0) {
+        choice_.path = Visibility::tiles;
+        if (choice_.attachmentSamples() > 1) {
+            choice_.samples = {};
+            replaceReason("samples", "compute draws one sample per pixel");
+        }
+    }
+    if (computes && !debugs())
+        choice_.shading = Shading::compute;
+    else if (choice_.path == Visibility::tiles && device_.tiles.lanes == 0 && device_.tiles.lists)
+        choice_.shading = Shading::image;
     if (!reasons_) return;
-    because("path", rims() && !computes                 ? "outlines and halos need the primitive of each pixel"
+    because("path", beyond > 0 ? "vertex outputs would take " + std::to_string(beyond) +
+                                     " render passes: compute draws from lists instead"
+                    : rims() && !computes               ? "outlines and halos need the primitive of each pixel"
                     : choice_.path == pickPath(device_) ? nacre::choosePath(device_).why
                     : debugs()                          ? "the debug view needs this path"
                                                         : "compute adds samples and depth to pictures of this device");
     because("shading", choice_.shadedByCompute()           ? "compute shades faster than fragments on this device"
+                       : choice_.shadedByImage()           ? "no subgroup operation and few buffers: as on every phone"
                        : choice_.path != Visibility::tiles ? "triangles cover the pixels"
                        : request_.counted                  ? "fragments are counted"
                        : !device_.tiles.shade              ? "fragments shade as fast on this device"
@@ -676,9 +709,7 @@ std::string samplesText(const FrameChoice& choice) {
 /// "3 render passes without plates, shadow map in 2"
 std::string verticesText(const FrameChoice& choice) {
     const VertexOutputs& v = choice.vertices;
-    const auto targets =
-        static_cast<std::uint32_t>(choice.path == Visibility::deferred ? 1 : screenTargets(choice).size());
-    const std::uint32_t count = 1 + begun(v.plating) + begun(v.nearest) + targets * begun(v.shading);
+    const std::uint32_t count = countRenderPasses(choice, v);
     std::string text = std::to_string(count) + (count == 1 ? " render pass" : " render passes");
     if (v.plates == PlateShape::none)
         text += " without plates";
@@ -723,7 +754,9 @@ std::uint32_t FrameChoice::layers() const {
     return std::max(effects.size(Kind::translucency), effects.size(Kind::tileTranslucency));
 }
 
-bool FrameChoice::readsCopyRows() const { return path == Visibility::deferred || layers() > 0 || rims(); }
+bool FrameChoice::readsCopyRows() const {
+    return path == Visibility::deferred || shadedByImage() || layers() > 0 || rims();
+}
 
 FrameChoice FrameChoice::within(std::uint32_t longest, std::uint32_t longestOfLayers) const {
     FrameChoice choice = *this;
@@ -750,7 +783,7 @@ FrameChoice choose(const FrameRequest& request, const SceneFacts& scene, const F
 }
 
 std::vector<Decision> describe(const FrameChoice& choice) {
-    constexpr const char* kShading[] = {"fragments", "compute"};
+    constexpr const char* kShading[] = {"fragments", "fragments, by an image of numbers", "compute"};
     constexpr const char* kGeometry[] = {"instanced", "fetched by fragments", "lists of the host",
                                          "lists of the device"};
     constexpr const char* kHost[] = {"nothing", "hidden spheres", "front spheres"};
@@ -839,7 +872,6 @@ graph::TestedPath choosePath(const FrameCaps& device) {
     };
     if (device.visibility == Visibility::rasterOrder && device.plan.rasterOrder == graph::RasterOrder::none)
         refuse(device.visibility, device.lacksRasterOrder);
-    if (device.visibility == Visibility::tiles && !device.plan.tiles) refuse(device.visibility, device.tiles.lacks);
     if (device.visibility != Visibility::automatic) return {device.visibility, kAskedFor};
     if (device.tested.visibility != Visibility::automatic) return device.tested;
     const PathRow row = pathOfKind(device.kind, device.plan);
@@ -860,8 +892,7 @@ MotionSamples chooseMotionSamples(const FrameCaps& device) {
 }
 
 OcclusionMaps chooseOcclusionMaps(const FrameCaps& device) {
-    const bool computes = device.kind == DeviceKind::software || pickPath(device) == Visibility::tiles;
-    if (computes && device.plan.tiles) return OcclusionMaps::tiles;
+    if (device.kind == DeviceKind::software || pickPath(device) == Visibility::tiles) return OcclusionMaps::tiles;
     // Where MIN is a blend shader, the depth buffer is cheaper.
     return pickPath(device) == Visibility::encoded && !device.encoded.ordered ? OcclusionMaps::encoded
                                                                               : OcclusionMaps::fragdepth;
@@ -871,9 +902,7 @@ graph::TestedPath plainestPath(const char* why) { return {Visibility::fragdepth,
 
 bool drawsByCompute(Visibility path) { return path == Visibility::tiles; }
 
-bool hasPath(Visibility path, bool rasterOrder, bool tiles) {
-    return path == Visibility::rasterOrder ? rasterOrder : path != Visibility::tiles || tiles;
-}
+bool hasPath(Visibility path, bool rasterOrder) { return path != Visibility::rasterOrder || rasterOrder; }
 
 bool platesReject(Visibility path, const graph::PlanCaps& caps) {
     return caps.conservativeDepth || (path != Visibility::fragdepth && path != Visibility::deferred);

@@ -157,8 +157,12 @@ enum class ColorFormat : std::uint8_t {
     linear,  ///< 32 bits
 };
 
-/// Who shades on the tile path.
-enum class Shading : std::uint8_t { fragments, compute };
+/// How pixels are shaded on the tile path.
+enum class Shading : std::uint8_t {
+    fragments,  ///< by numbers of primitives in a buffer
+    image,      ///< by numbers in an image, like `deferred`: where no subgroup draws a tile
+    compute,    ///< compute shades
+};
 
 /// How a tile frame with samples at edges knows its edge pixels.
 enum class EdgePixels : std::uint8_t {
@@ -233,6 +237,7 @@ struct FrameChoice {
     bool drawsEdges() const { return samples.where == Samples::Where::edges; }
     bool drawnByTiles() const { return geometry == Geometry::hostLists || geometry == Geometry::deviceLists; }
     bool shadedByCompute() const { return shading == Shading::compute; }
+    bool shadedByImage() const { return shading == Shading::image; }
     /// Samples per pixel of the frame's attachments.
     std::uint32_t attachmentSamples() const { return samples.where == Samples::Where::resolved ? samples.count : 1; }
 
@@ -287,8 +292,8 @@ OcclusionMaps chooseOcclusionMaps(const graph::FrameCaps& device);
 /// The path with the lowest demands on a driver: one subpass, and no reads from the tile.
 graph::TestedPath plainestPath(const char* why);
 
-/// Whether a device with these abilities has a path at all.
-bool hasPath(Visibility path, bool rasterOrder, bool tiles);
+/// Whether a device has a path at all. @param rasterOrder  it reads its own attachments in order
+bool hasPath(Visibility path, bool rasterOrder);
 
 /// Whether a path draws by compute, instead of by triangles.
 bool drawsByCompute(Visibility path);

@@ -8,7 +8,6 @@
 #include "engine/frame/effects/lens/lens.h"
 #include "engine/frame/picture_frames.h"
 #include "engine/passes/read_back.h"
-#include "engine/software/software.h"
 
 namespace nacre {
 namespace {

@@ -8,7 +8,7 @@
 #include "engine/graph/graph.h"
 #include "engine/passes/tile_mask.h"
 #include "engine/results.h"
-#include "engine/software/software.h"
+#include "engine/tiles/tiles.h"
 
 namespace nacre {
 

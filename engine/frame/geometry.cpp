@@ -6,6 +6,7 @@
 #include "engine/frame/effects/shadow/shadow.h"
 #include "engine/frame/effects/translucency/translucency.h"
 #include "engine/frame/level_scenes.h"
+#include "engine/frame/paths/paths.h"
 #include "engine/passes/placed_copies.h"
 #include "engine/passes/select_opacity.h"
 #include "engine/scene/instances/mesh_levels.h"
@@ -89,7 +90,8 @@ void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const gr
         const graph::PassDecl& pass = graph.passes()[p];
         const bool tests = pass.has(Verb::depth) || pass.has(Verb::depthTest) || pass.has(Verb::ordered);
         // Draws triangles over the screen instead of the scene's primitives.
-        const bool screen = pass.has(Verb::reads) || pass.name.starts_with(kTranslucentColor);
+        const bool screen =
+            pass.has(Verb::reads) || pass.name == kDepthByNumbers || pass.name.starts_with(kTranslucentColor);
         if (pass.kind != graph::PassKind::graphics || !tests) continue;
         if (pass.name.starts_with(kTranslucentLayer)) {
             tell(p, computeCost(Handed::number, false, chooseShapes(plates, impostor, caps, counts.layers)),

@@ -3,6 +3,7 @@
 #include "engine/frame/effects/outlines/outlines.h"
 #include "engine/frame/effects/shadow/choice.h"
 #include "engine/frame/effects/translucency/translucency.h"
+#include "engine/frame/paths/paths.h"
 #include "engine/scene/build/representation.h"
 
 namespace nacre {
@@ -80,7 +81,7 @@ PassNotes describePass(const graph::PassDecl& pass, bool conservative) {
     if (pass.name == kRimPass)
         return {DepthTiming::early, "depth is only tested; of the rims at a pixel MAX keeps the densest", kPositions,
                 kPositions, kPrecisionHit};
-    if (pass.has(Verb::depth) && pass.has(Verb::reads))
+    if (pass.has(Verb::depth) && (pass.has(Verb::reads) || pass.name == kDepthByNumbers))
         return {DepthTiming::late,
                 "triangles over the screen; each covered pixel is shaded once, and its depth is kept for translucent "
                 "layers",

@@ -16,8 +16,8 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       scene_(scene),
       white_(passes::makeWhiteTexture(device, executor)),
       volumes_(device, executor),
-      tiles_(passes::makeTileFrames(device)),
-      layerTiles_(passes::makeTileFrames(device)),
+      tiles_(passes::makeTileFrames(device, passes::makeHostLister())),
+      layerTiles_(passes::makeTileFrames(device, passes::makeHostLister())),
       hidden_(passes::makeHiddenSpheres()),
       effectBuffers_(device, vk::BufferUsageFlagBits::eUniformBuffer, "effects"),
       copyRows_(device, vk::BufferUsageFlagBits::eStorageBuffer, "copies"),
@@ -64,7 +64,9 @@ std::shared_ptr<const passes::TileFrame> SceneFrames::listTiles(const passes::Sc
                                                                 const FrameInputs& inputs) {
     passes::TileWork work;
     work.byDevice = choice.geometry == Geometry::deviceLists;
-    work.shaded = choice.shadedByCompute();
+    work.result = choice.shadedByCompute() ? passes::TileResult::colors
+                  : choice.shadedByImage() ? passes::TileResult::image
+                                           : passes::TileResult::words;
     work.edges = choice.drawsEdges();
     work.edgesAlone = choice.edgePixels == EdgePixels::alone;
     work.longestList = choice.overflow.longestList;
@@ -74,7 +76,7 @@ std::shared_ptr<const passes::TileFrame> SceneFrames::listTiles(const passes::Sc
     work.frontSpheres = choice.host == HostWork::frontSpheres;
     work.triangleChunks = shown_->chunks.triangles;
     if (choice.edgePixels != EdgePixels::found) work.places = inputs.places;
-    return tiles_->prepare(shown_->representation, view, inputs.view, imageExtent(inputs.view), work);
+    return tiles_->prepare({shown_->representation, view, inputs.view, imageExtent(inputs.view)}, work);
 }
 
 /// The tiles' lists, if the path uses them. Replaces the choice if they are too long.
@@ -97,7 +99,7 @@ void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request,
     work.mask = inputs.mask;
     work.longestList = choice.overflow.longestListOfLayers;
     const std::shared_ptr<const passes::TileFrame> layers =
-        layerTiles_->prepare(shown_->representation, *view.translucent, inputs.view, imageExtent(inputs.view), work);
+        layerTiles_->prepare({shown_->representation, *view.translucent, inputs.view, imageExtent(inputs.view)}, work);
     choice = choice.within(tiles->longestList(), layers->longestList());
     if (choice.has(Effect::Kind::tileTranslucency)) view.translucent->tiles = layers;
 }
@@ -220,7 +222,7 @@ void SceneFrames::bind(DeclaredFrame& declared, const PreparedFrame& prepared) {
     gpu::Imports& imports = declared.imports;
     imports.clear();
     imports.bind(frame.atlas, *prepared.atlas);
-    if (view.tiles) imports.bind(frame.numbers, view.tiles->pixels());
+    if (view.tiles && !prepared.choice().shadedByImage()) imports.bind(frame.numbers, view.tiles->pixels());
     if (frame.lists) {
         imports.bind(*frame.entries, view.tiles->entries());
         imports.bind(*frame.lists, view.tiles->sortedEntries());

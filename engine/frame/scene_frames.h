@@ -12,6 +12,7 @@
 #include "engine/gpu/frame_buffers.h"
 #include "engine/results.h"
 #include "engine/software/software.h"
+#include "engine/tiles/tiles.h"
 
 namespace nacre {
 
@@ -81,8 +82,8 @@ private:
     Volumes volumes_;
     // Frame memory, reused when frames in flight are done. Carries nothing from one frame to the next.
     SceneViews views_;
-    std::unique_ptr<passes::TileFrames> tiles_, layerTiles_;  // null in builds without them
-    std::unique_ptr<passes::HiddenSpheres> hidden_;           // null in builds without it
+    std::unique_ptr<passes::TileFrames> tiles_, layerTiles_;
+    std::unique_ptr<passes::HiddenSpheres> hidden_;  // null in builds without it
     LevelScenes levelScenes_;
     CappedScenes cappedScenes_;
     layout::EffectConstants lastEffects_{};

@@ -92,6 +92,7 @@ bool set(const char* variable) {
 ///   NACRE_MULTIVIEW=1     lavapipe draws both eyes in one frame: right where nothing is far beyond the picture's edge
 ///   NACRE_DEVICE_LISTS=0, 1, N  the host or the device lists the primitives of tiles, whatever is faster; N: entries
 ///                            of a round
+///   NACRE_NO_SUBGROUPS=1  compute draws tiles without subgroup operations, as on the least phone
 ///   NACRE_NO_TRANSIENT=1  every attachment has memory and is stored, so that a capture shows it
 void applyEnvironment(graph::PlanCaps& plan) {
     if (set("NACRE_NO_MERGE")) plan.merge = false;
@@ -102,30 +103,44 @@ void applyEnvironment(graph::PlanCaps& plan) {
     }
 }
 
-TileCaps queryTileCaps(const vk::raii::PhysicalDevice& device) {
-    using Subgroups = vk::PhysicalDeviceSubgroupProperties;
+#ifdef NACRE_SOFTWARE
+/// Lanes of the subgroup that draws a tile; 0: subgroups do not exchange values, or are too wide.
+std::uint32_t findLanes(const vk::raii::PhysicalDevice& device) {
     using Can = vk::SubgroupFeatureFlagBits;
-    const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, Subgroups>();
-    const auto& limits = chain.get<vk::PhysicalDeviceProperties2>().properties.limits;
-    const auto& subgroups = chain.get<Subgroups>();
-    TileCaps caps;
-    caps.lacks.clear();
-    caps.lanes = subgroups.subgroupSize;
+    constexpr auto kNeeded = Can::eBasic | Can::eVote | Can::eBallot | Can::eShuffle;
+    const auto subgroups = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceSubgroupProperties>()
+                               .get<vk::PhysicalDeviceSubgroupProperties>();
+    const std::uint32_t lanes = subgroups.subgroupSize;
+    const bool exchanges = (subgroups.supportedOperations & kNeeded) == kNeeded &&
+                           (subgroups.supportedStages & vk::ShaderStageFlagBits::eCompute);
+    return exchanges && lanes >= 4 && lanes <= 32 && (lanes & (lanes - 1)) == 0 && !set("NACRE_NO_SUBGROUPS") ? lanes
+                                                                                                              : 0;
+}
+
+/// Adds what passes by the lanes of a subgroup can do (engine/tiles/lanes).
+void addLanes(TileCaps& caps, const vk::raii::PhysicalDevice& device, const vk::PhysicalDeviceLimits& limits) {
+    constexpr std::uint32_t kPixels = 1u << 26;  // of a picture, which later passes read as texels
     caps.texels = limits.maxTexelBufferElements >= limits.maxStorageBufferRange / sizeof(std::uint32_t);
+    // Colour and four storage buffers of the stage that shades.
+    if (caps.texels || limits.maxFragmentCombinedOutputResources >= 5) caps.lanes = findLanes(device);
+    if (caps.lanes == 0) return;
     // Inputs: shapes, rows of copies, looks, lists, numbers, tiles of bins. One output.
     caps.drawsEdges = caps.texels || limits.maxPerStageDescriptorStorageBuffers >= 7;
-    constexpr auto kNeeded = Can::eBasic | Can::eVote | Can::eBallot | Can::eShuffle;
-#ifndef NACRE_SOFTWARE
-    caps.lacks = "this build has no tile path";
-    return caps;
+    caps.shade = limits.maxPerStageDescriptorStorageBuffers >= 8 && limits.maxTexelBufferElements >= kPixels;
+}
 #endif
-    if ((subgroups.supportedOperations & kNeeded) != kNeeded ||
-        !(subgroups.supportedStages & vk::ShaderStageFlagBits::eCompute))
-        caps.lacks = "its subgroups do not hand values round";
-    else if (caps.lanes < 4 || caps.lanes > 32 || (caps.lanes & (caps.lanes - 1)) != 0)
-        caps.lacks = "its subgroups have " + std::to_string(caps.lanes) + " lanes, not 4, 8, 16 or 32";
-    else if (!caps.texels && limits.maxFragmentCombinedOutputResources < 5)
-        caps.lacks = "one colour and four storage buffers are too many for its fragment stage";
+
+TileCaps queryTileCaps(const vk::raii::PhysicalDevice& device, bool software) {
+    const vk::PhysicalDeviceLimits limits = device.getProperties().limits;
+    TileCaps caps;
+#ifdef NACRE_SOFTWARE
+    addLanes(caps, device, limits);
+#endif
+    caps.lists = !software || caps.lanes == 0;
+    if (software) caps.shade = caps.texels && caps.lanes > 0;
+    // An entry has two words in one buffer, which bins' words share.
+    constexpr std::uint32_t kMost = 1u << 25, kBytes = 16;
+    caps.entries = std::min(caps.lanes > 0 ? kMost : caps.entries, limits.maxStorageBufferRange / kBytes);
     return caps;
 }
 
@@ -287,24 +302,18 @@ Caps queryCaps(const vk::raii::PhysicalDevice& device, const DeviceOptions& opti
     caps.encoded = chooseEncodedFormat(device, options.encoded, caps.plan.rasterOrder == graph::RasterOrder::promised);
     caps.encodedMaps = caps.encoded.ordered ? findBlendedFormat(device, EncodedDepth::automatic) : caps.encoded;
     caps.kind = known.kind;
-    caps.tiles = queryTileCaps(device);
-    caps.plan.tiles = caps.tiles.lacks.empty();
-    caps.tiles.lists = !identity.software;
-    constexpr std::uint32_t kPixels = 1u << 26;  // of a picture, which later passes read as texels
-    caps.tiles.shade = properties.limits.maxPerStageDescriptorStorageBuffers >= 8 &&
-                       properties.limits.maxTexelBufferElements >= kPixels;
+    caps.tiles = queryTileCaps(device, identity.software);
     if (identity.software) {
         constexpr double kNever = std::numeric_limits<double>::infinity();
         caps.plan.geometry = {false, kNever, kNever, kNever};  // a triangle costs a hundred fragments
         caps.plan.conservativeDepth = false;                   // none tests early if the shader writes depth
-        caps.tiles.shade = caps.tiles.texels;
         caps.fastPowers = caps.asynchronous = false;
         caps.gathersTexels = caps.tiles.texels;
     }
     caps.apartMemory = caps.type == "discrete" && keepsMemoryApart(device);
     if (const char* lists = std::getenv("NACRE_DEVICE_LISTS")) {
         const unsigned long entries = std::strtoul(lists, nullptr, 10);
-        caps.tiles.lists = entries > 0;
+        caps.tiles.lists = entries > 0 || caps.tiles.lanes == 0;
         if (entries > 1) caps.tiles.entries = std::min(static_cast<std::uint32_t>(entries), caps.tiles.entries);
     }
     caps.visibility = options.visibility;

@@ -30,7 +30,6 @@ DeviceInfo gpu::describeDevice(const Caps& caps) {
     info.lazyMemory = caps.plan.transient;
     info.timestamps = caps.timestampBits > 0;
     info.rasterOrder = caps.plan.rasterOrder != graph::RasterOrder::none;
-    info.tiles = caps.plan.tiles;
     info.localRead = caps.localRead;
     info.mergeFeedback = caps.mergeFeedback;
     info.driverKey = caps.driverKey;

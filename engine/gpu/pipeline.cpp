@@ -269,6 +269,7 @@ DescriptorPool::DescriptorPool(const Device& device) : device_(device) {
                            vk::DescriptorPoolSize(vk::DescriptorType::eInputAttachment, kSets),
                            vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, kSets),
                            vk::DescriptorPoolSize(vk::DescriptorType::eUniformTexelBuffer, 4 * kSets),
+                           vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, kSets),
                            vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, 8 * kSets)};
     pool_ = vk::raii::DescriptorPool(*device, vk::DescriptorPoolCreateInfo({}, kSets, sizes));
     device.name(*pool_, "descriptors");

@@ -34,7 +34,9 @@ constexpr std::array kLimits{
     NACRE_LIMIT(maxVertexInputBindingStride, 32, "a cylinder"),
     NACRE_LIMIT(maxVertexOutputComponents, 20, "a cylinder in view space, its look and patch"),
     NACRE_LIMIT(maxFragmentInputComponents, 20, "a cylinder in view space, its look and patch"),
-    NACRE_LIMIT(maxComputeWorkGroupInvocations, 64, "occlusion"),
+    NACRE_LIMIT(maxPerStageDescriptorStorageImages, 1, "numbers of primitives that compute writes"),
+    NACRE_LIMIT(maxComputeWorkGroupInvocations, 128, "lists of tiles, which compute sorts"),
+    NACRE_LIMIT(maxComputeSharedMemorySize, 9 * 1024, "lists of tiles, which compute sorts"),
     NACRE_LIMIT(subPixelPrecisionBits, 4, "outlines are grown by what a vertex may be moved"),
 };
 #undef NACRE_LIMIT
@@ -42,6 +44,7 @@ constexpr std::array kLimits{
 constexpr VkFormatFeatureFlags kColor = VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT;
 constexpr VkFormatFeatureFlags kSampled = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
 constexpr VkFormatFeatureFlags kLinear = kSampled | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+constexpr VkFormatFeatureFlags kStored = VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT;
 constexpr VkFormatFeatureFlags kDepth = VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT;
 
 constexpr std::array kRequired{
@@ -51,7 +54,7 @@ constexpr std::array kRequired{
     RequiredFormat{VK_FORMAT_D32_SFLOAT, kDepth | kSampled, "depth"},
     RequiredFormat{VK_FORMAT_R32_SFLOAT, kColor | kSampled,
                    "depth maps, distances, the nearest depth of `raster-order`"},
-    RequiredFormat{VK_FORMAT_R32_UINT, kColor | kSampled, "numbers of primitives"},
+    RequiredFormat{VK_FORMAT_R32_UINT, kColor | kSampled | kStored, "numbers of primitives"},
     RequiredFormat{VK_FORMAT_R32G32_UINT, kColor | kSampled, "the identity layer"},
     RequiredFormat{VK_FORMAT_R16_SFLOAT, kLinear, "density maps"},
     RequiredFormat{VK_FORMAT_R16G16_SFLOAT, kLinear, "density maps that are known in part"},

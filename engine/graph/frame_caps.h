@@ -18,12 +18,12 @@ enum class DeviceKind : std::uint8_t {
     software,   ///< a CPU draws: triangles cost more than fragments
 };
 
-/// For the tile path.
+/// For the tile path. The default is the least phone's.
 struct TileCaps {
     bool texels = false;               ///< texel buffers can hold whole streams
-    std::uint32_t lanes = 0;           ///< per subgroup
-    bool lists = false;                ///< compute makes the lists of tiles faster than the host
-    std::uint32_t entries = 1u << 25;  ///< memory for such lists: of 12 bytes each; more are drawn in several rounds
+    std::uint32_t lanes = 0;           ///< of the subgroup that draws a tile; 0: a workgroup does by shared memory
+    bool lists = true;                 ///< compute makes the lists of tiles faster than the host
+    std::uint32_t entries = 1u << 23;  ///< memory for such lists: of 12 bytes each; more are drawn in several rounds
     bool shade = false;                ///< compute shading is faster than drawing fragments
     bool drawsEdges = false;           ///< draws edges from the tile lists
     /// Most entries of a tile's list. lavapipe 22.3 allows an invocation 65,535 loop iterations in total, then ends its
@@ -31,14 +31,13 @@ struct TileCaps {
     std::uint32_t longestList = 28000;
     /// As above with samples at edges: a subgroup may go through a list several times.
     std::uint32_t longestListOfEdges = 6000;
-    /// The feature that the path needs and the device lacks; empty: none.
-    std::string lacks = "it is unknown whether its subgroups exchange values";
 };
 
 /// The path that a self-test found to be right and fastest.
 struct TestedPath {
     Visibility visibility = Visibility::automatic;  ///< automatic: none was tested
     std::string why;
+    bool tilesFail = false;  ///< the test found pictures by compute wrong
 };
 
 struct FrameCaps {

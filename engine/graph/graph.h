@@ -75,6 +75,7 @@ enum class Verb : std::uint8_t {
     input,       // read at the pixel's own place
     density,     // map of how many fragments each part of the picture gets, read as the pass is recorded
     samples,     // texture
+    stores,      // image that compute writes, each pixel at most once in a graph
     reads,       // buffer: storage or uniform, read
     writes,      // buffer: storage, read and written
     vertices,    // buffer: vertex streams
@@ -83,7 +84,7 @@ enum class Verb : std::uint8_t {
 };
 constexpr bool isWrite(Verb verb) {
     return verb == Verb::depth || verb == Verb::color || verb == Verb::ordered || verb == Verb::resolve ||
-           verb == Verb::writes || verb == Verb::copiesTo;
+           verb == Verb::stores || verb == Verb::writes || verb == Verb::copiesTo;
 }
 /// Whether a pass uses it pixel by pixel, on the tile.
 constexpr bool isAttachment(Verb verb) { return verb <= Verb::input; }
@@ -174,6 +175,7 @@ public:
     /// Imported, with contents: they are read before the graph executes.
     PassBuilder& density(Image map) { return use(Verb::density, map); }
     PassBuilder& samples(Image image) { return use(Verb::samples, image); }
+    PassBuilder& stores(Image& image) { return write(Verb::stores, image, {}); }
     PassBuilder& copiesFrom(Image image) { return use(Verb::copiesFrom, image); }
     PassBuilder& copiesTo(Image& image) { return write(Verb::copiesTo, image); }
     PassBuilder& copiesFrom(Buffer buffer) { return use(Verb::copiesFrom, buffer); }

@@ -33,7 +33,6 @@ struct PlanCaps {
     bool tileSubpasses = true;  ///< input attachments between subpasses stay on the tile
     bool transient = true;      ///< attachments that never leave the tile need no memory
     RasterOrder rasterOrder = RasterOrder::none;
-    bool tiles = false;                     ///< compute can draw by tiles: subgroups exchange values
     bool blendsByShader = false;            ///< MIN is a shader after the fragment's own
     bool loadsUniforms = false;             ///< each invocation loads uniforms for itself
     bool conservativeDepth = true;          ///< depth_greater lets the test reject before the fragment shader

@@ -94,6 +94,8 @@ public:
             for (const Use& use : graph_.passes()[p].uses) {
                 if (plan_.culled[p] || !use.isImage) continue;
                 const Verb verb = effectiveVerb(plan_, p, use);
+                if (verb == Verb::stores && !written[use.resource])
+                    plan_.traffic[use.resource].stored += countBytes(graph_.images()[use.resource]);
                 if (isWrite(verb)) written[use.resource] = true;
                 if (verb == Verb::samples && written[use.resource])
                     plan_.traffic[use.resource].loaded += countBytes(graph_.images()[use.resource]);

@@ -6,9 +6,9 @@ namespace {
 bool fits(Verb verb, PassKind kind) {
     switch (kind) {
         case PassKind::graphics:
-            return verb != Verb::copiesFrom && verb != Verb::copiesTo;
+            return verb != Verb::copiesFrom && verb != Verb::copiesTo && verb != Verb::stores;
         case PassKind::compute:
-            return verb == Verb::samples || verb == Verb::reads || verb == Verb::writes;
+            return verb == Verb::samples || verb == Verb::stores || verb == Verb::reads || verb == Verb::writes;
         case PassKind::transfer:
             return verb == Verb::copiesFrom || verb == Verb::copiesTo;
     }

@@ -154,8 +154,9 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
     mostInstances_ = path == OcclusionMaps::tiles ? sizes_.mostPrimitives : instancesThatFit();
     if (path == OcclusionMaps::tiles && sizes_.bytes > 0)
-        tiles_ = makeTileMaps(device, scene, representation, pixels(), radius_, mapsAcross(perBatch()),
-                              std::move(occluders));
+        tiles_ = device.caps().tiles.lists ? makeSplatMaps(device, scene, pixels(), radius_, mapsAcross(perBatch()))
+                                           : makeListedMaps(device, scene, representation, pixels(), radius_,
+                                                            mapsAcross(perBatch()), std::move(occluders));
 }
 
 View DepthMaps::view(const glm::dmat3& frame) const {

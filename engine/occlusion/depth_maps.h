@@ -16,6 +16,7 @@
 #include "engine/scene/build/translucency.h"
 #include "engine/scene/view/camera.h"
 #include "engine/software/software.h"
+#include "engine/tiles/tile_maps.h"
 
 namespace nacre::occlusion {
 

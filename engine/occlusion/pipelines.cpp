@@ -41,7 +41,10 @@ const gpu::Layout& finishLayout(gpu::PipelineContext& context) {
 
 /// The accumulation shader of a kind of texels that samples depth maps. Narrow directions come in pairs, except for
 /// cylinders: pairs would need more registers than Mali has.
-#define NACRE_ACCUMULATION(of) (narrow ? shaders::occlusionAccumulate##of##Narrow : shaders::occlusionAccumulate##of)
+#define NACRE_ACCUMULATION(of)                            \
+    (heights  ? shaders::occlusionAccumulate##of##Storage \
+     : narrow ? shaders::occlusionAccumulate##of##Narrow  \
+              : shaders::occlusionAccumulate##of)
 
 bool asksByPairs(const Accumulation& accumulation) {
     return accumulation.narrow && accumulation.texels != Texels::cylinders;
@@ -63,17 +66,15 @@ gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const A
         d.name = "occlusion accumulation, vertices";
         d.code = NACRE_ACCUMULATION(Vertex);
     }
-    if (heights) {
-        d.code = questionsToTileMaps(accumulation.texels, context.device.caps().tiles);
-        d.constants.set(layout::kOrderedBitsId, context.device.caps().tiles.lists);
-    }
+    const bool texels = heights && asTexels(context.device.caps().tiles);
+    if (texels) d.code = questionsToTexelMaps(accumulation.texels);
+    if (heights) d.constants.set(layout::kOrderedBitsId, context.device.caps().tiles.lists);
     const graph::EncodedFormat& encoded = context.device.caps().encodedMaps;
     d.constants.set(layout::kBatchId, accumulation.batch);
     d.constants.set(layout::kDepthChannelsId, accumulation.encoded ? encoded.channels : 1);
     d.constants.set(layout::kDepthStepsId, accumulation.encoded ? encoded.steps : 0);
     d.constants.set(layout::kMapsAcrossId, accumulation.across);
-    if (heights && asTexels(context.device.caps().tiles))
-        d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
+    if (texels) d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
     if (accumulation.spread > 0) {
         d.constants.set(layout::kTapsId, accumulation.taps);
         d.constants.set(layout::kSpreadId, accumulation.spread);

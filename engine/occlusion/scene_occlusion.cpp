@@ -117,9 +117,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optio
     options_ = {settings.directions, computeBudget(settings.bytes, of_.representation->meshVertices.size()),
                 settings.maps,       settings.detail,
                 viewDirection,       settings.bounce && of_.representation->copies.colors.empty()};
-    const bool tiles = device_.caps().plan.tiles;
-    if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
-        options_.path = automaticMaps_;
+    if (options_.path == OcclusionMaps::automatic) options_.path = automaticMaps_;
     cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // positions of moving atoms do not recur
     worthKeeping_ = settings.worthKeeping;
     auto& preparing = state_.emplace<Preparing>();

@@ -26,6 +26,7 @@ Stage chooseShader(const DeferredPass& pass) {
     if (pass.over && pass.over->from == NearestFrom::depthBuffer) return NACRE_STAGE(translucentTested);
     if (pass.over) return NACRE_NUMBERS(translucentNearest);
     if (pass.rims) return NACRE_NUMBERS(rimmedDeferred);
+    if (pass.depth) return NACRE_STAGE(colorDeferredDepth);
     if (pass.output == Output::surface) return NACRE_NUMBERS(surfaceDeferred);
     return pass.output == Output::identity ? NACRE_NUMBERS(identityDeferred) : NACRE_NUMBERS(colorDeferred);
 }
@@ -70,6 +71,7 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
 FullScreenPass makeFullScreen(const gpu::PipelineContext& context, const SceneView& view,
                               const DeferredPass& deferred) {
     FullScreenPass pass{gpu::forViews(chooseShader(deferred).of(view), context.views), {}, {}};
+    if (deferred.depth) pass.depth = gpu::DepthUse::write;
     if (deferred.rims)
         for (int i = 0; i < 4; ++i)
             pass.constants.set(layout::kClearId + i, deferred.rims->clear.value[static_cast<std::size_t>(i)]);

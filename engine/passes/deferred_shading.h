@@ -24,6 +24,7 @@ struct DeferredPass {
     Reads reads;                         ///< `nearest` holds the numbers, as an input attachment or a texture
     std::optional<DeferredRims> rims{};  ///< outlines and halos to composite
     std::optional<LayerOver> over{};     ///< composites the layer over the picture
+    bool depth = false;                  ///< of colour from a texture's numbers: also writes the depth buffer
 };
 void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& pass);
 /// Requests the pipeline.

@@ -2,6 +2,7 @@
 
 #include "engine/passes/bindings.h"
 #include "shaders.h"
+#include "shaders/common/layout.h"
 
 namespace nacre::passes {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/passes/full_screen.h"
+#include "engine/passes/tile_frame.h"
 #include "engine/results.h"
-#include "engine/software/software.h"
 
 namespace nacre::passes {
 

@@ -1,25 +1,22 @@
-// Replaces this folder in a build without NACRE_SOFTWARE. No device has the tile path there (engine/gpu/caps.cpp), so
-// none of these passes is ever recorded.
+// Replaces this folder and engine/tiles/lanes in a build without NACRE_SOFTWARE. No device has texel streams or draws
+// by the lanes of a subgroup there (engine/gpu/caps.cpp), so none of these passes is ever recorded.
 
 #include <stdexcept>
 
 #include "engine/software/software.h"
+#include "engine/tiles/lanes/lane_passes.h"
 
 namespace nacre {
 namespace {
 
-[[noreturn]] void refuse() { throw std::logic_error("this build has no tile path"); }
+[[noreturn]] void refuse() { throw std::logic_error("this build draws no tiles by the lanes of a subgroup"); }
 
 }  // namespace
 
 namespace passes {
 
-std::unique_ptr<TileFrames> makeTileFrames(const gpu::Device&) { return nullptr; }
+std::unique_ptr<HostLister> makeHostLister() { return nullptr; }
 std::unique_ptr<HiddenSpheres> makeHiddenSpheres() { return nullptr; }
-void countPrimitivesOfBins(gpu::PassContext&, const SceneView&) { refuse(); }
-void placeListsOfBins(gpu::PassContext&, const SceneView&, std::uint32_t) { refuse(); }
-void writeListsOfBins(gpu::PassContext&, const SceneView&) { refuse(); }
-void sortListsOfBins(gpu::PassContext&, const SceneView&, std::uint32_t) { refuse(); }
 void draw(gpu::PassContext&, const SceneView&, const NearestByTiles&) { refuse(); }
 void want(gpu::PipelineContext&, const SceneView&, const NearestByTiles&) { refuse(); }
 void draw(gpu::PassContext&, const SceneView&, const TileShading&) { refuse(); }
@@ -33,11 +30,11 @@ void drawEdgeColors(gpu::PassContext&, const SceneView&, const graph::Clear&) { 
 
 namespace occlusion {
 
-std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device&, const passes::SceneBuffers&, const Representation&,
-                                       std::uint32_t, double, std::uint32_t, OccluderMeshes) {
+std::unique_ptr<TileMaps> makeListedMaps(const gpu::Device&, const passes::SceneBuffers&, const Representation&,
+                                         std::uint32_t, double, std::uint32_t, OccluderMeshes) {
     return nullptr;
 }
-gpu::ShaderWords questionsToTileMaps(Texels, const graph::TileCaps&) { refuse(); }
+gpu::ShaderWords questionsToTexelMaps(Texels) { refuse(); }
 
 }  // namespace occlusion
 }  // namespace nacre

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/software/tile_frame.h"
+#include "engine/software/host_lists.h"
 #include "engine/threads.h"
 
 namespace nacre::passes {

@@ -312,7 +312,6 @@ void TileLists::listTiles() {
 void TileLists::build(const TileView& view, const TileScenery& s) {
     across_ = (view.width + kBinPixels - 1) / kBinPixels;
     down_ = (view.height + kBinPixels - 1) / kBinPixels;
-    covers_ = false;
     kept_.clear();
     small_.clear();
     mask(view);
@@ -334,40 +333,6 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     order();
     count();
     listTiles();
-}
-
-void TileLists::cover(const TileView& view) {
-    const std::uint32_t across = (view.width + kBinPixels - 1) / kBinPixels;
-    const std::uint32_t down = (view.height + kBinPixels - 1) / kBinPixels;
-    mask_.wanted.clear();
-    if (view.mask) mask_ = *view.mask;
-    if (covers_ && across == across_ && down == down_) return;
-    across_ = across;
-    down_ = down;
-    covers_ = true;
-    seeded_ = drawsSpheres_ = false;
-    kept_.clear();
-    drawnBins_.clear();
-    smallBins_.clear();
-    tiles_.clear();
-    spans_.clear();
-    keptSpheres_ = longest_ = 0;
-    offsets_.assign(std::size_t{across_} * down_ + 1, 0);
-    for (std::uint32_t y = 0; y < down_; ++y) {
-        spans_.push_back(
-            {0, static_cast<std::uint16_t>(y), static_cast<std::uint16_t>(across_), static_cast<std::uint16_t>(y + 1)});
-        for (std::uint32_t x = 0; x < across_; ++x)
-            for (std::uint32_t i = 0; i < kTilesInBin * kTilesInBin; ++i)
-                tiles_.push_back({static_cast<std::uint16_t>(x * kTilesInBin + i / kTilesInBin),
-                                  static_cast<std::uint16_t>(y * kTilesInBin + i % kTilesInBin)});
-    }
-}
-
-void TileLists::writeTiles(std::uint32_t* to) const {
-    constexpr int kUnwanted = 12, kSmall = 31;  // shaders/common/tile_lists.glsl
-    for (const Tile& t : tiles_)
-        *to++ = t.x | (masked() ? mask_.unwanted(t.x, t.y) << kUnwanted : 0u) | std::uint32_t{t.y} << 16 |
-                (showsSmall(t.x / kTilesInBin, t.y / kTilesInBin) ? 1u << kSmall : 0u);
 }
 
 void TileLists::write(std::uint32_t* to) {

@@ -12,8 +12,8 @@
 #include "engine/scene/build/representation.h"
 #include "engine/software/front_spheres.h"
 #include "engine/software/front_triangles.h"
-#include "engine/software/software.h"
 #include "engine/software/tile_view.h"
+#include "engine/tiles/tile_set.h"
 
 namespace nacre {
 
@@ -49,47 +49,21 @@ struct TileScenery {
 /// host knows the nearest one of nearly every pixel. The same holds for spheres with boxes. Where edges are drawn,
 /// triangles enter unless all surrounding pixels hide them.
 ///
-/// Bins of `kBinPixels` per side, row by row from the top left, have a list each. Tiles are those of bins with a
-/// non-empty list, or with initial triangles. Keeps its memory between frames.
-class TileLists {
+/// Tiles are those of bins with a non-empty list, or with initial triangles. Keeps its memory between frames.
+class TileLists : public TileSet {
 public:
     explicit TileLists(const TriangleLanes& lanes = triangleLanes().back()) : lanes_(lanes), front_(lanes) {}
 
-    static constexpr std::uint32_t kTilePixels = 8;
-    static constexpr std::uint32_t kTilesInBin = 2;
-    static constexpr std::uint32_t kBinPixels = TileBins::kPixels;
-    static_assert(kBinPixels == kTilePixels * kTilesInBin);
     static constexpr std::uint32_t kDepthSteps = 2048;  ///< resolution of the order in a list (layout::kListSteps)
-
-    using Span = TileBins::Span;
-    struct Tile {
-        std::uint16_t x, y;
-    };
 
     /// Builds the lists; offsets(), tiles() and spans() are valid until the next call.
     void build(const TileView& view, const TileScenery& scenery);
 
-    /// All tiles of the picture, without entries: the device makes the lists.
-    void cover(const TileView& view);
-
-    std::uint32_t across() const { return across_; }
-    std::uint32_t down() const { return down_; }
     /// Begin of each bin's list, and the end of the last.
     std::span<const std::uint32_t> offsets() const { return offsets_; }
-    std::span<const Tile> tiles() const { return tiles_; }  ///< in drawing order, grouped by bin
-    std::span<const Span> spans() const { return spans_; }
     /// Whether anything may be visible in a bin, counted row by row.
     bool holds(std::size_t bin) const {
-        return covers_ || (drawsBin(bin) && (offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin])));
-    }
-    /// Whether a tile is drawn if its bin holds anything.
-    bool draws(std::uint32_t x, std::uint32_t y) const {
-        return covers_ || !masked() || mask_.unwanted(x, y) != kAllUnwanted;
-    }
-    bool masked() const { return !mask_.wanted.empty(); }
-    /// Whether a bin may show a primitive smaller than TileView::small.
-    bool showsSmall(std::size_t x, std::size_t y) const {
-        return !smallBins_.empty() && smallBins_[y * across_ + x] != 0;
+        return drawsBin(bin) && (offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin]));
     }
     /// Whether pixels begin with a primitive from writeSeeds().
     bool seeded() const { return seeded_; }
@@ -108,13 +82,8 @@ public:
     std::size_t keptSpheres() const { return keptSpheres_; }
     std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
     std::uint32_t longest() const { return longest_; }  ///< entries of a list
-    /// Size of the device's data in words: tiles (x | y << 16 | 1 << 31 where showsSmall()); begin of each bin's list
-    /// and end of the last; a primitive's number, 1; the lists. Readers of an empty list may load the word before it,
-    /// which is a valid number.
-    std::size_t words() const { return tiles_.size() + offsets_.size() + 1 + entries(); }
+    std::size_t words() const { return TileSet::words(entries()); }
     void write(std::uint32_t* to);
-    /// Writes the tiles alone, the beginning of that data.
-    void writeTiles(std::uint32_t* to) const;
 
 private:
     /// Triangles of one mesh with one transform: consecutive calls combined, because they share vertices.
@@ -149,24 +118,19 @@ private:
     /// Whether a tile of a bin is drawn.
     bool drawsBin(std::size_t bin) const { return drawnBins_.empty() || drawnBins_[bin] != 0; }
     bool drawsAny(const Kept& k) const;
-    static constexpr std::uint32_t kAllUnwanted = 15;
     void findSmall();
     void listTiles();
 
-    std::uint32_t across_ = 0, down_ = 0, longest_ = 0;
-    TileMask mask_;                        // empty: all tiles are drawn
+    std::uint32_t longest_ = 0;
     std::vector<std::uint8_t> drawnBins_;  // empty: all bins are drawn
     std::vector<Kept> kept_;
-    std::vector<std::uint32_t> small_;     // primitives among them that are smaller than TileView::small
-    std::vector<std::uint8_t> smallBins_;  // bins that show any; empty: none does
+    std::vector<std::uint32_t> small_;  // primitives among them that are smaller than TileView::small
     std::vector<std::vector<Kept>> keptOfSlices_;
     std::size_t keptSpheres_ = 0;
     std::vector<std::uint32_t> order_, offsets_, cursors_;
-    std::vector<Tile> tiles_, bins_;
-    std::vector<Span> spans_;
+    std::vector<Tile> bins_;
     std::vector<glm::vec4> corners_;  // pixel and Z of each vertex, transformed for a call
     bool seeded_ = false, drawsSpheres_ = false;
-    bool covers_ = false;              // all tiles are drawn
     std::vector<std::uint8_t> seeds_;  // per bin: some pixel has a seed
     std::vector<FrontTriangles::Run> runs_;
     TriangleLanes lanes_;

@@ -1,9 +1,5 @@
 // Triangles in the lists of the `tiles` path, as corners from projected().
 
-vec3 handedCorner(vec3 v, uint from) {
-    return vec3(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from));
-}
-
 #ifdef RIMS
 /// Z of a facet's nearest corner.
 float facetFront(vec3 a, vec3 b, vec3 c) {

@@ -446,8 +446,6 @@ TEST(Plan, RefusesWhatTheDeviceCannotDo) {
     options = phone("powervr");
     options.picture.device.visibility = Visibility::rasterOrder;
     EXPECT_THROW(planReport(options), Error);  // the user's, not the graph's
-    options.picture.device.visibility = Visibility::tiles;
-    EXPECT_THROW(planReport(options), Error);
 }
 
 }  // namespace

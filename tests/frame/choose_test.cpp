@@ -19,12 +19,14 @@ namespace {
 using graph::FrameCaps;
 
 /// lavapipe's and SwiftShader's: compute shades.
-FrameCaps software(bool tiles) {
+FrameCaps software() {
     FrameCaps caps = graph::capabilitySet("desktop");
     caps.plan.name = "software";
     caps.kind = graph::DeviceKind::software;
     caps.plan.conservativeDepth = false;
-    caps.plan.tiles = caps.tiles.shade = caps.tiles.drawsEdges = tiles;
+    caps.tiles.shade = caps.tiles.drawsEdges = true;
+    caps.tiles.lists = false;
+    caps.tiles.lanes = 8;
     caps.blendsFloats = true;
     return caps;
 }
@@ -37,7 +39,7 @@ std::map<std::string, std::vector<FrameCaps>> devicesByKind() {
         caps.blendsFloats = true;
         kinds[visibilityName(choosePath(caps).visibility)].push_back(caps);
     }
-    kinds["software"] = {software(true)};
+    kinds["software"] = {software()};
     return kinds;
 }
 
@@ -160,7 +162,7 @@ TEST(Choose, HasTheEffectsOfThePart) {
 FrameRequest makeRequest(const RenderSettings& settings) { return {settings, Part::whole, Ending::readBack}; }
 
 TEST(Choose, OfASceneWithLongListsIsInTheValue) {
-    const FrameCaps caps = software(true);
+    const FrameCaps caps = software();
     RenderSettings settings;
     settings.view.width = settings.view.height = 640;
     SceneFacts facts;
@@ -190,7 +192,7 @@ TEST(Choose, OfASceneWithLongListsIsInTheValue) {
 }
 
 TEST(Choose, HasTheHostFindWhatIsInFrontWhereThatCostsLess) {
-    const FrameCaps caps = software(true);
+    const FrameCaps caps = software();
     RenderSettings settings;
     settings.view.width = settings.view.height = 640;
     settings.supersample = 1;
@@ -234,7 +236,7 @@ TEST(Choose, HasTheHostFindWhatIsInFrontWhereThatCostsLess) {
 }
 
 TEST(Choose, DrawsAllSamplesOfManySmallSpheres) {
-    const FrameCaps caps = software(true);
+    const FrameCaps caps = software();
     RenderSettings settings;
     settings.view.width = settings.view.height = 640;
     settings.supersample = RenderSettings::kEdges;
@@ -287,7 +289,7 @@ TEST(Choose, ExplainsEveryDecision) {
 TEST(Choose, ThatDidNotHoldSaysWhy) {
     RenderSettings settings;
     settings.supersample = 1;
-    const FrameCaps caps = software(true);
+    const FrameCaps caps = software();
     const FrameRequest request = makeRequest(settings);
     const FrameChoice drawn = choose(request, {}, caps).within(30'000);
     const std::vector<Decision> decisions = explain(request, {}, caps, drawn);
@@ -299,7 +301,7 @@ TEST(Choose, ThatDidNotHoldSaysWhy) {
 TEST(Choose, DrawsLayersOfAtomsByTriangles) {
     SceneFacts scene;
     scene.hasTranslucent = true;
-    const FrameCaps caps = software(true);
+    const FrameCaps caps = software();
     RenderSettings settings;
     settings.supersample = 1;
     const FrameChoice meshes = choose(makeRequest(settings), scene, caps);
@@ -314,7 +316,7 @@ TEST(Choose, DrawsLayersOfAtomsByTriangles) {
 TEST(Choose, PutsAVolumeBetweenLayersOfTriangles) {
     SceneFacts scene;
     scene.hasVolume = true;
-    const FrameCaps caps = software(true);
+    const FrameCaps caps = software();
     RenderSettings settings;
     settings.supersample = 1;
     FrameChoice choice = choose(makeRequest(settings), scene, caps);
@@ -350,7 +352,8 @@ TEST(Choose, RefusesWhatTheDeviceCannotDraw) {
 /// A GPU on which compute makes the lists: it shades where the device draws by tiles, and the host does nothing.
 TEST(Choose, ListsByDeviceWhereTheDeviceDrawsByTiles) {
     FrameCaps caps = graph::capabilitySet("desktop");
-    caps.plan.tiles = caps.tiles.shade = caps.tiles.drawsEdges = caps.tiles.lists = true;
+    caps.tiles.shade = caps.tiles.drawsEdges = true;
+    caps.tiles.lanes = 32;
     RenderSettings s;
     s.supersample = 1;
     SceneFacts facts;

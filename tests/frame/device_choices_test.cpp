@@ -82,18 +82,13 @@ TEST(PathChoice, FollowsTheUserThenTheTestThenTheDevice) {
     caps.visibility = Visibility::encoded;
     EXPECT_EQ(choosePath(caps).visibility, Visibility::encoded);
     EXPECT_EQ(choosePath(caps).why, "asked for");
-    for (const Visibility lacking : {Visibility::rasterOrder, Visibility::tiles}) {
-        caps.visibility = lacking;
-        EXPECT_THROW(choosePath(caps), Error);
-    }
+    caps.visibility = Visibility::rasterOrder;
+    EXPECT_THROW(choosePath(caps), Error);
 }
 
-TEST(PathChoice, OfASoftwareDeviceIsTilesWhereComputeCanDrawThem) {
+TEST(PathChoice, OfASoftwareDeviceIsTiles) {
     FrameCaps caps = capabilitySet("desktop");
     caps.kind = DeviceKind::software;
-    EXPECT_EQ(choosePath(caps).visibility, Visibility::encoded);
-    EXPECT_EQ(chooseOcclusionMaps(caps), OcclusionMaps::encoded);
-    caps.plan.tiles = true;
     EXPECT_EQ(choosePath(caps).visibility, Visibility::tiles);
     EXPECT_EQ(chooseOcclusionMaps(caps), OcclusionMaps::tiles);
 }

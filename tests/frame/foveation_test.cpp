@@ -229,7 +229,7 @@ TEST(Foveation, IsChosenForHeadsetsAloneElseTheReason) {
             d.multisampling = Multisampling::four;
         },
         "samples");
-    refused([](auto& d, auto&, auto&) { d.plan.tiles = true, d.visibility = Visibility::tiles; }, "compute");
+    refused([](auto& d, auto&, auto&) { d.visibility = Visibility::tiles; }, "compute");
     // The choice is that of the frame.
     EXPECT_TRUE(choose({plain, Part::motion, Ending::window, 0, false, true, true}, {}, caps).foveated);
 }

@@ -50,9 +50,9 @@ TEST(VertexLimitOfClasses, IsKeptByMaliWithTheFewestRenderPasses) {
               "2 render passes without plates: they would be 401 MB, and a render pass gets at most 150 MB");
     EXPECT_EQ(describeFit("mali", V::automatic, capsid),
               "1 render pass without plates: they would be 198 MB, and a render pass gets at most 150 MB");
-    EXPECT_EQ(describeFit("mali-old", V::automatic, capsid),
+    EXPECT_EQ(describeFit("mali-old", V::encoded, capsid),
               "2 render passes without plates: they would be 330 MB, and a render pass gets at most 150 MB");
-    EXPECT_EQ(describeFit("mali", V::automatic, huge),
+    EXPECT_EQ(describeFit("mali", V::rasterOrder, huge),
               "4 render passes without plates: they would be 768 MB, and a render pass gets at most 150 MB");
     EXPECT_EQ(describeFit("mali", V::fragdepth, huge),
               "4 render passes without plates: they would be 768 MB, and a render pass gets at most 150 MB");
@@ -67,10 +67,75 @@ TEST(VertexLimitOfClasses, IsNoneElsewhere) {
     for (const graph::CapabilitySet& set : graph::capabilitySets()) {
         const bool mali = set.plan.name == "mali" || set.plan.name == "mali-old";
         EXPECT_EQ(set.plan.geometry.mostVertexBytes, mali ? kMali : 0) << set.plan.name;
-        EXPECT_EQ(describeFit(set.plan.name.c_str(), Visibility::automatic, {4'000'000}) != "as they are", mali);
+        EXPECT_EQ(describeFit(set.plan.name.c_str(), choosePath(set).visibility, {4'000'000}) != "as they are", mali);
         limited += mali;
     }
     EXPECT_EQ(limited, 2u);
+}
+
+/// Scenes whose vertex outputs would take several render passes are drawn by compute, which has none; on every device
+/// with the limit, unless another path is asked for or the device's self-test found that compute draws wrongly.
+TEST(VertexLimitOfClasses, LeavesWhatTakesSeveralRenderPassesToCompute) {
+    using V = Visibility;
+    struct Row {
+        const char* set;
+        Scene scene;
+        V path;
+    };
+    const Scene small{700'000}, surface{0, 2'388'000}, capsid{1'030'000}, huge{4'000'000};
+    const Row rows[] = {
+        {"mali", small, V::rasterOrder}, {"mali", surface, V::rasterOrder},   {"mali", capsid, V::rasterOrder},
+        {"mali", huge, V::tiles},        {"mali-old", {400'000}, V::encoded}, {"mali-old", small, V::tiles},
+        {"mali-old", surface, V::tiles}, {"mali-old", huge, V::tiles},        {"mali-late", huge, V::rasterOrder},
+        {"powervr", huge, V::encoded},   {"adreno", huge, V::encoded},        {"apple-moltenvk", huge, V::fragdepth},
+        {"desktop", huge, V::fragdepth}};
+    for (const auto& [set, scene, path] : rows) {
+        SCOPED_TRACE(std::string(set) + ", " + std::to_string(scene.spheres + scene.triangles));
+        SceneFacts facts;
+        facts.spheres = scene.spheres, facts.triangles = scene.triangles, facts.radiusPixels = scene.radius;
+        RenderSettings settings = phoneSettings();
+        graph::FrameCaps caps = graph::capabilitySet(set);
+        const auto drawn = [&](Part part = Part::motion) {
+            return choose({settings, part, part == Part::motion ? Ending::window : Ending::readBack}, facts, caps);
+        };
+        for (const Part part : {Part::motion, Part::whole, Part::pick}) {
+            const FrameChoice choice = drawn(part);
+            if (part != Part::pick) {
+                EXPECT_EQ(choice.path, path);
+            }
+            if (choice.path != V::tiles) continue;
+            EXPECT_EQ(choice.geometry, Geometry::deviceLists);
+            EXPECT_EQ(choice.shading, Shading::image);
+            EXPECT_EQ(choice.vertices, VertexOutputs());
+            EXPECT_TRUE(choice.readsCopyRows());
+            // Where lists may be too long: the usual path, in several render passes.
+            const FrameChoice other = choice.within(choice.overflow.longestList + 1);
+            EXPECT_EQ(other.path, choosePath(caps).visibility);
+            EXPECT_EQ(other.shading, Shading::fragments);
+            EXPECT_NE(other.vertices, VertexOutputs());
+        }
+        if (path != V::tiles) continue;
+        caps.tested = {V::encoded, "the fastest here"};
+        EXPECT_EQ(drawn().path, V::tiles);
+        caps.tested.tilesFail = true;
+        EXPECT_EQ(drawn().path, V::encoded);
+        caps.tested = {};
+        caps.visibility = V::encoded;
+        EXPECT_EQ(drawn().path, V::encoded);
+        caps.visibility = V::automatic;
+        settings.effects.halos.width = 2;
+        EXPECT_EQ(drawn().path, V::deferred);
+        settings.effects.halos.width = 0;
+        if (scene.spheres < huge.spheres) continue;
+        // Frames in motion with several samples per pixel have one by compute, unless several are asked for.
+        caps.plan.rasterOrder = graph::RasterOrder::none;
+        caps.tested = {V::fragdepth, "the fastest here"};
+        EXPECT_EQ(drawn().path, V::tiles);
+        EXPECT_EQ(drawn().samples, Samples());
+        caps.multisampling = Multisampling::four;
+        EXPECT_EQ(drawn().path, V::fragdepth);
+        EXPECT_EQ(drawn().samples.count, 4u);
+    }
 }
 
 /// The largest render pass of a frame's plan, bytes of vertex outputs.

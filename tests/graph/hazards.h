@@ -52,6 +52,8 @@ inline Access verbAccess(Verb verb, PassKind kind) {
                     VK_IMAGE_LAYOUT_FRAGMENT_DENSITY_MAP_OPTIMAL_EXT, false};
         case Verb::samples:
             return {shader, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};
+        case Verb::stores:
+            return {shader, VK_ACCESS_SHADER_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true};
         case Verb::reads:
             return {shader, VK_ACCESS_SHADER_READ_BIT, {}, false};
         case Verb::writes:

@@ -80,6 +80,11 @@ TEST_F(Rules, AVerbThatDoesNotGoWithThePassIsRefused) {
     g.compute("one").color(a);
     EXPECT_EQ(refusal(), "pass 'one', image 'a': 'write' does not go with this kind of pass");
 }
+TEST_F(Rules, AFragmentThatStoresIsRefused) {
+    Image a = g.image("a", kColor), b = g.image("b", kColor);
+    g.graphics("one").stores(a).color(b);
+    EXPECT_EQ(refusal(), "pass 'one', image 'a': 'store' does not go with this kind of pass");
+}
 TEST_F(Rules, AColourThatIsDepthIsRefused) {
     Image a = g.image("a", kDepth);
     g.graphics("one").color(a);

@@ -215,6 +215,27 @@ TEST_F(Rules, ATextureReadCrossesPixels) {
     EXPECT_EQ(steps(), 2u);
 }
 
+TEST_F(Rules, AnImageThatComputeStoresIsSampledLater) {
+    Image a = g.image("a", {VK_FORMAT_R32_UINT, kExtent}), b = g.image("b", kColor);
+    g.compute("first part").stores(a);
+    g.compute("second part").stores(a);
+    g.graphics("read").samples(a).color(b, Clear{0.0f});
+    g.output(b);
+    const Plan p = plan();
+    EXPECT_EQ(p.images[0].usage, VkImageUsageFlags{VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT});
+    EXPECT_FALSE(p.images[0].transient);
+    EXPECT_EQ(p.traffic[0].stored, 4u * 100 * 50);  // once: each pixel has one writer
+    EXPECT_EQ(p.traffic[0].loaded, 4u * 100 * 50);
+    std::vector<std::pair<VkImageLayout, VkImageLayout>> layouts;
+    for (const Step& step : p.steps)
+        for (const Barrier& barrier : step.before)
+            if (barrier.isImage && barrier.resource == 0) layouts.emplace_back(barrier.from.layout, barrier.to.layout);
+    EXPECT_EQ(layouts, (std::vector<std::pair<VkImageLayout, VkImageLayout>>{
+                           {VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL},
+                           {VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_GENERAL},
+                           {VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL}}));
+}
+
 TEST_F(Rules, AnImageIsNotTestedAndSampledInOneRenderPass) {
     Image a = g.image("a", kColor), d = g.image("d", kDepth);
     g.graphics("depth").depth(d, Clear{1.0f});

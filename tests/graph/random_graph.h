@@ -232,6 +232,9 @@ inline DeclaredGraph declare(const RandomGraph& random,
                 case graph::Verb::samples:
                     builder.samples(d.images[use.resource]);
                     break;
+                case graph::Verb::stores:
+                    builder.stores(d.images[use.resource]);
+                    break;
                 case graph::Verb::reads:
                     builder.reads(d.buffers[use.resource]);
                     break;

@@ -1,4 +1,4 @@
-// Lists of tiles that the device makes show the same pixels as those of the host.
+// Lists of tiles that the device makes show the same pixels as those of the host, and as triangles.
 
 #include <cstdlib>
 #include <functional>
@@ -80,6 +80,83 @@ TEST_P(DeviceLists, ShowTheSamePixels) {
     EXPECT_EQ(other.z, layers.z);
     // Lists of a second frame begin empty again.
     EXPECT_EQ((*device_)->render(s).rgba, expected.rgba);
+}
+
+/// Without subgroup operations, as on phones: by a path, the same pixels as by triangles.
+class TilesOfPhones : public testing::TestWithParam<ListedView> {
+protected:
+    static void SetUpTestSuite() {
+        setenv("NACRE_NO_SUBGROUPS", "1", 1);
+        tiles_ = std::make_unique<ValidatedRenderer>(Visibility::tiles, ValidatedRenderer::fresh);
+        triangles_ = std::make_unique<ValidatedRenderer>(Visibility::fragdepth, ValidatedRenderer::fresh);
+        unsetenv("NACRE_NO_SUBGROUPS");
+    }
+    static void TearDownTestSuite() { tiles_.reset(), triangles_.reset(); }
+    static inline std::unique_ptr<ValidatedRenderer> tiles_, triangles_;
+};
+
+TEST_P(TilesOfPhones, ShowTheSamePixels) {
+    const Representation r = scene("sample:dna", GetParam().style);
+    RenderSettings s = settings(r, 200, GetParam().projection);
+    GetParam().change(s);
+    (*tiles_)->setScene(r);
+    (*triangles_)->setScene(r);
+    const Picture expected = (*triangles_)->render(s);
+    EXPECT_EQ((*tiles_)->render(s).rgba, expected.rgba);
+    if (!s.effects.rims()) {  // those are drawn by `deferred`
+        std::string told;
+        for (const Decision& d : (*tiles_)->decisions())
+            if (d.what == "path" || d.what == "shading" || d.what == "geometry") told += d.how + "; ";
+        EXPECT_EQ(told, "tiles; fragments, by an image of numbers; lists of the device; ");
+    }
+    const LayerPicture layers = (*triangles_)->layers(s), other = (*tiles_)->layers(s);
+    EXPECT_EQ(other.id, layers.id);
+    EXPECT_EQ(other.z, layers.z);
+    EXPECT_EQ((*tiles_)->render(s).rgba, expected.rgba) << "the next frame";
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, TilesOfPhones, testing::ValuesIn(kListedViews),
+                         [](const auto& i) { return i.param.name; });
+
+TEST(TilesOfPhonesInRounds, ShowTheSamePixels) {
+    setenv("NACRE_NO_SUBGROUPS", "1", 1);
+    for (const Style style : {Style::spacefill, Style::cartoon}) {
+        const Representation r = scene("sample:dna", style);
+        const auto tiles = byTiles(ListMaker::device, 2 * (r.spheres.size() + r.triangles.size()));
+        ValidatedRenderer triangles(Visibility::fragdepth, ValidatedRenderer::fresh);
+        const RenderSettings s = settings(r, 200, Projection::orthographic);
+        (*tiles)->setScene(r);
+        triangles->setScene(r);
+        const Picture expected = triangles->render(s);
+        for (int frame = 0; frame < 2; ++frame) EXPECT_EQ((*tiles)->render(s).rgba, expected.rgba);
+        const std::string& plan = (*tiles)->planText();
+        EXPECT_NE(plan.find("lists: sort"), plan.rfind("lists: sort")) << "one round";
+    }
+    unsetenv("NACRE_NO_SUBGROUPS");
+}
+
+/// Layers are drawn by the depth of what compute found.
+TEST(TilesOfPhonesBehindLayers, ShowTheSamePixels) {
+    setenv("NACRE_NO_SUBGROUPS", "1", 1);
+    Representation r = scene("sample:dna", Style::ballAndStick);
+    for (const float size : {5.0f, 3.0f})
+        appendMesh(
+            icosphere({0.2f, 0, 0}, size, 3, 0), glm::dvec3(0),
+            [](std::uint32_t) {
+                return SphereLook{withOpacity(0xff4080ffu, 0.4), 0};
+            },
+            r);
+    const RenderSettings s = settings(r, 200, Projection::perspective);
+    ValidatedRenderer tiles(Visibility::tiles, ValidatedRenderer::fresh);
+    ValidatedRenderer triangles(Visibility::fragdepth, ValidatedRenderer::fresh);
+    unsetenv("NACRE_NO_SUBGROUPS");
+    tiles->setScene(r);
+    triangles->setScene(r);
+    const Picture shown = tiles->render(s);
+    EXPECT_EQ(shown.rgba, triangles->render(s).rgba);
+    r.triangles.clear();
+    triangles->setScene(r);
+    EXPECT_NE(shown.rgba, triangles->render(s).rgba);
 }
 
 INSTANTIATE_TEST_SUITE_P(Views, DeviceLists, testing::ValuesIn(kListedViews),

@@ -19,8 +19,12 @@ void declareDeferred(Frame& frame, const FrameShape& shape);
 void declareRasterOrder(Frame& frame, const FrameShape& shape);
 
 /// Compute finds the nearest primitives per tile, from lists in depth order; then every covered pixel is shaded once.
-/// Draws no triangles except those that bound covered areas. Edge samples come from the same lists.
+/// Draws no triangles except those that bound covered areas. Edge samples come from the same lists. Without subgroup
+/// operations compute writes numbers to an image, which is shaded as in `deferred`.
 void declareTiles(Frame& frame, const FrameShape& shape);
+
+/// The pass that shades such an image and keeps the depth of what it shows, for translucent layers.
+constexpr const char* kDepthByNumbers = "colour and depth by numbers";
 
 /// Declares the path of the choice.
 void declarePath(Frame& frame, const FrameShape& shape);

@@ -1,6 +1,9 @@
+#include "engine/tiles/tiles.h"
+
 #include "engine/frame/paths/paths.h"
 #include "engine/frame/record.h"
-#include "engine/software/software.h"
+#include "engine/passes/deferred_shading.h"
+#include "engine/tiles/lanes/lane_passes.h"
 
 namespace nacre {
 namespace {
@@ -28,8 +31,7 @@ graph::Work edgeSamples(const Frame& f) {
 template <typename Nearest>
 void declareNearest(Frame& f, const FrameShape& shape, const Nearest& nearest) {
     if (shape.choice.geometry != Geometry::deviceLists) return nearest();
-    const std::uint64_t bins =
-        TileBins::pixels(shape.extent.width, shape.extent.height) / (TileBins::kPixels * TileBins::kPixels);
+    const std::uint64_t bins = TileBins::count(shape.extent.width, shape.extent.height);
     f.entries = f.graph.importBuffer("primitives of bins", kWord * bins);
     f.lists = f.graph.importBuffer("lists of tiles", kWord * bins);
     f.graph.compute("lists: count").writes(*f.entries).record(records(f, passes::countPrimitivesOfBins));
@@ -78,11 +80,38 @@ void declareShadedByCompute(Frame& f, const FrameShape& shape) {
     f.lit(samples.reads(*f.edges).reads(f.edgePixels)).writes(f.numbers).record(edgeSamples(f));
 }
 
+/// Compute finds numbers without subgroup operations, and writes them to an image. Fragments shade as in `deferred`.
+void declareShadedByImage(Frame& f, const FrameShape& shape) {
+    const FrameChoice& choice = shape.choice;
+    f.nearest = f.graph.image("primitive number", {VK_FORMAT_R32_UINT, shape.extent});
+    declareNearest(f, shape, [&] {
+        fromLists(f, "nearest primitive")
+            .stores(f.nearest)
+            .record(draws(f, [numbers = f.nearest](const auto& c, const SceneView&) {
+                return passes::TileNumbers{viewIn(c, numbers)};
+            }));
+    });
+    const bool depth = choice.layers() > 0 || choice.has(Effect::Kind::volume);
+    for (const ScreenTarget& target : shape.targets) {
+        graph::PassBuilder shading = f.graph.graphics(depth ? kDepthByNumbers : target.pass).samples(f.nearest);
+        if (depth) shading.depth(f.depth, graph::Clear{1.0f});
+        f.lit(shading)
+            .color(f.add(target, shape), target.clear)
+            .record(draws(
+                f, [=, atlas = f.atlas, numbers = f.nearest, output = target.output](const auto& c, const SceneView&) {
+                    passes::DeferredPass pass{output, makeReads(c, passes::NearestFrom::texture, atlas, numbers)};
+                    pass.depth = depth;
+                    return pass;
+                }));
+    }
+}
+
 }  // namespace
 
 void declareTiles(Frame& f, const FrameShape& shape) {
     const FrameChoice& choice = shape.choice;
     if (choice.shadedByCompute()) return declareShadedByCompute(f, shape);
+    if (choice.shadedByImage()) return declareShadedByImage(f, shape);
     f.numbers = addPixels(f, shape, "primitive numbers", kWord);
     declareNearest(f, shape, [&] { fromLists(f, "nearest primitive").writes(f.numbers).record(nearestByTiles(f)); });
 

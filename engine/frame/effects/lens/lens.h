@@ -8,8 +8,8 @@
 #include "engine/frame/effects/lens/choice.h"
 #include "engine/frame/effects/lens/lens_pass.h"
 #include "engine/frame/frame.h"
+#include "engine/passes/tile_frame.h"
 #include "engine/settings.h"
-#include "engine/software/software.h"
 
 namespace nacre {
 

@@ -4,7 +4,8 @@
 #include "engine/passes/deferred_shading.h"
 #include "engine/passes/geometry_passes.h"
 #include "engine/passes/select_opacity.h"
-#include "engine/software/software.h"
+#include "engine/passes/tile_frame.h"
+#include "engine/tiles/lanes/lane_passes.h"
 #include "shaders.h"
 
 namespace nacre {

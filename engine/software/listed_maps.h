@@ -10,9 +10,9 @@
 #include "engine/occlusion/mesh_heights.h"
 #include "engine/passes/placed_copies.h"
 #include "engine/passes/primitives.h"
-#include "engine/software/software.h"
-#include "engine/software/tile_frame.h"
 #include "engine/software/tile_lists.h"
+#include "engine/tiles/listed_frame.h"
+#include "engine/tiles/tile_maps.h"
 
 namespace nacre::occlusion {
 

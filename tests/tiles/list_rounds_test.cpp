@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/software/device_lists.h"
+#include "engine/tiles/device_lists.h"
 
 namespace nacre::test {
 namespace {

@@ -1,12 +1,12 @@
-#include "engine/software/device_lists.h"
+#include "engine/tiles/device_lists.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 
-#include "engine/software/software.h"
-#include "engine/software/tile_bindings.h"
+#include "engine/tiles/tile_bindings.h"
+#include "engine/tiles/tiles.h"
 #include "shaders.h"
 
 namespace nacre::passes {
@@ -26,7 +26,7 @@ struct SortConstants {
     std::uint32_t bins, offsets, last;
 };
 
-std::uint32_t countBins(const ListedFrame& f) { return f.lists.across() * f.lists.down(); }
+std::uint32_t countBins(const ListedFrame& f) { return f.covered.across() * f.covered.down(); }
 
 const gpu::Layout& binLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"primitives of bins", kBinTypes, kCompute, sizeof(layout::TileConstants)});
@@ -45,14 +45,14 @@ gpu::ComputePipeline binPipeline(gpu::PipelineContext& context, const SceneView&
 
 gpu::ComputePipeline sortPipeline(gpu::PipelineContext& context, gpu::ShaderWords code) {
     gpu::ComputePipeline d{context.pass, code, {}, *sortLayout(context).pipeline};
-    d.constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
+    d.constants.set(layout::kTilesInBinId, TileSet::kTilesInBin);
     return d;
 }
 
 void drawBins(gpu::PassContext& context, const SceneView& view, bool writes) {
     constexpr std::uint32_t kGroup = 64;  // shaders/tile_bins.comp
     const ListedFrame& f = listedFrame(view);
-    if (!f.byDevice) return;
+    if (!f.byDevice || f.byDevice->items == 0) return;
     layout::TileConstants constants = f.constants;
     constants.contourWidth = std::max(constants.contourWidth, view.rims.widest());
     bindTiles(context, binLayout(context), binPipeline(context, view, writes), constants, [&](TileBindings& to) {
@@ -151,7 +151,7 @@ ListRounds planRounds(std::uint64_t most, std::uint64_t longest, std::uint32_t r
 
 void countPrimitivesOfBins(gpu::PassContext& context, const SceneView& view) { drawBins(context, view, false); }
 void placeListsOfBins(gpu::PassContext& context, const SceneView& view, std::uint32_t round) {
-    constexpr std::uint32_t kBinsOfGroup = 256;
+    constexpr std::uint32_t kBinsOfGroup = 128;  // shaders/tile_offsets.comp
     const ListedFrame& f = listedFrame(view);
     if (!f.byDevice) return;
     const std::uint32_t bins = countBins(f), share = f.byDevice->rounds.share;

@@ -1,4 +1,4 @@
-#include "engine/software/tile_maps.h"
+#include "engine/software/listed_maps.h"
 
 #include <algorithm>
 #include <cstring>
@@ -6,9 +6,9 @@
 
 #include "engine/occlusion/pipelines.h"
 #include "engine/passes/view_constants.h"
-#include "engine/software/splat_maps.h"
-#include "engine/software/tile_bindings.h"
+#include "engine/software/software.h"
 #include "engine/threads.h"
+#include "engine/tiles/tile_bindings.h"
 #include "shaders.h"
 
 namespace nacre::occlusion {
@@ -43,27 +43,24 @@ gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylind
 
 }  // namespace
 
-std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device& device, const passes::SceneBuffers& scene,
-                                       const Representation& representation, std::uint32_t pixels, double radius,
-                                       std::uint32_t across, OccluderMeshes occluders) {
-    if (device.caps().tiles.lists) return std::make_unique<SplatMaps>(device, scene, pixels, radius, across);
+std::unique_ptr<TileMaps> makeListedMaps(const gpu::Device& device, const passes::SceneBuffers& scene,
+                                         const Representation& representation, std::uint32_t pixels, double radius,
+                                         std::uint32_t across, OccluderMeshes occluders) {
     return std::make_unique<ListedMaps>(device, scene, representation, pixels, radius, across, std::move(occluders));
 }
 
-#define NACRE_QUESTIONS(of) \
-    (caps.texels && !caps.lists ? shaders::occlusionAccumulate##of##Texels : shaders::occlusionAccumulate##of##Storage)
-gpu::ShaderWords questionsToTileMaps(Texels texels, const graph::TileCaps& caps) {
+gpu::ShaderWords questionsToTexelMaps(Texels texels) {
     switch (texels) {
         case Texels::spheres:
-            return NACRE_QUESTIONS(Sphere);
+            return shaders::occlusionAccumulateSphereTexels;
         case Texels::wholeSpheres:
-            return NACRE_QUESTIONS(Whole);
+            return shaders::occlusionAccumulateWholeTexels;
         case Texels::cylinders:
-            return NACRE_QUESTIONS(Cylinder);
+            return shaders::occlusionAccumulateCylinderTexels;
         case Texels::vertices:
             break;
     }
-    return NACRE_QUESTIONS(Vertex);
+    return shaders::occlusionAccumulateVertexTexels;
 }
 
 ListedMaps::ListedMaps(const gpu::Device& device, const passes::SceneBuffers& scene,

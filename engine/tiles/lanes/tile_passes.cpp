@@ -1,7 +1,8 @@
 #include "engine/passes/primitives.h"
-#include "engine/software/software.h"
-#include "engine/software/tile_bindings.h"
-#include "engine/software/tile_edges.h"
+#include "engine/tiles/lanes/lane_passes.h"
+#include "engine/tiles/lanes/tile_edges.h"
+#include "engine/tiles/lanes/tile_spans.h"
+#include "engine/tiles/tile_bindings.h"
 #include "shaders.h"
 
 namespace nacre::passes {
@@ -69,7 +70,7 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
         d.constants.set(layout::kTrianglesId, scene.triangleCount > 0);
     }
     d.constants.set(layout::kNumberedId, f.edgeData.drawn && !f.edgeData.alone);
-    d.constants.set(layout::kSeededId, f.lists.seeded());
+    d.constants.set(layout::kSeededId, f.seeded());
     d.constants.set(layout::kClearsId, f.byDevice != nullptr);
     d.constants.set(layout::kLanesId, caps.lanes);
     return d;
@@ -108,7 +109,7 @@ gpu::GraphicsPipeline spanPipeline(gpu::PipelineContext& context, const SceneVie
 gpu::VertexStreams spanStreams() { return {kSpanBindings, kSpanAttributes}; }
 
 void want(gpu::PipelineContext& context, const SceneView& view, const NearestByTiles& pass) {
-    if (listedFrame(view).lists.tiles().empty()) return;
+    if (listedFrame(view).tiles().tiles().empty()) return;
     if (listedFrame(view).edgeData.drawn) wantEdgesByTiles(context, view);
     context.pipelines.want(nearestPipeline(context, view, pass.atlas.has_value()));
 }
@@ -116,7 +117,7 @@ void want(gpu::PipelineContext& context, const SceneView& view, const NearestByT
 void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles& pass) {
     const ListedFrame& f = listedFrame(view);
     const SceneBuffers& scene = *view.buffers;
-    if (f.lists.tiles().empty()) return;
+    if (f.tiles().tiles().empty()) return;
     const bool shades = pass.atlas.has_value();
     if (f.edgeData.drawn && context.pipelines.makesAhead()) wantEdgesByTiles(context, view);
     const auto write = [&](TileBindings& to) {
@@ -137,17 +138,17 @@ void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles
         to.sample(describeShadow(context, view, *pass.atlas));
     };
     bindTiles(context, nearestLayout(context, shades), nearestPipeline(context, view, shades), f.constants, write);
-    dispatchTiles(context, shades ? f.groups : f.lists.tiles().size());
+    dispatchTiles(context, shades ? f.groups : f.tiles().tiles().size());
 }
 
 void want(gpu::PipelineContext& context, const SceneView& view, const TileShading& pass) {
-    if (!listedFrame(view).lists.spans().empty()) context.pipelines.want(spanPipeline(context, view, pass));
+    if (!listedFrame(view).tiles().spans().empty()) context.pipelines.want(spanPipeline(context, view, pass));
 }
 
 void draw(gpu::PassContext& context, const SceneView& view, const TileShading& pass) {
     const ListedFrame& f = listedFrame(view);
     const SceneBuffers& scene = *view.buffers;
-    if (f.lists.spans().empty()) return;
+    if (f.tiles().spans().empty()) return;
     const gpu::Layout& layout = spanLayout(context, view);
     bindTiles(context, layout, spanPipeline(context, view, pass), f.constants, [&](TileBindings& to) {
         to.sample(pass.atlas);
@@ -165,7 +166,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const TileShading& p
 void findLayersByTiles(gpu::PassContext& context, const SceneView& view) {
     const ListedFrame& f = listedFrame(view);
     const gpu::TileCaps& caps = context.device.caps().tiles;
-    if (f.lists.tiles().empty()) return;
+    if (f.tiles().tiles().empty()) return;
     const gpu::Layout& layout = nearestLayout(context, false);
     gpu::ComputePipeline d{
         context.pass, caps.texels ? shaders::tileLayersTexels : shaders::tileLayersStorage, {}, *layout.pipeline};
@@ -177,7 +178,7 @@ void findLayersByTiles(gpu::PassContext& context, const SceneView& view) {
         to.read(f.words);
         to.store(f.numbers.buffer);
     });
-    dispatchTiles(context, f.lists.tiles().size());
+    dispatchTiles(context, f.tiles().tiles().size());
 }
 
 }  // namespace nacre::passes

@@ -6,7 +6,7 @@
 #include "engine/gpu/execute.h"
 #include "engine/passes/bindings.h"
 #include "engine/passes/primitives.h"
-#include "engine/software/tile_frame.h"
+#include "engine/tiles/listed_frame.h"
 
 namespace nacre::passes {
 
@@ -39,6 +39,10 @@ public:
     void read(vk::BufferView view) { write({set_, at_++, 0, 1, kTexel, nullptr, nullptr, &view}); }
     void read(const TileBuffer& b) { read(b.buffer, b.texels); }
     void store(const gpu::Buffer& buffer) { whole(buffer, kStorage); }
+    void store(vk::ImageView image) {
+        const vk::DescriptorImageInfo info({}, image, vk::ImageLayout::eGeneral);
+        write({set_, at_++, 0, 1, Type::eStorageImage, &info});
+    }
     void uniform(const gpu::Buffer& buffer) { whole(buffer, Type::eUniformBuffer); }
     void sample(vk::ImageView texture) {
         sample({context_.pipelines.sampler(vk::Filter::eLinear), texture, vk::ImageLayout::eShaderReadOnlyOptimal});
@@ -84,7 +88,7 @@ void bindTiles(gpu::PassContext& context, const gpu::Layout& layout, const gpu::
 inline void setTileView(gpu::Specialization& constants, const SceneView& view, float rim = 0) {
     setGeometryConstants(constants, view, rim);
     constants.set(layout::kCopiesId, listedFrame(view).copies);
-    constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
+    constants.set(layout::kTilesInBinId, TileSet::kTilesInBin);
 }
 
 /// @param count  of workgroups
@@ -93,14 +97,5 @@ inline void dispatchTiles(gpu::PassContext& context, std::size_t count) {
     const auto groups = static_cast<std::uint32_t>(count);
     context.commands.dispatch(std::min(groups, kRow), (groups + kRow - 1) / kRow, 1);
 }
-
-/// Binds the rows of bins, and draws them.
-inline void drawSpans(gpu::PassContext& context, const ListedFrame& frame) {
-    context.commands.bindVertexBuffers(0, {*frame.spanVertices.buffer.handle}, {0});
-    context.commands.draw(4, static_cast<std::uint32_t>(frame.lists.spans().size()), 0, 0);
-}
-
-/// The vertex stream of drawSpans().
-gpu::VertexStreams spanStreams();
 
 }  // namespace nacre::passes

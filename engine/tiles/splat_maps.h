@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/gpu/resources.h"
-#include "engine/software/software.h"
+#include "engine/tiles/tile_maps.h"
 
 namespace nacre::occlusion {
 

@@ -9,9 +9,8 @@
 #include "engine/gpu/resources.h"
 #include "engine/graph/graph.h"
 #include "engine/passes/scene_view.h"
-#include "engine/results.h"
-#include "engine/software/device_lists.h"
-#include "engine/software/tile_lists.h"
+#include "engine/tiles/device_lists.h"
+#include "engine/tiles/tiles.h"
 
 namespace nacre::passes {
 
@@ -25,7 +24,7 @@ struct TileBuffer {
 struct PixelWords : TileBuffer {
     vk::raii::BufferView quads{nullptr};    ///< as four-word texels
     vk::raii::BufferView picture{nullptr};  ///< as texels, where the device reads streams from storage buffers
-    std::vector<TileLists::Span> written;   ///< where it may hold words of earlier frames
+    std::vector<TileSet::Span> written;     ///< where it may hold words of earlier frames
     std::uint32_t across = 0;               ///< bins per row of those
     std::size_t cleared = 0;                ///< bytes cleared since then
 };
@@ -61,44 +60,48 @@ struct ListsByDevice {
 class ListedFrame final : public TileFrame {
 public:
     std::uint32_t longestList() const override {
-        return tooMany ? std::numeric_limits<std::uint32_t>::max() : lists.longest();
+        if (tooMany) return std::numeric_limits<std::uint32_t>::max();
+        return byDevice ? 0 : host->longest();
     }
     std::uint32_t rounds() const override { return byDevice ? byDevice->rounds.count : 1; }
-    TileCounts counts() const override {
-        if (byDevice) return {};  // the host knows none
-        return {lists.tiles().size(), lists.kept(), lists.keptSpheres(), lists.entries(), lists.longest()};
+    TileCounts counts() const override { return byDevice ? TileCounts() : host->counts(); }  // the host knows none
+    std::optional<std::uint64_t> shownSpheres() const override {
+        return byDevice ? std::nullopt : host->shownSpheres();
     }
-    std::optional<std::uint64_t> shownSpheres() const override { return lists.shownSpheres(); }
-    std::span<const TileBins::Span> spans() const override { return lists.spans(); }
+    std::span<const TileBins::Span> spans() const override { return tiles().spans(); }
     float nearest() const override { return constants.depthStart; }
     float farthest() const override { return constants.depthStart + 1 / constants.perRange; }
-    std::uint32_t rowPixels() const override { return lists.across() * TileLists::kBinPixels; }
+    std::uint32_t rowPixels() const override { return tiles().across() * TileSet::kBinPixels; }
     const gpu::Buffer& pixels() const override { return numbers.buffer; }
     vk::BufferView pixelTexels() const override { return *numbers.texels ? *numbers.texels : *numbers.picture; }
     const gpu::Buffer& entries() const override { return byDevice ? byDevice->work.buffer : words.buffer; }
     const gpu::Buffer& sortedEntries() const override { return words.buffer; }
-    const gpu::Buffer& edges() const override { return (shaded ? edgeData.numbers : edgeData.colors).buffer; }
+    const gpu::Buffer& edges() const override { return (shaded() ? edgeData.numbers : edgeData.colors).buffer; }
     const gpu::Buffer& edgePixels() const override { return edgeData.pixels.buffer; }
 
-    TileLists lists;
+    const TileSet& tiles() const { return byDevice ? covered : host->tiles(); }
+    bool seeded() const { return !byDevice && host->seeded(); }
+    bool holds(std::size_t bin) const { return byDevice || host->holds(bin); }
+    /// `numbers` are colours.
+    bool shaded() const { return result == TileResult::colors; }
+
+    std::unique_ptr<HostLists> host;          ///< made when the host first lists a frame
+    std::unique_ptr<ListsByDevice> byDevice;  ///< null: the host has made the lists
+    TileSet covered;                          ///< tiles of the device's lists
     layout::TileConstants constants{};
     std::uint32_t groups = 0;  ///< workgroups that draw its tiles
     bool tooMany = false;      ///< more entries than the device lists in its rounds
     bool copies = false;       ///< primitives have the transforms of copies
-    bool shaded = false;       ///< `numbers` are colours
     bool cleared = false;      ///< the device writes covered pixels only; the others are cleared
-    TileBuffer words;          ///< TileLists::write()
-    TileBuffer rows;           ///< PlacedCopies::rows
-    PixelWords numbers;        ///< of the nearest primitives, counted from 1; sights, where edges are drawn
-    TileBuffer spanVertices;   ///< TileLists::spans() as vertices
+    TileResult result{};
+    TileBuffer words;         ///< HostLists::write(), or as shaders/common/list_layout.glsl says
+    TileBuffer rows;          ///< PlacedCopies::rows
+    PixelWords numbers;       ///< of the nearest primitives, counted from 1; sights, where edges are drawn
+    TileBuffer spanVertices;  ///< TileSet::spans() as vertices
     TileEdges edgeData;
-    std::unique_ptr<ListsByDevice> byDevice;  ///< null: the host has made the lists
 
-    const PixelWords& sights() const { return shaded ? edgeData.numbers : numbers; }
+    const PixelWords& sights() const { return shaded() ? edgeData.numbers : numbers; }
 };
-
-/// The view for the host's lists. @param centers  only pixel centres are sampled
-TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers);
 
 /// The lists of a view that is drawn by tiles.
 inline const ListedFrame& listedFrame(const SceneView& view) { return static_cast<const ListedFrame&>(*view.tiles); }
@@ -110,28 +113,26 @@ struct TileSpanVertex {
 
 class ListedFrames final : public TileFrames {
 public:
-    explicit ListedFrames(const gpu::Device& device) : device_(device) {}
-    std::shared_ptr<const TileFrame> prepare(const Representation& representation, const SceneView& seen,
-                                             const View& view, graph::Extent image, TileWork work) override;
+    ListedFrames(const gpu::Device& device, std::unique_ptr<HostLister> lister)
+        : device_(device), lister_(std::move(lister)) {}
+    std::shared_ptr<const TileFrame> prepare(const ListedView& view, TileWork work) override;
 
 private:
-    const SphereBoxes& sceneBoxes(const Representation& representation, const SceneView& seen);
     /// Reserves the words of an image's pixels, and clears leftovers of earlier frames that will not be overwritten.
-    /// @param kept  words per pixel @param all  also clears pixels to be drawn: the device writes covered ones only
-    /// @param clears  false: the device writes all pixels
-    void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept, bool all,
-                      bool clears, const char* name) const;
+    /// @param kept  words per pixel
+    void prepareWords(PixelWords& words, const ListedFrame& frame, graph::Extent image, std::uint32_t kept,
+                      const char* name) const;
     static void writeSeeds(ListedFrame& frame);
-    void uploadCalls(ListedFrame& frame, float small, std::uint64_t room, std::uint32_t share) const;
+    bool prepareLists(ListedFrame& frame, const ListedView& view, const TileWork& work);
+    void uploadCalls(ListedFrame& frame, const SceneView& seen, float small, std::uint64_t room,
+                     std::uint32_t share) const;
     const MeasuredPrimitives& measuredPrimitives(const Representation& representation, const SceneView& seen);
     void upload(ListedFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
     void uploadEdges(ListedFrame& frame, graph::Extent image, const EdgePlaces* places) const;
 
     const gpu::Device& device_;
+    std::unique_ptr<HostLister> lister_;  // null: the device makes all lists
     gpu::Pool<ListedFrame> frames_;
-    std::vector<TileCall> spheres_, cylinders_, triangles_;  // scratch of one frame
-    std::weak_ptr<const void> boxed_;                        // the scene of the boxes
-    SphereBoxes boxes_;
     std::weak_ptr<const void> measured_;  // the scene of `sizes_`
     MeasuredPrimitives sizes_;
 };

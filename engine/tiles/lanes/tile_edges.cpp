@@ -1,6 +1,8 @@
-#include "engine/software/tile_edges.h"
+#include "engine/tiles/lanes/tile_edges.h"
 
-#include "engine/software/tile_bindings.h"
+#include "engine/tiles/lanes/lane_passes.h"
+#include "engine/tiles/lanes/tile_spans.h"
+#include "engine/tiles/tile_bindings.h"
 #include "shaders.h"
 
 namespace nacre::passes {
@@ -33,7 +35,7 @@ gpu::ComputePipeline findPipeline(gpu::PipelineContext& context, const SceneView
     d.constants.set(layout::kLanesId, caps.lanes);
     setTileView(d.constants, view);
     d.constants.set(layout::kEverywhereId, listedFrame(view).edgeData.everywhere);
-    d.constants.set(layout::kRowsId, listedFrame(view).shaded);
+    d.constants.set(layout::kRowsId, listedFrame(view).shaded());
     return d;
 }
 
@@ -56,7 +58,7 @@ gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneVi
         d.constants.set(layout::kSpheresId, view.buffers->sphereCount > 0);
         d.constants.set(layout::kCylindersId, view.buffers->cylinderCount > 0);
     }
-    d.constants.set(layout::kRowsId, listedFrame(view).shaded);
+    d.constants.set(layout::kRowsId, listedFrame(view).shaded());
     return d;
 }
 
@@ -69,21 +71,21 @@ void wantEdgesByTiles(gpu::PipelineContext& context, const SceneView& view) {
 
 void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
     const ListedFrame& f = listedFrame(view);
-    if (f.lists.tiles().empty()) return;
+    if (f.tiles().tiles().empty()) return;
     bindTiles(context, findLayout(context), findPipeline(context, view), f.constants, [&](TileBindings& to) {
         to.read(f.words);
         to.read(f.sights().buffer, f.sights().quads);
         to.read(f.numbers.buffer, f.numbers.quads);
         to.store(f.edgeData.pixels.buffer);
-        to.store(f.shaded ? f.edgeData.pixels.buffer : f.edgeData.colors.buffer);  // unused if shaded
+        to.store(f.shaded() ? f.edgeData.pixels.buffer : f.edgeData.colors.buffer);  // unused if shaded
     });
-    dispatchTiles(context, f.lists.tiles().size() / (TileLists::kTilesInBin * TileLists::kTilesInBin));
+    dispatchTiles(context, f.tiles().tiles().size() / (TileSet::kTilesInBin * TileSet::kTilesInBin));
 }
 
 void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas) {
     const ListedFrame& f = listedFrame(view);
     const SceneBuffers& scene = *view.buffers;
-    if (f.lists.tiles().empty()) return;
+    if (f.tiles().tiles().empty()) return;
     const gpu::Layout& layout = sampleLayout(context, view);
     bindTiles(context, layout, samplePipeline(context, view), f.constants, [&](TileBindings& to) {
         to.sample(atlas);
@@ -94,7 +96,7 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
         to.read(f.words);
         to.read(f.sights());
         to.read(f.edgeData.pixels);
-        to.store(f.shaded ? f.numbers.buffer : f.edgeData.colors.buffer);
+        to.store(f.shaded() ? f.numbers.buffer : f.edgeData.colors.buffer);
         to.sample(describeShadow(context, view, atlas));
         // Always written, even if the shader reads none: lavapipe accesses it.
         if (context.device.caps().tiles.texels) to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
@@ -106,14 +108,14 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
 void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const graph::Clear& clear) {
     const ListedFrame& f = listedFrame(view);
     const bool texels = context.device.caps().tiles.texels;
-    if (f.lists.spans().empty()) return;
+    if (f.tiles().spans().empty()) return;
     const gpu::Layout& layout = context.pipelines.layout(
         {"edge colours", texels ? kColorTexels : kColorStorage, kDraw, sizeof(layout::TileConstants)});
     gpu::GraphicsPipeline d = context.pipeline();
     d.detail = "tiles";
     d.vertex = shaders::tileSpanVertex;
     d.fragment = texels ? shaders::edgeColorTexels : shaders::edgeColorStorage;
-    d.constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
+    d.constants.set(layout::kTilesInBinId, TileSet::kTilesInBin);
     d.constants.set(layout::kCodedId, view.coded);
     for (int i = 0; i < 4; ++i) d.constants.set(layout::kClearId + i, clear.value[static_cast<std::size_t>(i)]);
     d.streams = spanStreams();

@@ -1,8 +1,8 @@
-#include "engine/software/splat_maps.h"
+#include "engine/tiles/splat_maps.h"
 
 #include <cstring>
 
-#include "engine/software/tile_bindings.h"
+#include "engine/tiles/tile_bindings.h"
 #include "shaders.h"
 
 namespace nacre::occlusion {
@@ -47,6 +47,11 @@ void put(const gpu::Device& device, gpu::Buffer& buffer, const std::vector<T>& c
 }
 
 }  // namespace
+
+std::unique_ptr<TileMaps> makeSplatMaps(const gpu::Device& device, const passes::SceneBuffers& scene,
+                                        std::uint32_t pixels, double radius, std::uint32_t across) {
+    return std::make_unique<SplatMaps>(device, scene, pixels, radius, across);
+}
 
 SplatMaps::SplatMaps(const gpu::Device& device, const passes::SceneBuffers& scene, std::uint32_t pixels, double radius,
                      std::uint32_t across)

@@ -1,0 +1,46 @@
+#pragma once
+// Passes of the `tiles` path for devices whose subgroups exchange values: the lanes of a subgroup draw a tile, and
+// compute may shade it and draw samples at edges. Phones' builds are without them (engine/software/absent.cpp).
+
+#include <cstdint>
+#include <optional>
+
+#include "engine/gpu/execute.h"
+#include "engine/passes/output.h"
+#include "engine/passes/scene_view.h"
+
+namespace nacre::passes {
+
+/// Compute: writes TileFrame::pixels() of the view's non-empty tiles, one workgroup each.
+struct NearestByTiles {
+    /// For shading: then writes colours, 0 where nothing is seen.
+    std::optional<vk::ImageView> atlas{};
+};
+void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles& pass);
+/// Requests the pipelines.
+void want(gpu::PipelineContext& context, const SceneView& view, const NearestByTiles& pass);
+
+/// Shades every pixel that has a number, once.
+struct TileShading {
+    vk::ImageView atlas;
+    Output output = Output::color;
+    bool depth = false;  ///< also writes the depth buffer
+    /// If set, composites one translucent layer of a view where the depth test passes; 0: nearest.
+    std::optional<std::uint32_t> layer{};
+};
+void draw(gpu::PassContext& context, const SceneView& view, const TileShading& pass);
+/// Requests the pipeline.
+void want(gpu::PipelineContext& context, const SceneView& view, const TileShading& pass);
+
+/// Compute: writes for each pixel of the view's tiles the numbers of the two nearest triangles.
+/// @param view  of translucent triangles only
+void findLayersByTiles(gpu::PassContext& context, const SceneView& view);
+
+/// Compute: lists the edge pixels, found from the numbers and colours of the nearest primitives.
+void findEdgesByTiles(gpu::PassContext& context, const SceneView& view);
+/// Compute: draws edge pixels with RenderSettings::kEdgeSamples samples.
+void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas);
+/// Composites edge pixels over the picture. @param clear  the picture's clear value
+void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const graph::Clear& clear);
+
+}  // namespace nacre::passes
