@@ -104,6 +104,7 @@ void main() {
     uvec2 corner = tileCorner(tile), bin = corner / uint(kTile * kTilesInBin);
     uint list = view.offsets + bin.y * view.across + bin.x;
     uvec2 pixel = corner + uvec2(lane % uint(kTile), lane / uint(kTile));
-    uint number = findNearest(corner, planePoint(vec2(pixel) + 0.5), isWanted(tile, lane), lists[list], lists[list + 1u]);
+    uint begin = lists[list], end = lists[list + 1u], number = 0u;
+    if (begin < end) number = findNearest(corner, planePoint(vec2(pixel) + 0.5), isWanted(tile, lane), begin, end);
     if (all(lessThan(pixel, uvec2(imageSize(numbers))))) imageStore(numbers, ivec2(pixel), uvec4(number));
 }

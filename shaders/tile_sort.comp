@@ -14,7 +14,7 @@ layout(push_constant) uniform Push {
 layout(set = 0, binding = 0, std430) buffer Work { uint work[]; };
 layout(set = 0, binding = 1, std430) buffer Lists { uint lists[]; };
 
-const uint kGroup = 128u, kShort = 1024u, kRun = kListSteps / kGroup;
+const uint kGroup = 128u, kShort = 128u, kRun = kListSteps / kGroup;
 shared uint keys[kListSteps];  // of short lists: step << 10 | index of the entry; of long ones: entries of each step
 shared uint sums[kGroup];
 
