@@ -218,12 +218,21 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     look.drawing.settings.occlusion.onProgress = [this](double share) {
         if (onBake) onBake(share);
     };
-    // Occlusion of temporary models is not worth disk space.
-    if (severalModels()) look.drawing.settings.occlusion.cache.clear();
+    if (severalModels()) setMovingOcclusion(look.drawing.settings.occlusion);
     if (motion_ && !look.options.look.ownFrame) look.drawing.startMoving(molecule_);
     if (!look.canvas) look.canvas = std::make_unique<Canvas>(look.options.device);
     options_.sweep ? look.drawing.show(*look.canvas) : look.drawing.handOver(*look.canvas);
     return look;
+}
+
+/// Occlusion that was asked for, or that a view sets, is as in a picture.
+void MovieScenes::setMovingOcclusion(OcclusionSettings& occlusion) const {
+    occlusion.cache.clear();  // temporary models are not worth disk space
+    occlusion.once = frames_ <= models_;
+    const OcclusionSettings standard;
+    if (occlusion.directions == standard.directions && occlusion.detail == standard.detail &&
+        !isGiven(options_, "occlusion") && !isGiven(options_, "occlusion-detail"))
+        occlusion = occlusion.ofMovingAtoms();
 }
 
 /// The shared bounds of all models. The first model knows the others' positions; but the default style depends on the

@@ -70,6 +70,7 @@ private:
     Look& ready(std::size_t look, int model);
     void takeRange(const std::string& path);
     std::optional<Bounds> findFrame(Look& look) const;
+    void setMovingOcclusion(OcclusionSettings& occlusion) const;
     void letGo(std::size_t a, std::size_t b);
     void forgetWords();
     Picture drawKeys(double place, int model);

@@ -318,13 +318,15 @@ void Frames::expectScene(const PictureDescription& coming) {
     }
 }
 
-void Frames::advanceOcclusion(double now, bool moving) {
+void Frames::advanceOcclusion(double now, bool moving, bool playing) {
     try {
         // At rest, every update of the bake draws a frame, which should not cost more than the work that it shows.
         const double shown = std::clamp(2 * screen_.frameMilliseconds(), 50.0, 250.0);
         const OcclusionPace pace = moving ? OcclusionPace{options_.movingMilliseconds, 0, true}
                                           : OcclusionPace{options_.restingMilliseconds, shown, false};
-        occlusion_ = screen_.advanceOcclusion(settings(), pace);
+        RenderSettings s = settings();
+        if (playing) s.occlusion = s.occlusion.ofMovingAtoms();
+        occlusion_ = screen_.advanceOcclusion(s, pace);
         occlusionRetry_.succeeded();
         noticeLoss();
     } catch (const Error& error) {
@@ -343,8 +345,9 @@ double Frames::update(double now, bool playing, const std::function<const Overla
     const bool moving = stage_.moving(now);
     drew_ = false;
     if (!sceneThere_ && sceneRetry_.due(now)) putScene(now);
+    if (std::exchange(played_, playing) && !playing) restartOcclusion();  // as in a picture again
     if (stage_.shown() && sceneThere_ && occlusion_ < 1 && occlusionRetry_.due(now))
-        advanceOcclusion(now, moving || playing);
+        advanceOcclusion(now, moving || playing, playing);
     findMarks(moving || playing);
     if (lost_) return now;
     if (!frameRetry_.due(now)) return frameRetry_.at();

@@ -151,7 +151,7 @@ private:
     void findMarks(bool moving);
     void setUp(RenderSettings& settings) const;
     void putScene(double now);
-    void advanceOcclusion(double now, bool moving);
+    void advanceOcclusion(double now, bool moving, bool playing);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
     FrameSchedule::Next next(double now, bool moving) const;
     /// Finished share of the occlusion, 1 without a document.
@@ -170,6 +170,7 @@ private:
     double occlusion_ = 1;
     WindowFrame frame_;  // the last one
     bool drew_ = false, lost_ = false, tellsScale_ = false;
+    bool played_ = false;     // at the last update
     bool sceneThere_ = true;  // the document's scene is on the screen
     Highlights marks_;
     ShownMarks shownMarks_;

@@ -6,19 +6,21 @@
 namespace nacre::occlusion {
 
 void SceneOcclusion::prepareBeside(const OcclusionSettings& settings, bool hurry) {
-    if (isOutdated()) {
+    const bool others = settings.directions > 0 && !is<Idle>() && wanted_ != wanted(settings);
+    if (others || isOutdated()) {
         stopBounce();
-        if (const auto* finished = std::get_if<Finished>(&state_)) {
-            // Shown until the next bake is done. The one before it was dropped.
-            before_ = finished->bake;
-            state_.emplace<Idle>();
-        } else if (hurry && before_) {
-            std::shared_ptr<Bake> shown = std::move(before_);
-            drop();
-            before_ = std::move(shown);
-        }
+        if (others || is<Finished>() || (hurry && before_.bake)) replaceShown();
     }
     prepare(settings);
+}
+
+void SceneOcclusion::replaceShown() {
+    Before shown = before_;
+    const bool incomplete = is<Baking>() && !shown.bake;
+    if (const std::shared_ptr<Bake> bake = there(); !shown.bake && bake && bake->shows()) shown = {bake, of_.buffers};
+    drop();
+    if (incomplete && shown.bake) shown.bake->release();
+    before_ = std::move(shown);
 }
 
 double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace) {
@@ -48,7 +50,7 @@ double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const Oc
 void SceneOcclusion::submit(Baking& baking, const OcclusionPace& pace) {
     Bake& bake = *baking.bake;
     const bool showing = bake.betweenSteps() && share() > baking.shown &&
-                         (bake.complete() || (!before_ && baking.unshown >= pace.showMilliseconds));
+                         (bake.complete() || (!before_.bake && baking.unshown >= pace.showMilliseconds));
     const Allowance allowance = allowed(pace.sliceMilliseconds);
     const bool working = !bake.complete() && (!pace.mustFit || bake.leastUnits() <= allowance.units);
     if (!showing && !working) return;

@@ -46,7 +46,7 @@ void SceneOcclusion::takeBounce() {
     const double before = std::exchange(stats_.bounceMilliseconds, millisecondsSince(bouncing.began));
     stats_.bakeMilliseconds += stats_.bounceMilliseconds - before;
     stats_.occlusion.bytes = std::max(stats_.occlusion.bytes, bouncedBytes(finished.layout));
-    before_.reset();
+    before_ = {};
     state_.emplace<Finished>(bake, Openness(bouncing.open));
 }
 

@@ -104,16 +104,14 @@ void SceneOcclusion::begin(const OcclusionSettings& settings, const std::optiona
 }
 
 void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
-    const Wanted wanted{settings.directions, settings.bytes,  settings.maps,
-                        settings.detail,     settings.bounce, viewDirection};
     if (settings.directions == 0) return;
-    if (!is<Idle>() && wanted_ == wanted) return resumeBounce();
+    if (!is<Idle>()) {
+        if (wanted_ == wanted(settings, viewDirection)) return resumeBounce();
+        drop();
+    }
     if (scene_.buffers == nullptr || !hasPatches(*scene_.representation)) return;
-    std::shared_ptr<Bake> shown = wanted_ == wanted ? std::move(before_) : nullptr;
-    drop();
-    before_ = std::move(shown);
     of_ = scene_;
-    wanted_ = wanted;
+    wanted_ = wanted(settings, viewDirection);
     options_ = {settings.directions, computeBudget(settings.bytes, of_.representation->meshVertices.size()),
                 settings.maps,       settings.detail,
                 viewDirection,       settings.bounce && of_.representation->copies.colors.empty()};
@@ -136,7 +134,7 @@ void SceneOcclusion::drop() {
     if (submission_ && submission_->pending()) device_.settle();
     submission_.reset();
     state_.emplace<Idle>();
-    before_.reset();
+    before_ = {};
 }
 
 void SceneOcclusion::make(const Allowance& least, const Allowance& most) {
@@ -184,7 +182,7 @@ void SceneOcclusion::wrapUp() {
         writeOcclusion(cache_, cacheName_,
                        {bake->layout(), std::move(atlas), bake->seenSpheres(), stats_.occlusion.texels});
     if (open) return startBounce(bake, std::move(open));
-    before_.reset();
+    before_ = {};
     state_.emplace<Finished>(bake);
 }
 
@@ -227,7 +225,7 @@ BakedOcclusion SceneOcclusion::baked(const OcclusionSettings& settings) {
 }
 
 passes::Atlas SceneOcclusion::atlas() const {
-    const std::shared_ptr<Bake> shown = before_ ? before_ : there();
+    const std::shared_ptr<Bake> shown = before_.bake ? before_.bake : there();
     if (!shown || !shown->shows()) return {};
     const OcclusionLayout& layout = shown->layout();
     return {&shown->atlas(),
@@ -237,7 +235,7 @@ passes::Atlas SceneOcclusion::atlas() const {
             layout.spherePatches(),
             layout.cylinderPatches(),
             shown->cells(),
-            before_ || isOutdated() ? kLeastOfMoved : 0,
+            (before_.bake ? before_.of : of_.buffers) == scene_.buffers ? 0 : kLeastOfMoved,
             shown,
             shown->bounced(),
             shown->cells() || (shown->bounced() && layout.sphereEdge > 1 && device_.caps().gathersTexels)};

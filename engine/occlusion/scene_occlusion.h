@@ -91,7 +91,7 @@ private:
     //   Baking     the device renders one direction after another              wrapUp() -> Finished, or Bouncing
     //   Bouncing   a thread computes bounced light or reads a cached one       takeBounce() -> Finished
     //   Finished   all directions are shown; data only for baking is dropped   recolored() -> Bouncing
-    // drop() leads from each to Idle. If the scene moves on, a Finished bake becomes before_.
+    // drop() leads from each to Idle. If the scene moves on or other settings are wanted, the bake becomes before_.
     struct Idle {};
     struct Preparing {
         std::stop_source stop;
@@ -131,12 +131,16 @@ private:
     std::shared_ptr<Bake> there() const;
 
     using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, bool, std::optional<ViewDirection>>;
+    static Wanted wanted(const OcclusionSettings& s, const std::optional<ViewDirection>& viewDirection = {}) {
+        return {s.directions, s.bytes, s.maps, s.detail, s.bounce, viewDirection};
+    }
     /// Starts preparing the requested bake unless it exists, is being prepared, or there is nothing to bake.
     void prepare(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection = {});
-    /// As prepare(), beside frames, for a moving scene: a running bake continues, and the last finished one stays
-    /// visible.
+    /// As prepare(), beside frames: the last bake stays visible. Of a moving scene a running bake continues.
     /// @param hurry  drop a running bake of earlier positions
     void prepareBeside(const OcclusionSettings& settings, bool hurry);
+    /// Drops the bake, but shows it, or the one that was shown instead, until the next is done.
+    void replaceShown();
     /// Whether a bake of earlier positions exists or is being prepared.
     bool isOutdated() const { return !is<Idle>() && of_.buffers != scene_.buffers; }
     void drop();
@@ -167,9 +171,13 @@ private:
     SceneToBake of_;     // the scene of the bake
     bool moved_ = false;
     std::variant<Idle, Preparing, Baking, Bouncing, Finished> state_;
-    std::shared_ptr<Bake> before_;  // finished bake of earlier positions, shown until the current one is done
-    Wanted wanted_{};               // the request that led to the bake, or to before_
-    BakeOptions options_;           // the request, resolved
+    struct Before {
+        std::shared_ptr<Bake> bake;
+        std::shared_ptr<const passes::SceneBuffers> of;
+    };
+    Before before_;        // of earlier positions or other settings, shown until the current one is done
+    Wanted wanted_{};      // the request that led to the bake
+    BakeOptions options_;  // the request, resolved
     OcclusionMaps automaticMaps_ = OcclusionMaps::fragdepth;
     DiskCache cache_;        // off: do not cache the bake
     std::string cacheName_;  // of the bake

@@ -74,6 +74,27 @@ TEST(Movie, ModelsAreThePicturesThatRenderDraws) {
     }
 }
 
+TEST(Movie, MovingAtomsHaveCoarserOcclusionUnlessItIsAskedFor) {
+    const TemporaryFolder folder;
+    std::ofstream xyz(folder / "m.xyz");
+    for (int model = 0; model < 2; ++model) {
+        xyz << "27\nm\n";
+        for (int i = 0; i < 27; ++i)
+            xyz << "C " << i % 3 * 2.5 << " " << i / 3 % 3 * 2.5 << " " << i / 9 * 2.5 + model * 0.1 << "\n";
+    }
+    xyz.close();
+    const std::string small = " --size 64x48 --cache off --style spacefill --rotate 20,30,0";
+    const auto frame = [&](const std::string& options) {
+        test::nacreDone(folder, "movie m.xyz -o f/ --models --fps 10" + small + options);
+        return readContents(folder / "f/frame_00002.png");
+    };
+    const std::string moving = frame("");
+    EXPECT_EQ(moving, frame(" --occlusion 32 --occlusion-detail 10"));
+    test::nacreDone(folder, "render m.xyz -o a.png --model 2" + small);
+    EXPECT_NE(moving, readContents(folder / "a.png"));
+    EXPECT_EQ(frame(" --occlusion 128"), readContents(folder / "a.png"));
+}
+
 TEST(Movie, SurfacesThatMoveHaveTheColoursOfAMap) {
     const TemporaryFolder folder;
     std::ofstream xyz(folder / "m.xyz");

@@ -119,6 +119,20 @@ TEST_P(OcclusionOfScene, OfAMovedSceneIsThatOfItsNewPlaces) {
     advance(true);
     renderer->moveScene(moved);
     EXPECT_EQ(renderer->layers(settings_).occlusion, expected);
+    // Coarser while it moves.
+    const OcclusionSettings fine = settings_.occlusion;
+    settings_.occlusion.directions = 4;
+    renderer->moveScene(scene_);
+    EXPECT_LT(advance(true), 1);
+    renderer->moveScene(moved);
+    while (advance(true) < 1) {
+    }
+    EXPECT_EQ(renderer->stats().occlusion.done, 4);
+    settings_.occlusion = fine;
+    EXPECT_LT(advance(false), 1);
+    while (advance(false) < 1) {
+    }
+    EXPECT_EQ(renderer->layers(settings_).occlusion, expected);
     // Other primitives are another scene.
     Representation fewer = moved;
     fewer.spheres.pop_back();
