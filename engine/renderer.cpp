@@ -94,7 +94,7 @@ struct Renderer::Impl {
     std::unique_ptr<WindowFrames> window;
     std::unique_ptr<HeadsetFrames> headset;
     /// Inputs of the bake that started pictures read.
-    std::tuple<const Scene*, int, std::uint64_t, OcclusionMaps, std::uint32_t, bool> startedWith{};
+    std::tuple<const Scene*, int, std::uint64_t, OcclusionMaps, std::uint32_t, bool, bool> startedWith{};
 
     explicit Impl(const DeviceOptions& options)
         : start(options.surface.create ? options.selfTests : std::string()),
@@ -189,7 +189,8 @@ struct Renderer::Impl {
 
     /// Waits for started pictures if their bake would change: they read it.
     void waitUnlessBaked(const OcclusionSettings& wanted) {
-        std::tuple now(scene.get(), wanted.directions, wanted.bytes, wanted.maps, wanted.detail, wanted.bounce);
+        std::tuple now(scene.get(), wanted.directions, wanted.bytes, wanted.maps, wanted.detail, wanted.bounce,
+                       wanted.moving);
         if (wanted.once || now != startedWith) pictures.settle();
         startedWith = std::move(now);
     }

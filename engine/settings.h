@@ -1,7 +1,6 @@
 #pragma once
 // Settings of a picture or a frame.
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -29,22 +28,15 @@ struct OcclusionSettings {
     /// of depth maps grow with the square.
     std::uint32_t detail = 32;
     bool bounce = false;  ///< surfaces send light in their colours to their surroundings
-    std::string cache;    ///< folder for finished bakes; empty: none are kept
+    /// Atoms move from picture to picture: at most kMovingDirections, and few texels (occlusion/moving_atoms.h).
+    bool moving = false;
+    static constexpr int kMovingDirections = 32;
+    std::string cache;  ///< folder for finished bakes; empty: none are kept
     /// The bake serves one view: without a cache, it skips texels that face away.
     bool once = false;
     double worthKeeping = 50;  ///< milliseconds; shorter bakes are not kept
     /// Called between batches of the bake with the finished share, above 0 and at most 1.
     std::function<void(double)> onProgress;
-
-    // At most, while atoms move. Beside 128 directions and 32 texels, frames of a trajectory differ by 33 dB.
-    static constexpr int kMovingDirections = 32;
-    static constexpr std::uint32_t kMovingDetail = 10;
-    OcclusionSettings ofMovingAtoms() const {
-        OcclusionSettings moving = *this;
-        moving.directions = std::min(directions, kMovingDirections);
-        moving.detail = std::min(detail, kMovingDetail);
-        return moving;
-    }
 };
 
 /// Device time for a bake during a window's frames.

@@ -230,9 +230,8 @@ void MovieScenes::setMovingOcclusion(OcclusionSettings& occlusion) const {
     occlusion.cache.clear();  // temporary models are not worth disk space
     occlusion.once = frames_ <= models_;
     const OcclusionSettings standard;
-    if (occlusion.directions == standard.directions && occlusion.detail == standard.detail &&
-        !isGiven(options_, "occlusion") && !isGiven(options_, "occlusion-detail"))
-        occlusion = occlusion.ofMovingAtoms();
+    occlusion.moving = occlusion.directions == standard.directions && occlusion.detail == standard.detail &&
+                       !isGiven(options_, "occlusion") && !isGiven(options_, "occlusion-detail");
 }
 
 /// The shared bounds of all models. The first model knows the others' positions; but the default style depends on the

@@ -325,7 +325,7 @@ void Frames::advanceOcclusion(double now, bool moving, bool playing) {
         const OcclusionPace pace = moving ? OcclusionPace{options_.movingMilliseconds, 0, true}
                                           : OcclusionPace{options_.restingMilliseconds, shown, false};
         RenderSettings s = settings();
-        if (playing) s.occlusion = s.occlusion.ofMovingAtoms();
+        s.occlusion.moving = playing;
         occlusion_ = screen_.advanceOcclusion(s, pace);
         occlusionRetry_.succeeded();
         noticeLoss();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/occlusion/cache.h"
+#include "engine/occlusion/moving_atoms.h"
 #include "engine/occlusion/on_thread.h"
 
 namespace nacre::occlusion {
@@ -103,15 +104,16 @@ void SceneOcclusion::begin(const OcclusionSettings& settings, const std::optiona
     });
 }
 
-void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
-    if (settings.directions == 0) return;
+void SceneOcclusion::prepare(const OcclusionSettings& asked, const std::optional<ViewDirection>& viewDirection) {
+    if (asked.directions == 0 || scene_.buffers == nullptr) return;
     if (!is<Idle>()) {
-        if (wanted_ == wanted(settings, viewDirection)) return resumeBounce();
+        if (wanted_ == wanted(asked, viewDirection)) return resumeBounce();
         drop();
     }
-    if (scene_.buffers == nullptr || !hasPatches(*scene_.representation)) return;
+    if (!hasPatches(*scene_.representation)) return;
     of_ = scene_;
-    wanted_ = wanted(settings, viewDirection);
+    wanted_ = wanted(asked, viewDirection);
+    const OcclusionSettings settings = settingsForMotion(asked, *of_.representation);
     options_ = {settings.directions, computeBudget(settings.bytes, of_.representation->meshVertices.size()),
                 settings.maps,       settings.detail,
                 viewDirection,       settings.bounce && of_.representation->copies.colors.empty()};

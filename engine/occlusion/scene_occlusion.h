@@ -130,9 +130,10 @@ private:
     /// The bake, if there is one.
     std::shared_ptr<Bake> there() const;
 
-    using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, bool, std::optional<ViewDirection>>;
+    using Wanted =
+        std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, bool, bool, std::optional<ViewDirection>>;
     static Wanted wanted(const OcclusionSettings& s, const std::optional<ViewDirection>& viewDirection = {}) {
-        return {s.directions, s.bytes, s.maps, s.detail, s.bounce, viewDirection};
+        return {s.directions, s.bytes, s.maps, s.detail, s.bounce, s.moving, viewDirection};
     }
     /// Starts preparing the requested bake unless it exists, is being prepared, or there is nothing to bake.
     void prepare(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection = {});

@@ -120,15 +120,17 @@ TEST_P(OcclusionOfScene, OfAMovedSceneIsThatOfItsNewPlaces) {
     renderer->moveScene(moved);
     EXPECT_EQ(renderer->layers(settings_).occlusion, expected);
     // Coarser while it moves.
-    const OcclusionSettings fine = settings_.occlusion;
-    settings_.occlusion.directions = 4;
+    settings_.occlusion.directions = 64;
+    settings_.occlusion.moving = true;
     renderer->moveScene(scene_);
     EXPECT_LT(advance(true), 1);
     renderer->moveScene(moved);
-    while (advance(true) < 1) {
+    while (advance(false) < 1) {
     }
-    EXPECT_EQ(renderer->stats().occlusion.done, 4);
-    settings_.occlusion = fine;
+    EXPECT_EQ(renderer->stats().occlusion.done, OcclusionSettings::kMovingDirections);
+    EXPECT_LE(renderer->stats().occlusion.patchTexels, 10u);
+    settings_.occlusion.directions = 8;
+    settings_.occlusion.moving = false;
     EXPECT_LT(advance(false), 1);
     while (advance(false) < 1) {
     }

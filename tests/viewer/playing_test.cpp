@@ -76,7 +76,7 @@ public:
     void moveScene(Representation scene) override { ++moves, shown = std::move(scene); }
     double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) override {
         hurried = hurried || !pace.mustFit;
-        directions = settings.occlusion.directions;
+        moving = settings.occlusion.moving;
         return 0.5;
     }
     FrameOutcome present(const RenderSettings& settings, const WindowFrame&) override {
@@ -85,8 +85,8 @@ public:
     }
     PixelSize windowSize() const override { return {600, 400}; }
     std::uint32_t atomAt(const RenderSettings&, double, double, double) override { return 1; }
-    int scenes = 0, moves = 0, directions = 0;
-    bool hurried = false;
+    int scenes = 0, moves = 0;
+    bool hurried = false, moving = false;
     double scale = 0;
     Representation shown;
 };
@@ -283,13 +283,13 @@ TEST(Playing, ComesAtItsRateAndStops) {
     b.run(2);
     EXPECT_NEAR(b.screen.moves - moves, 40, 3);
     EXPECT_FALSE(b.screen.hurried) << "occlusion takes what frames leave";
-    EXPECT_EQ(b.screen.directions, OcclusionSettings::kMovingDirections);
+    EXPECT_TRUE(b.screen.moving);
     b.viewer.run(ViewerCommand::playModels, b.now);
     const int stopped = b.screen.moves;
     b.run(1);
     EXPECT_LE(b.screen.moves - stopped, 1);
     EXPECT_TRUE(b.screen.hurried);
-    EXPECT_EQ(b.screen.directions, 128);
+    EXPECT_FALSE(b.screen.moving);
     EXPECT_EQ(b.reads, 1);
 }
 
