@@ -26,6 +26,8 @@ constexpr double kShareOfMesh = 16;
 // 0.095 Å.
 constexpr double kManyTriangles = 8e6, kLeastShare = 0.4;
 constexpr double kSmallest = 128, kLargest = 2048;
+// Patches narrower than this need fewer pixels per Å, down to a minimum share.
+constexpr double kFullDetail = 10, kLeastOfDetail = 0.5;
 constexpr std::uint64_t kMostBytesPerPixel = 4 + 8;  // encoded depth in RGBA16F, and the depth buffer
 // Primitives per draw of the tile path: their lists take about 30 bytes each on the host.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
@@ -98,7 +100,8 @@ std::uint64_t DepthMapSizes::mostBytes(std::uint32_t pixels) {
 }
 
 std::uint32_t DepthMapSizes::pixelsFor(const Representation& representation, std::uint64_t room, std::uint32_t detail) {
-    const double wanted = std::ceil(2.0 * representation.radius * wantedResolution(representation) / 8.0) * 8.0;
+    const double share = std::clamp(detail / kFullDetail, kLeastOfDetail, 1.0);
+    const double wanted = std::ceil(2.0 * representation.radius * share * wantedResolution(representation) / 8.0) * 8.0;
     auto pixels = static_cast<std::uint32_t>(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest));
     while (pixels > 8 && mostBytes(pixels) > room) pixels -= 8;
     return pixels;
