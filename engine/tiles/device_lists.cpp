@@ -149,22 +149,36 @@ ListRounds planRounds(std::uint64_t most, std::uint64_t longest, std::uint32_t r
     return {static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(share)};
 }
 
-void countPrimitivesOfBins(gpu::PassContext& context, const SceneView& view) { drawBins(context, view, false); }
-void placeListsOfBins(gpu::PassContext& context, const SceneView& view, std::uint32_t round) {
+void draw(gpu::PassContext& context, const SceneView& view, const BinLists& lists) {
     constexpr std::uint32_t kBinsOfGroup = 128;  // shaders/tile_offsets.comp
     const ListedFrame& f = listedFrame(view);
     if (!f.byDevice) return;
-    const std::uint32_t bins = countBins(f), share = f.byDevice->rounds.share;
-    sortBins(context, view, shaders::tileOffsets, (bins + kBinsOfGroup - 1) / kBinsOfGroup,
-             PlaceConstants{bins, f.constants.offsets, round * share, share});
+    const std::uint32_t bins = countBins(f), share = f.byDevice->rounds.share, offsets = f.constants.offsets;
+    switch (lists.step) {
+        case BinLists::Step::count:
+            return drawBins(context, view, false);
+        case BinLists::Step::place:
+            return sortBins(context, view, shaders::tileOffsets, (bins + kBinsOfGroup - 1) / kBinsOfGroup,
+                            PlaceConstants{bins, offsets, lists.round * share, share});
+        case BinLists::Step::write:
+            return drawBins(context, view, true);
+        case BinLists::Step::sort:
+            return sortBins(context, view, shaders::tileSort, bins,
+                            SortConstants{bins, offsets, lists.round + 1 == f.byDevice->rounds.count ? 1u : 0u});
+    }
 }
-void writeListsOfBins(gpu::PassContext& context, const SceneView& view) { drawBins(context, view, true); }
-void sortListsOfBins(gpu::PassContext& context, const SceneView& view, std::uint32_t round) {
-    const ListedFrame& f = listedFrame(view);
-    if (!f.byDevice) return;
-    const std::uint32_t bins = countBins(f);
-    sortBins(context, view, shaders::tileSort, bins,
-             SortConstants{bins, f.constants.offsets, round + 1 == f.byDevice->rounds.count ? 1u : 0u});
+
+void want(gpu::PipelineContext& context, const SceneView& view, const BinLists& lists) {
+    if (!listedFrame(view).byDevice) return;
+    switch (lists.step) {
+        case BinLists::Step::count:
+        case BinLists::Step::write:
+            return context.pipelines.want(binPipeline(context, view, lists.step == BinLists::Step::write));
+        case BinLists::Step::place:
+            return context.pipelines.want(sortPipeline(context, shaders::tileOffsets));
+        case BinLists::Step::sort:
+            return context.pipelines.want(sortPipeline(context, shaders::tileSort));
+    }
 }
 
 }  // namespace nacre::passes

@@ -93,11 +93,15 @@ public:
 /// @param lister  null: the device makes all lists
 std::unique_ptr<TileFrames> makeTileFrames(const gpu::Device& device, std::unique_ptr<HostLister> lister);
 
-// Compute: make the lists of a frame whose TileWork says so. The first counts for all rounds; the others run in each.
-void countPrimitivesOfBins(gpu::PassContext& context, const SceneView& view);
-void placeListsOfBins(gpu::PassContext& context, const SceneView& view, std::uint32_t round);
-void writeListsOfBins(gpu::PassContext& context, const SceneView& view);
-void sortListsOfBins(gpu::PassContext& context, const SceneView& view, std::uint32_t round);
+/// Compute: makes the lists of a frame whose TileWork says so. The first step counts for all rounds; the others run in
+/// each, in this order.
+struct BinLists {
+    enum class Step : std::uint8_t { count, place, write, sort } step{};
+    std::uint32_t round = 0;
+};
+void draw(gpu::PassContext& context, const SceneView& view, const BinLists& lists);
+/// Requests the pipeline.
+void want(gpu::PipelineContext& context, const SceneView& view, const BinLists& lists);
 
 /// Compute, without subgroup operations: writes the number of each pixel's nearest primitive, or 0, to an image. A
 /// workgroup draws a tile.

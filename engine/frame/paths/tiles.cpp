@@ -34,13 +34,15 @@ void declareNearest(Frame& f, const FrameShape& shape, const Nearest& nearest) {
     const std::uint64_t bins = TileBins::count(shape.extent.width, shape.extent.height);
     f.entries = f.graph.importBuffer("primitives of bins", kWord * bins);
     f.lists = f.graph.importBuffer("lists of tiles", kWord * bins);
-    f.graph.compute("lists: count").writes(*f.entries).record(records(f, passes::countPrimitivesOfBins));
+    using Step = passes::BinLists::Step;
+    const auto make = [&](Step step, std::uint32_t round) {
+        return draws(f, [=](const auto&, const SceneView&) { return passes::BinLists{step, round}; });
+    };
+    f.graph.compute("lists: count").writes(*f.entries).record(make(Step::count, 0));
     for (std::uint32_t round = 0; round < shape.listRounds; ++round) {
-        const auto place = [round](gpu::PassContext& c, const SceneView& v) { placeListsOfBins(c, v, round); };
-        const auto sort = [round](gpu::PassContext& c, const SceneView& v) { sortListsOfBins(c, v, round); };
-        f.graph.compute("lists: place").writes(*f.entries).writes(*f.lists).record(records(f, place));
-        f.graph.compute("lists: write").writes(*f.entries).record(records(f, passes::writeListsOfBins));
-        f.graph.compute("lists: sort").writes(*f.entries).writes(*f.lists).record(records(f, sort));
+        f.graph.compute("lists: place").writes(*f.entries).writes(*f.lists).record(make(Step::place, round));
+        f.graph.compute("lists: write").writes(*f.entries).record(make(Step::write, round));
+        f.graph.compute("lists: sort").writes(*f.entries).writes(*f.lists).record(make(Step::sort, round));
         nearest();
     }
 }
