@@ -4,17 +4,13 @@
 //   INPUT / SAMPLED      source of the primitive's number
 //   SURFACE / IDENTITY   layers instead of colour
 //   DEPTH                writes the hit's depth to the depth buffer, for later draws
-//   RIMS                 composites outlines and halos   TRANSLUCENT          on every path: composites a layer of
-// translucent primitives where nothing opaque is in front     TESTED, NEAREST_INPUT, NEAREST_SAMPLED   decided by the
-// depth test, or by the nearest depth: an input                                              attachment, a texture
+//   RIMS                 composites outlines and halos
+//   TRANSLUCENT          on every path: composites a layer of translucent primitives where the depth test passes
 #extension GL_GOOGLE_include_directive : require
 #define COPY_OF_PIXEL
 #include "common/surface.glsl"
 #include "common/mesh.glsl"
 #include "common/count.glsl"
-#ifdef TRANSLUCENT
-#include "common/encoding.glsl"
-#endif
 
 #ifdef INPUT
 layout(input_attachment_index = 0, set = 0, binding = 3) uniform usubpassInput primitives;
@@ -31,13 +27,6 @@ layout(set = 0, binding = 6, std430) readonly buffer CopyRows { vec4 copyRows[];
 layout(constant_id = kCopiesId) const bool kCopies = true;
 layout(constant_id = kCylindersId) const bool kCylinders = true;
 layout(constant_id = kTrianglesId) const bool kTriangles = true;
-#if defined(NEAREST_INPUT)
-layout(input_attachment_index = 0, set = 0, binding = 7) uniform subpassInput nearest;
-bool isHidden(float d) { return !isFrontmost(d, subpassLoad(nearest)); }
-#elif defined(NEAREST_SAMPLED)
-layout(set = 0, binding = 7) uniform sampler2D nearest;
-bool isHidden(float d) { return !isFrontmost(d, texelFetch(nearest, ivec2(gl_FragCoord.xy), 0)); }
-#endif
 
 /// Visible data of a pixel's primitive of any kind; shading follows once for all kinds.
 struct Shown {
@@ -120,16 +109,8 @@ void main() {
         showCylinder(index - view.spheres, shown);
     else
         showSphere(index, shown);
-#ifdef DEPTH
+#if defined(DEPTH) || defined(TRANSLUCENT)
     gl_FragDepth = encodedDepth(shown.hit.order);
-#endif
-#ifdef TRANSLUCENT
-    float d = encodedDepth(shown.hit.order);
-#ifdef TESTED
-    gl_FragDepth = d;
-#else
-    if (isHidden(d)) discard;
-#endif
 #endif
     if (!triangle && !shown.wire && shadesOcclusion(shown.hit))
         shown.baked = patchTexel(patchPlace(shown.patchAddress), shown.at, shown.texels);

@@ -1,7 +1,8 @@
 #version 440
-// Translucent triangles of the `tiles` path: the two nearest to a pixel. One subgroup draws a tile of 8 x 8 pixels from
-// the list of its bin, as in tile_nearest.comp, and ends where the next entry begins behind the second of every pixel.
-// Layers hidden by opaque surfaces are dropped during compositing.
+// Translucent primitives of the `tiles` path. One subgroup draws a tile of 8 x 8 pixels from the list of its bin, as in
+// tile_nearest.comp. A first walk over the list finds the two nearest primitives of each pixel, and ends where the next
+// entry begins behind the second of every pixel. A second walk adds up the rest (common/rest.glsl), and ends behind
+// opaque shapes.
 //   TEXELS   as in common/streams.glsl
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -9,14 +10,22 @@
 #extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_shuffle : require
 #define TILES
+#define CYLINDERS
 #define TRIANGLES
 #define TRANSLUCENT
 #define COPY_OF_PIXEL
 #define STREAMS 0
-#include "common/hit.glsl"
-#include "common/streams.glsl"
+#define LOOKS 4
+#define ATLAS 5
+#define EFFECTS 6
+#ifdef TEXELS
+#define CELLS 7
+#endif
+#define SHADOW 9
+#include "common/numbered.glsl"
 #include "common/tile_lists.glsl"
 #include "common/layers.glsl"
+#include "common/rest.glsl"
 
 layout(push_constant) uniform Push { TileConstants push; };
 const int kPixels = kTile * kTile / kLanes;  // per lane: pixels i x kLanes + lane of the tile, row by row
@@ -28,11 +37,18 @@ uint listAt(uint i) { return texelFetch(listTexels, int(i)).x; }
 layout(set = 0, binding = 2, std430) readonly buffer Lists { uint lists[]; };
 uint listAt(uint i) { return lists[i]; }
 #endif
-layout(set = 0, binding = 3, std430) writeonly buffer Numbers { uint numbers[]; };  // two per pixel
+layout(set = 0, binding = 3, std430) writeonly buffer Words { uint words[]; };  // kLayerWords per pixel
+layout(set = 0, binding = 8) uniform sampler2D opaqueDepth;
+layout(constant_id = kSpheresId) const bool kSpheres = true;
+layout(constant_id = kCylindersId) const bool kCylinders = true;
+layout(constant_id = kTrianglesId) const bool kTriangles = true;
+const int kBall = 0, kStick = 1, kFacet = 2;
 
 vec2 through[kPixels];
-float first[kPixels], second[kPixels];
+float first[kPixels], second[kPixels], opaque[kPixels];
 uint firstNumber[kPixels], secondNumber[kPixels];
+vec4 sums[kPixels];
+float depths[kPixels];
 
 /// Keeps the two nearest layers. A hit in front of the first moves it to second place, unless both are one layer.
 void keep(int i, Hit hit, uint candidate, bool live) {
@@ -50,31 +66,79 @@ void keep(int i, Hit hit, uint candidate, bool live) {
     firstNumber[i] = before ? candidate : firstNumber[i];
 }
 
-void main() {
-    view = push;
-    uint lane = gl_SubgroupInvocationID;
-    // If rows of workgroups are uneven, the last tile is drawn again.
-    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);
-    uint tile = listAt(group);
-    uvec2 corner = tileCorner(tile);
-    uvec2 bin = corner / uint(kTile * kTilesInBin);
-    uint at = listAt(view.offsets + bin.y * view.across + bin.x);
-    uint end = listAt(view.offsets + bin.y * view.across + bin.x + 1u);
+/// Hits of a chunk's entries in the lane's pixels that belong to the rest: bit n * kPixels + i is that of entry n in
+/// pixel i. There are 64.
+uvec2 hits;
+void mark(uint entry, int i, Hit hit, bool live) {
+    float d = encodedDepth(hit.order);
+    bool adds = live && hit.inside && d > second[i] + kLayerStep && d <= opaque[i];
+    uint at = entry * uint(kPixels) + uint(i), bit = adds ? 1u << (at & 31u) : 0u;
+    hits |= at < 32u ? uvec2(bit, 0u) : uvec2(0u, bit);
+}
 
-    vec2 middleOfFirst = vec2(corner + uvec2(lane % uint(kTile), lane / uint(kTile))) + 0.5;
-    for (int i = 0; i < kPixels; ++i) {
-        through[i] = planePoint(middleOfFirst + vec2((i * kLanes) % kTile, (i * kLanes) / kTile));
-        first[i] = second[i] = isWanted(tile, uint(i * kLanes) + lane) ? 1.0 : -1.0;
-        firstNumber[i] = secondNumber[i] = 0u;
-    }
-    vec2 middle = planePoint(vec2(corner) + float(kTile / 2));
-    vec2 reach = vec2(float(kTile / 2) * view.pixel);
+/// Adds the hits to the sums. Each lane takes its own: fewer lanes idle than if all took one entry after the other.
+/// @param number  of the lane's entry
+void addHits(const int kind, uint number) {
+    const uint firstOfKind = kind == kBall ? 0u : kind == kStick ? view.spheres : view.spheres + view.cylinders;
+    do {
+        bool upper = hits.x == 0u, adds = (hits.x | hits.y) != 0u;
+        uint at = lowestBit(upper ? hits.y : hits.x) + (upper ? 32u : 0u);
+        hits = upper ? uvec2(0u, hits.y & (hits.y - 1u)) : uvec2(hits.x & (hits.x - 1u), hits.y);
+        at = adds ? at : 0u;
+        uint i = at % uint(kPixels);
+        uint index = place(subgroupShuffle(number, at / uint(kPixels)));
+        index = adds ? index : firstOfKind;  // the loop runs once without a hit
+        vec2 q = through[0];
+        float before = second[0];
+        for (int k = 1; k < kPixels; ++k) {
+            q = i == uint(k) ? through[k] : q;
+            before = i == uint(k) ? second[k] : before;
+        }
+        Seen seen;
+        if (kind == kBall) seen = seenBall(index, q);
+        if (kind == kStick) seen = seenStick(index, q);
+        if (kind == kFacet) {
+            seen = seenFacet(index, q);
+            Facet f = loadFacet(index);
+            adds = adds && ownsEdge(projectVertex(f.a, f.step), projectVertex(f.b, f.step), projectVertex(f.c, f.step), q);
+        }
+        uint bits = storedColor(seen);
+        vec3 lit = computeLight(seen.hit, bits, seen.baked, q);
+        precise float behind = encodedDepth(seen.hit.order) - before;
+        RestPart part = restPart(lit, unpackOpacity(bits), behind);
+        for (int k = 0; k < kPixels; ++k) {
+            bool here = adds && i == uint(k);
+            sums[k] += here ? part.color : vec4(0.0);
+            depths[k] += here ? part.depth : 0.0;
+        }
+    } while (anyLane((hits.x | hits.y) != 0u));
+}
+
+void findLayers(uint at, uint end, uint lane, vec2 middle, vec2 reach) {
     bool more = true;  // empty bins have no tiles
     do {
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
+        uint balls = ballotLanes(mine && e.meets && !e.cylinder && !e.facet);
+        uint sticks = ballotLanes(mine && e.meets && e.cylinder);
         uint facets = ballotLanes(mine && e.meets && e.facet);
-        do {
+        if (kSpheres) do {
+            uint from = lowestBit(balls);
+            vec4 sphere = handed(e.a, from);
+            uint candidate = subgroupShuffle(e.number, from);
+            bool live = balls != 0u;
+            for (int i = 0; i < kPixels; ++i) keep(i, sphereHitThrough(sphere, through[i]), candidate, live);
+            balls &= balls - 1u;
+        } while (balls != 0u);
+        if (kCylinders) do {
+            uint from = lowestBit(sticks);
+            Stick stick = handed(e.stick, from);
+            uint candidate = subgroupShuffle(e.number, from);
+            bool live = sticks != 0u;
+            for (int i = 0; i < kPixels; ++i) keep(i, stickHitThrough(stick, through[i]), candidate, live);
+            sticks &= sticks - 1u;
+        } while (sticks != 0u);
+        if (kTriangles) do {
             uint from = lowestBit(facets);
             vec3 a = handedCorner(e.a.xyz, from), b = handedCorner(e.b, from), c = handedCorner(e.c, from);
             uint candidate = subgroupShuffle(e.number, from);
@@ -87,13 +151,101 @@ void main() {
         for (int i = 1; i < kPixels; ++i) farthest = max(farthest, second[i]);
         more = at < end && anyLane(farthest >= subgroupShuffle(e.next, uint(kLanes - 1)));
     } while (more);
+}
+
+void addRest(uint at, uint end, uint lane, vec2 middle, vec2 reach) {
+    float farthest = -1.0, least = 2.0;  // opaque depth; depth of the second layer
+    for (int i = 0; i < kPixels; ++i) {
+        if (second[i] >= opaque[i]) opaque[i] = -1.0;  // nothing follows
+        farthest = max(farthest, opaque[i]);
+        least = opaque[i] >= 0.0 ? min(least, second[i]) : least;
+    }
+    for (uint step = 1u; step < uint(kLanes); step <<= 1)
+        least = min(least, subgroupShuffle(least, gl_SubgroupInvocationID ^ step));
+    bool more = anyLane(farthest >= 0.0);
+    if (!more) return;
+    do {
+        bool mine = at + lane < end;
+        Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
+        uint balls = ballotLanes(mine && e.meets && !e.cylinder && !e.facet);
+        uint sticks = ballotLanes(mine && e.meets && e.cylinder);
+        // Triangles of the first two layers lie in front of all second ones.
+        float far = kPerspective ? 1.0 / min(e.a.z, min(e.b.z, e.c.z)) : max(e.a.z, max(e.b.z, e.c.z));
+        uint facets = ballotLanes(mine && e.meets && e.facet && encodedDepth(far) + kLayerStep >= least);
+        if (kSpheres) {
+            hits = uvec2(0u);
+            do {
+                uint from = lowestBit(balls);
+                vec4 sphere = handed(e.a, from);
+                bool live = balls != 0u;
+                for (int i = 0; i < kPixels; ++i) mark(from, i, sphereHitThrough(sphere, through[i]), live);
+                balls &= balls - 1u;
+            } while (balls != 0u);
+            addHits(kBall, e.number);
+        }
+        if (kCylinders) {
+            hits = uvec2(0u);
+            do {
+                uint from = lowestBit(sticks);
+                Stick stick = handed(e.stick, from);
+                bool live = sticks != 0u;
+                for (int i = 0; i < kPixels; ++i) mark(from, i, stickHitThrough(stick, through[i]), live);
+                sticks &= sticks - 1u;
+            } while (sticks != 0u);
+            addHits(kStick, e.number);
+        }
+        if (kTriangles) {
+            hits = uvec2(0u);
+            do {
+                uint from = lowestBit(facets);
+                vec3 a = handedCorner(e.a.xyz, from), b = handedCorner(e.b, from), c = handedCorner(e.c, from);
+                bool live = facets != 0u;
+                for (int i = 0; i < kPixels; ++i) mark(from, i, triangleHitThrough(a, b, c, 0u, through[i]), live);
+                facets &= facets - 1u;
+            } while (facets != 0u);
+            addHits(kFacet, e.number);
+        }
+        at += uint(kLanes);
+        more = at < end && anyLane(farthest >= subgroupShuffle(e.next, uint(kLanes - 1)));
+    } while (more);
+}
+
+void main() {
+    view = push;
+    uint lane = gl_SubgroupInvocationID;
+    // If rows of workgroups are uneven, the last tile is drawn again.
+    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);
+    uint tile = listAt(group);
+    uvec2 corner = tileCorner(tile);
+    uvec2 bin = corner / uint(kTile * kTilesInBin);
+    uint at = listAt(view.offsets + bin.y * view.across + bin.x);
+    uint end = listAt(view.offsets + bin.y * view.across + bin.x + 1u);
+
+    uvec2 firstPixel = corner + uvec2(lane % uint(kTile), lane / uint(kTile));
+    ivec2 last = textureSize(opaqueDepth, 0) - 1;
+    for (int i = 0; i < kPixels; ++i) {
+        ivec2 pixel = ivec2(firstPixel) + ivec2((i * kLanes) % kTile, (i * kLanes) / kTile);
+        bool wanted = isWanted(tile, uint(i * kLanes) + lane);
+        through[i] = planePoint(vec2(pixel) + 0.5);
+        first[i] = second[i] = wanted ? 1.0 : -1.0;
+        opaque[i] = wanted ? texelFetch(opaqueDepth, min(pixel, last), 0).x : -1.0;
+        firstNumber[i] = secondNumber[i] = 0u;
+        sums[i] = vec4(0.0);
+        depths[i] = 0.0;
+    }
+    vec2 middle = planePoint(vec2(corner) + float(kTile / 2));
+    vec2 reach = vec2(float(kTile / 2) * view.pixel);
+    findLayers(at, end, lane, middle, reach);
+    addRest(at, end, lane, middle, reach);
     // Row by row over all bins.
     uint pitch = view.across * uint(kTile * kTilesInBin);
-    uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
+    uint here = firstPixel.y * pitch + firstPixel.x;
     for (int i = 0; i < kPixels; ++i) {
         uvec2 on = uvec2(i * kLanes) / uvec2(1u, kTile) % uint(kTile);
-        uint to = 2u * (here + on.y * pitch + on.x);
-        numbers[to] = firstNumber[i];
-        numbers[to + 1u] = secondNumber[i];
+        uint to = uint(kLayerWords) * (here + on.y * pitch + on.x);
+        words[to] = firstNumber[i];
+        words[to + 1u] = secondNumber[i];
+        for (uint k = 0u; k < 4u; ++k) words[to + 2u + k] = floatBitsToUint(sums[i][k]);
+        words[to + 6u] = floatBitsToUint(depths[i]);
     }
 }

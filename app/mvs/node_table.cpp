@@ -48,7 +48,7 @@ constexpr NodeRow kRows[] = {
     {"color_from_uri", "representation", NACRE_URI " palette selector", "", kPalettes},
     {"color_from_source", "representation", NACRE_SOURCE " palette selector", "", kPalettes},
     {"opacity", "representation volume_representation", "opacity selector", "",
-     "not of lines; of translucent atoms the nearest three layers are in order"},
+     "not of lines; two layers are in order, and further ones blended without"},
     {"clip", "representation primitives primitives_from_uri", "type", "",
      "types: the rows below; whole atoms, residues of cartoons, primitives and triangles, by their centres"},
     {"clip:plane", "", "type normal point check_transform invert", "variant", "cuts where the normal points to"},

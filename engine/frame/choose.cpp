@@ -363,8 +363,10 @@ void Chooser::chooseEffects() {
     if (const std::uint32_t pixels = shadowPixels(settings_)) add(Kind::shadow, pixels);
     if (settings_.effects.linesByGroups()) add(Kind::outlines);
     if (settings_.effects.halos.width > 0) add(Kind::halos);
-    if (drawsLayers(request_, scene_))
-        add(Kind::translucency, scene_.hasTranslucentAtoms ? kLayersOfAtoms : kTranslucentLayers);
+    if (drawsLayers(request_, scene_)) add(Kind::translucency, kTranslucentLayers);
+    // Sums that may stay on a tile are small.
+    choice_.fineSums = choice_.layers() > 0 && device_.blendsFloats &&
+                       (device_.kind == DeviceKind::software || device_.kind == DeviceKind::immediate);
     if (drawsVolume(request_, scene_)) add(Kind::volume);
     if (request_.part == Part::whole && hasLens(settings_)) add(Kind::lens);
 }
@@ -464,8 +466,10 @@ void Chooser::chooseGeometry() {
                                                                                    : Geometry::instanced;
     const bool hostLists = choice_.geometry == Geometry::hostLists;
     if (!debugs() && (hostLists || !tiles)) choice_.host = tiles ? hostWorkOfTiles() : chooseHostWork(choice_.path);
-    // A volume between layers needs their depth.
-    if (hostLists && !scene_.hasTranslucentAtoms && !choice_.has(Kind::volume))
+    // A volume between layers needs their depth. With fewer lanes, each has so many pixels that SwiftShader compiles
+    // the stage for 209 s.
+    constexpr std::uint32_t kLanes = 8;
+    if (hostLists && device_.tiles.lanes >= kLanes && !choice_.has(Kind::volume))
         choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
     if (request_.part == Part::edges && choice_.shadedByCompute()) {
         // The number of a sphere is enough if nothing cuts or outlines it.

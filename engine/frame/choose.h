@@ -97,9 +97,9 @@ enum class Refinement : std::uint8_t {
     everywhere,  ///< one frame per block draws samples in every pixel; no coarse frame
 };
 
-/// Translucent layers per pixel: the nearest ones in front of opaque surfaces. Atoms lie closer together in depth than
-/// surfaces do.
-constexpr std::uint32_t kTranslucentLayers = 2, kLayersOfAtoms = 3;
+/// Translucent layers per pixel that are blended in their order: the nearest ones in front of opaque surfaces. The rest
+/// is blended without order.
+constexpr std::uint32_t kTranslucentLayers = 2;
 
 /// An effect with passes or images of its own. Fog, clipping and plain outlines are a few instructions of the shading.
 struct Effect {
@@ -108,7 +108,7 @@ struct Effect {
         outlines,          ///< by groups of atoms
         halos,             ///< drawn by the pass of those outlines
         translucency,      ///< layers of primitives; size: their number
-        tileTranslucency,  ///< of triangles alone, found by compute
+        tileTranslucency,  ///< the same, found and added up by compute
         volume,            ///< a density map, in front of opaque surfaces and between translucent layers
         lens,              ///< depth of field: frames of distances, and a blur of the picture
     };
@@ -213,6 +213,7 @@ struct FrameChoice {
     EffectList effects;
     Ending ending{};
     std::uint32_t views = 1;  ///< per draw call
+    bool fineSums = false;    ///< of further translucent layers: 32 bits per channel, not 16
     bool foveated = false;    ///< fewer fragments far from the eyes' axes, by a fragment density map
     DebugView debug = DebugView::none;
     ColorFormat color{};

@@ -141,7 +141,9 @@ Frame declareFrame(const FrameShape& shape, std::shared_ptr<const ShownScene> sh
     declareShadow(frame, choice);
     declareTranslucentLayers(frame, shape);
     declarePath(frame, shape);
+    declareTranslucentRest(frame, shape);
     declareVolume(frame, choice, choice.layers());
+    declareRestColor(frame, choice);
     for (std::uint32_t i = choice.layers(); i-- > 0;) {
         declareTranslucentColor(frame, i);
         declareVolume(frame, choice, i);

@@ -90,10 +90,11 @@ struct Frame {
     std::optional<graph::Image> density;           ///< imported: fragments for each part of the picture
     std::vector<graph::Image> targets;             ///< none where compute shades: `numbers` are the picture
     std::optional<graph::Image> samples;           ///< several per pixel; the first target is their mean
-    // Translucent triangles:
+    // Translucent primitives:
     std::vector<graph::Image> layers;           ///< numbers of the nearest layer first
     std::vector<graph::Image> layerDepths;      ///< their depth
-    std::optional<graph::Buffer> layerNumbers;  ///< numbers where compute finds them, imported
+    graph::Image restColors, restDepths;        ///< sums over further layers: weighted colours, optical depth
+    std::optional<graph::Buffer> layerNumbers;  ///< numbers and sums where compute finds them, imported
     // Of `tiles`, imported:
     std::optional<graph::Buffer> entries;  ///< where the device makes the lists: their entries in any order
     std::optional<graph::Buffer> lists;    ///< and the lists

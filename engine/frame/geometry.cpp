@@ -90,10 +90,10 @@ void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const gr
         const graph::PassDecl& pass = graph.passes()[p];
         const bool tests = pass.has(Verb::depth) || pass.has(Verb::depthTest) || pass.has(Verb::ordered);
         // Draws triangles over the screen instead of the scene's primitives.
-        const bool screen =
-            pass.has(Verb::reads) || pass.name == kDepthByNumbers || pass.name.starts_with(kTranslucentColor);
+        const bool screen = pass.has(Verb::reads) || pass.name == kDepthByNumbers || pass.name == kOpaqueDepth ||
+                            pass.name.starts_with(kTranslucentColor);
         if (pass.kind != graph::PassKind::graphics || !tests) continue;
-        if (pass.name.starts_with(kTranslucentLayer)) {
+        if (pass.name.starts_with(kTranslucentLayer) || pass.name == kTranslucentRest) {
             tell(p, computeCost(Handed::number, false, chooseShapes(plates, impostor, caps, counts.layers)),
                  counts.layers);
         } else if (screen) {

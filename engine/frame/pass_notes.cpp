@@ -57,6 +57,22 @@ PassNotes describePass(const graph::PassDecl& pass, bool conservative) {
                 {},
                 {},
                 kPrecisionHit};
+    if (pass.name == kTranslucentRest)
+        return {conservative ? DepthTiming::conservative : DepthTiming::late,
+                "sums over what lies behind the last layer, in any order; opaque shapes hide a part", kPositions,
+                kRecordsOfPixel, kPrecisionShade};
+    if (pass.name == kOpaqueDepth)
+        return {DepthTiming::late,
+                "a triangle over the screen; depth for the tests of translucent layers",
+                {},
+                {},
+                kPrecisionHit};
+    if (pass.kind == graph::PassKind::compute && pass.name.starts_with("translucent"))
+        return {
+            DepthTiming::none,
+            "two nearest layers of a tile's pixels stay in registers, then sums over the rest; lists are sorted from "
+            "near to far",
+            kPositions, kRecordsOfPixel, kPrecisionShade};
     if (pass.name.starts_with(kTranslucentColor))
         return {pass.has(Verb::depthTest) ? DepthTiming::late : DepthTiming::none,
                 "a triangle over the screen; opaque shapes hide a layer, or are seen through it",

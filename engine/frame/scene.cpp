@@ -76,6 +76,7 @@ void completeScene(const gpu::Device& device, Scene& scene) {
     fitBuffer(scene.representation, passes::mostShapeBytes(device.caps()));
     scene.translucent = translucentParts(scene.representation);
     scene.solid = isSolid(scene.representation) && scene.translucent.empty();
+    scene.layersPerLength = layersPerLength(scene.representation, scene.translucent);
     scene.chunks = makeChunks(scene.representation);
     scene.buffers = passes::makeSceneBuffers(device, scene.representation);
     scene.sizes = measureSizes(scene.representation);
@@ -157,6 +158,7 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
         c.copyColors[i] = linearColor({channel(0), channel(8), channel(16)}, 1);
     }
     c.capColor = packedCapColor(e.clip);
+    c.layersPerLength = static_cast<float>(scene.layersPerLength);
     addShadow(c, settings);
     addOutlines(c, settings);
     addHalos(c, settings);
@@ -166,14 +168,14 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
 }
 
 Scene makeScene(const gpu::Device& device, Representation representation) {
-    Scene scene{std::move(representation), {}, {}, {}, {}, {}, false};
+    Scene scene{std::move(representation), {}, {}, {}, {}, {}, false, 0};
     scene.order = orderInSpace(scene.representation);
     completeScene(device, scene);
     return scene;
 }
 
 Scene makeOrderedScene(const gpu::Device& device, Representation representation) {
-    Scene scene{std::move(representation), {}, {}, {}, {}, {}, false};
+    Scene scene{std::move(representation), {}, {}, {}, {}, {}, false, 0};
     completeScene(device, scene);
     return scene;
 }
@@ -202,7 +204,7 @@ bool isMoved(const Scene& scene, const Representation& r) {
 }
 
 Scene makeMovedScene(const gpu::Device& device, Representation representation, const Scene& before) {
-    Scene scene{std::move(representation), {}, {}, {}, {}, before.order, false};
+    Scene scene{std::move(representation), {}, {}, {}, {}, before.order, false, 0};
     putInOrder(scene.representation, scene.order);
     completeScene(device, scene);
     return scene;

@@ -26,8 +26,9 @@ struct Scene {
     SceneSizes sizes;
     Chunks chunks;
     TranslucentParts translucent;
-    StreamOrder order;   ///< maps to the caller's order
-    bool solid = false;  ///< closed: from outside, triangles' backs are behind fronts
+    StreamOrder order;           ///< maps to the caller's order
+    bool solid = false;          ///< closed: from outside, triangles' backs are behind fronts
+    double layersPerLength = 0;  ///< of translucent primitives
 };
 
 /// A scene in the representation's own order. @throws Error

@@ -95,7 +95,7 @@ void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request,
     prepared.shape.listRounds = tiles->rounds();
     if (!choice.has(Effect::Kind::tileTranslucency)) return;
     passes::TileWork work;
-    work.kept = kTranslucentLayers;
+    work.kept = layout::kLayerWords;
     work.mask = inputs.mask;
     work.longestList = choice.overflow.longestListOfLayers;
     const std::shared_ptr<const passes::TileFrame> layers =

@@ -108,7 +108,8 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
                          std::to_string(inputs) + " input attachments exceed '" + caps.name + "' (" +
                          std::to_string(caps.maxColorAttachments) + " and " + std::to_string(caps.maxInputAttachments) +
                          ")");
-    if (bytes > caps.tileBytesPerPixel)
+    // Without a tile, one pass may have more; it shares no render pass then.
+    if (bytes > caps.tileBytesPerPixel && caps.transient)
         throw GraphError("pass '" + pass.name + "': " + std::to_string(bytes) +
                          " bytes of colour per pixel exceed the tile budget of '" + caps.name + "' (" +
                          std::to_string(caps.tileBytesPerPixel) + ")");

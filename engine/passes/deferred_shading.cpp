@@ -11,37 +11,26 @@
 namespace nacre::passes {
 namespace {
 
-/// Atlas, effects, shadow map, numbers, shapes, looks, rows of copies; where there are any, rims or nearest depth.
-constexpr std::array<Type, 8> listBindings(Type numbers, Type other) {
-    return {kSampled, Type::eUniformBuffer, kSampled, numbers, kStorage, kStorage, kStorage, other};
+/// Atlas, effects, shadow map, numbers, shapes, looks, rows of copies; where there are any, rims.
+constexpr std::array<Type, 8> listBindings(Type image) {
+    return {kSampled, Type::eUniformBuffer, kSampled, image, kStorage, kStorage, kStorage, image};
 }
-constexpr auto kAllInput = listBindings(Type::eInputAttachment, Type::eInputAttachment),
-               kAllSampled = listBindings(kSampled, kSampled),
-               kOtherInput = listBindings(kSampled, Type::eInputAttachment);
+constexpr auto kAllInput = listBindings(Type::eInputAttachment), kAllSampled = listBindings(kSampled);
 
 #define NACRE_NUMBERS(name) (texture ? NACRE_STAGE(name##Sampled) : NACRE_STAGE(name##Input))
 
 Stage chooseShader(const DeferredPass& pass) {
-    const bool texture = (pass.over ? pass.over->from : pass.reads.from) == NearestFrom::texture;
-    if (pass.over && pass.over->from == NearestFrom::depthBuffer) return NACRE_STAGE(translucentTested);
-    if (pass.over) return NACRE_NUMBERS(translucentNearest);
+    const bool texture = pass.reads.from == NearestFrom::texture;
+    if (pass.over) return NACRE_STAGE(translucentLayer);
     if (pass.rims) return NACRE_NUMBERS(rimmedDeferred);
     if (pass.depth) return NACRE_STAGE(colorDeferredDepth);
     if (pass.output == Output::surface) return NACRE_NUMBERS(surfaceDeferred);
     return pass.output == Output::identity ? NACRE_NUMBERS(identityDeferred) : NACRE_NUMBERS(colorDeferred);
 }
 
-/// Image of the last binding; null: none.
-vk::ImageView otherImage(const DeferredPass& pass) {
-    return pass.rims ? pass.rims->image : pass.over ? pass.over->nearest : vk::ImageView();
-}
-
 const gpu::Layout& passLayout(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass) {
-    const std::span<const Type> all = pass.reads.from != NearestFrom::texture                        ? kAllInput
-                                      : pass.over && pass.over->from == NearestFrom::inputAttachment ? kOtherInput
-                                                                                                     : kAllSampled;
-    const bool other = pass.rims || (pass.over && pass.over->from != NearestFrom::depthBuffer);
-    return context.pipelines.layout({"deferred shading layout", all.first(other ? 8 : 7), kDraw,
+    const std::span<const Type> all = pass.reads.from != NearestFrom::texture ? kAllInput : kAllSampled;
+    return context.pipelines.layout({"deferred shading layout", all.first(pass.rims ? 8 : 7), kDraw,
                                      sizeof(layout::ViewConstants), view.fragments != nullptr});
 }
 
@@ -50,11 +39,10 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
     const vk::Sampler nearestTexel = context.pipelines.sampler(vk::Filter::eNearest);
     const bool texture = pass.reads.from == NearestFrom::texture;
-    const bool otherTexture = pass.over ? pass.over->from == NearestFrom::texture : texture;
     const vk::DescriptorImageInfo atlas(context.pipelines.sampler(vk::Filter::eLinear), pass.reads.atlas, kRead),
         shadow = describeShadow(context, view, pass.reads.atlas),
         numbers(texture ? nearestTexel : vk::Sampler(), pass.reads.nearest, texture ? kRead : context.inputLayout),
-        other(otherTexture ? nearestTexel : vk::Sampler(), otherImage(pass), kRead);
+        rims(texture ? nearestTexel : vk::Sampler(), pass.rims ? pass.rims->image : vk::ImageView(), kRead);
     const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
         looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows->handle, 0, VK_WHOLE_SIZE),
         effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
@@ -62,8 +50,8 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
         {set, 0, 0, kSampled, atlas},      {set, 1, 0, Type::eUniformBuffer, {}, effects},
         {set, 2, 0, kSampled, shadow},     {set, 3, 0, texture ? kSampled : Type::eInputAttachment, numbers},
         {set, 4, 0, kStorage, {}, shapes}, {set, 5, 0, kStorage, {}, looks},
-        {set, 6, 0, kStorage, {}, rows},   {set, 7, 0, otherTexture ? kSampled : Type::eInputAttachment, other}};
-    context.device->updateDescriptorSets(vk::ArrayProxy<const vk::WriteDescriptorSet>(other.imageView ? 8 : 7, writes),
+        {set, 6, 0, kStorage, {}, rows},   {set, 7, 0, texture ? kSampled : Type::eInputAttachment, rims}};
+    context.device->updateDescriptorSets(vk::ArrayProxy<const vk::WriteDescriptorSet>(rims.imageView ? 8 : 7, writes),
                                          {});
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
 }
@@ -78,9 +66,7 @@ FullScreenPass makeFullScreen(const gpu::PipelineContext& context, const SceneVi
     if (deferred.over) {
         pass.detail = "layer";
         pass.blend = gpu::Blend::over;
-        if (deferred.over->from == NearestFrom::depthBuffer) pass.depth = gpu::DepthUse::test;
-        pass.constants.set(layout::kDepthChannelsId, deferred.over->encoding.channels);
-        pass.constants.set(layout::kDepthStepsId, deferred.over->encoding.steps);
+        pass.depth = gpu::DepthUse::test;
     }
     setGeometryConstants(pass.constants, view);
     setShadingConstants(pass.constants, view);

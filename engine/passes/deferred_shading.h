@@ -12,19 +12,13 @@ struct DeferredRims {
     vk::ImageView image;  ///< output of rims()
     graph::Clear clear;   ///< of the picture
 };
-/// For a translucent layer: finds its pixels that an opaque surface hides.
-struct LayerOver {
-    NearestFrom from = NearestFrom::depthBuffer;
-    vk::ImageView nearest{};  ///< null: the depth test decides
-    Encoding encoding{};
-};
 /// Shades every covered pixel once: recomputes the hit from the pixel and the primitive whose number it holds.
 struct DeferredPass {
     Output output = Output::color;
     Reads reads;                         ///< `nearest` holds the numbers, as an input attachment or a texture
     std::optional<DeferredRims> rims{};  ///< outlines and halos to composite
-    std::optional<LayerOver> over{};     ///< composites the layer over the picture
-    bool depth = false;                  ///< of colour from a texture's numbers: also writes the depth buffer
+    bool over = false;   ///< composites a translucent layer over the picture where the depth test passes
+    bool depth = false;  ///< of colour from a texture's numbers: also writes the depth buffer
 };
 void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& pass);
 /// Requests the pipeline.

@@ -168,7 +168,7 @@ gpu::GraphicsPipeline describePipeline(gpu::PipelineContext& context, const Scen
     setGeometryConstants(d.constants, view, pass.rim);
     d.constants.set(layout::kSnapId, context.device.caps().snapPixels);
     if (pass.rim > 0) d.constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
-    if (pass.looks) setShadingConstants(d.constants, view);
+    if (pass.looks || pass.lights) setShadingConstants(d.constants, view);
     if (pass.distances) d.constants.set(layout::kDistancesId, true);
     d.constants.set(layout::kDepthChannelsId, pass.encoding.channels);
     d.constants.set(layout::kDepthStepsId, pass.encoding.steps);

@@ -55,7 +55,8 @@ struct FetchedShaders {
 struct GeometryPass {
     PrimitiveShaders shaders;
     FetchedShaders fetched{};
-    bool looks = false;  ///< also fetch stream B
+    bool looks = false;   ///< also fetch stream B
+    bool lights = false;  ///< shades without it
     std::optional<Reads> reads{};
     Encoding encoding{};
     gpu::DepthUse depth = gpu::DepthUse::test;

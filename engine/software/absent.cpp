@@ -21,7 +21,7 @@ void draw(gpu::PassContext&, const SceneView&, const NearestByTiles&) { refuse()
 void want(gpu::PipelineContext&, const SceneView&, const NearestByTiles&) { refuse(); }
 void draw(gpu::PassContext&, const SceneView&, const TileShading&) { refuse(); }
 void want(gpu::PipelineContext&, const SceneView&, const TileShading&) { refuse(); }
-void findLayersByTiles(gpu::PassContext&, const SceneView&) { refuse(); }
+void drawLayersByTiles(gpu::PassContext&, const SceneView&, vk::ImageView, vk::ImageView) { refuse(); }
 void findEdgesByTiles(gpu::PassContext&, const SceneView&) { refuse(); }
 void drawEdgesByTiles(gpu::PassContext&, const SceneView&, vk::ImageView) { refuse(); }
 void drawEdgeColors(gpu::PassContext&, const SceneView&, const graph::Clear&) { refuse(); }

@@ -40,7 +40,7 @@ struct TileWork {
     bool edgesAlone = false;         ///< only edges are shaded, from primitive numbers
     bool frontSpheres = false;       ///< the host finds the nearest sphere of most pixels
     bool subsamples = false;         ///< pixels are samples of a picture's pixels, and are not tested at their centres
-    std::uint32_t kept = 1;          ///< nearest primitives per pixel
+    std::uint32_t kept = 1;          ///< words per pixel; more than 1: of several layers
     std::uint32_t longestList = 0;   ///< a frame with a longer list is not uploaded
     const TileMask* mask = nullptr;  ///< null: all tiles are drawn
     std::span<const Chunk> triangleChunks = {};  ///< optional

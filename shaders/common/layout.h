@@ -67,7 +67,7 @@ const int kNumberedId = 53;    // bool: the frame has edges: numbers are sights,
 const int kEverywhereId = 54;  // bool: draw every pixel as an edge, where a bin may show a small primitive
 const int kListedId = 55;      // bool: samples of an edge search lists, not only neighbours
 const int kRowsId = 56;        // bool: edges are coded words among the other pixels
-const int kLayerId = 57;       // of translucent triangles: 0 the nearest
+const int kLayerId = 57;       // of translucent primitives: 0 the nearest, kOrderedLayers the rest
 const int kClearsId = 58;      // bool: compute also writes pixels that show nothing
 const int kWritesId = 59;      // bool: entries of bins are written; false: counted
 // Density maps between translucent layers.
@@ -80,6 +80,10 @@ const int kMapsAcrossId = 61;   // maps per row of the image
 const int kTapsId = 62;         // pixels sampled per texel of a depth map: 1, 2 or 4
 const int kSpreadId = 63;       // float: distance of the taps, pixels
 const int kOrderedBitsId = 64;  // bool: heights are words that have the order of their floats
+
+/// Translucent layers in order, and the words of a pixel for them: their numbers, weighted colour and weight of the
+/// rest, its optical depth.
+const int kOrderedLayers = 2, kLayerWords = kOrderedLayers + 5;
 
 /// Z of a far plane that clips nothing; for a near plane -kNoPlane.
 constexpr float kNoPlane = 1e30f;
@@ -173,26 +177,26 @@ struct TileConstants {
 
 /// Parameters of the shading effects: a uniform buffer.
 struct EffectConstants {
-    vec4 contour;                    // linear colour
-    vec4 fog;                        // linear colour, and its share at the fog's end
-    float fogStart;                  // Z
-    float perFog;                    // 1 / (distance from start to end, Å)
-    float hatch;                     // distance of hatching strokes on the plane z = 0, Å
-    float shadow;                    // fraction of light removed, 0..1
-    vec4 shadowU, shadowV, shadowW;  // (x, y, z, 1) of view space -> position (0..1) and depth in the light's map
-    float shadowSpread;              // of a shadow's soft edge, in map widths
-    float shadowBias;                // offset of a point from its surface, Å
-    float shadowSlope;               // depth change of a surface of slope 1 within the soft edge
-    uint firstGroup;                 // begin of the atoms' groups in the looks
-    vec4 halo;                       // linear colour, and its maximum density
-    float haloWidth;                 // at z = 0
-    float perHaloDepth;              // 1 / (distance behind a primitive at which its halo is densest, Å)
-    float lineWidth;                 // of outlines by group, at z = 0; 0: none
-    float lineDepth;                 // depth jump of the thinnest outline, Å
-    uint bakedCylinders;             // cylinders with patches in the atlas; wires follow them
-    uint subsamples;                 // 1: pixels are samples of a picture's pixels, at the positions of edge samples
-    uint capColor;                   // of caps, packed as in looks; 0: those of the atoms
-    uint unused;
+    vec4 contour;                      // linear colour
+    vec4 fog;                          // linear colour, and its share at the fog's end
+    float fogStart;                    // Z
+    float perFog;                      // 1 / (distance from start to end, Å)
+    float hatch;                       // distance of hatching strokes on the plane z = 0, Å
+    float shadow;                      // fraction of light removed, 0..1
+    vec4 shadowU, shadowV, shadowW;    // (x, y, z, 1) of view space -> position (0..1) and depth in the light's map
+    float shadowSpread;                // of a shadow's soft edge, in map widths
+    float shadowBias;                  // offset of a point from its surface, Å
+    float shadowSlope;                 // depth change of a surface of slope 1 within the soft edge
+    uint firstGroup;                   // begin of the atoms' groups in the looks
+    vec4 halo;                         // linear colour, and its maximum density
+    float haloWidth;                   // at z = 0
+    float perHaloDepth;                // 1 / (distance behind a primitive at which its halo is densest, Å)
+    float lineWidth;                   // of outlines by group, at z = 0; 0: none
+    float lineDepth;                   // depth jump of the thinnest outline, Å
+    uint bakedCylinders;               // cylinders with patches in the atlas; wires follow them
+    uint subsamples;                   // 1: pixels are samples of a picture's pixels, at the positions of edge samples
+    uint capColor;                     // of caps, packed as in looks; 0: those of the atoms
+    float layersPerLength;             // translucent ones on a way through the scene, on average, 1/Å
     vec4 copyColors[kMostCopyColors];  // linear
 };
 

@@ -298,10 +298,10 @@ TEST(Choose, ThatDidNotHoldSaysWhy) {
     EXPECT_EQ(decisions[2].why, "asked for");
 }
 
-TEST(Choose, DrawsLayersOfAtomsByTriangles) {
+TEST(Choose, DrawsTranslucentPrimitivesOfAllKindsByTiles) {
     SceneFacts scene;
     scene.hasTranslucent = true;
-    const FrameCaps caps = software();
+    FrameCaps caps = software();
     RenderSettings settings;
     settings.supersample = 1;
     const FrameChoice meshes = choose(makeRequest(settings), scene, caps);
@@ -309,8 +309,25 @@ TEST(Choose, DrawsLayersOfAtomsByTriangles) {
     scene.hasTranslucentAtoms = true;
     const FrameChoice atoms = choose(makeRequest(settings), scene, caps);
     EXPECT_EQ(atoms.path, meshes.path);
-    EXPECT_EQ(atoms.effects.size(Effect::Kind::translucency), kLayersOfAtoms);
-    EXPECT_FALSE(atoms.has(Effect::Kind::tileTranslucency));
+    EXPECT_EQ(atoms.effects.size(Effect::Kind::tileTranslucency), kTranslucentLayers);
+    caps.tiles.lanes = 4;
+    const FrameChoice narrow = choose(makeRequest(settings), scene, caps);
+    EXPECT_EQ(narrow.path, meshes.path);
+    EXPECT_EQ(narrow.effects.size(Effect::Kind::translucency), kTranslucentLayers);
+}
+
+TEST(Choose, AddsUpTheRestInFewBitsWhereItMayStayOnATile) {
+    SceneFacts scene;
+    RenderSettings settings;
+    settings.supersample = 1;
+    FrameCaps desktop = graph::capabilitySet("desktop"), tiler = graph::capabilitySet("mali");
+    EXPECT_FALSE(choose(makeRequest(settings), scene, software()).fineSums);
+    scene.hasTranslucent = true;
+    EXPECT_TRUE(choose(makeRequest(settings), scene, software()).fineSums);
+    EXPECT_FALSE(choose(makeRequest(settings), scene, desktop).fineSums);
+    desktop.blendsFloats = tiler.blendsFloats = true;
+    EXPECT_TRUE(choose(makeRequest(settings), scene, desktop).fineSums);
+    EXPECT_FALSE(choose(makeRequest(settings), scene, tiler).fineSums);
 }
 
 TEST(Choose, PutsAVolumeBetweenLayersOfTriangles) {

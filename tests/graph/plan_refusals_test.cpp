@@ -65,6 +65,9 @@ TEST_F(Rules, ABudgetThatOnePassExceedsIsRefused) {
     Image a = g.image("a", kWide), b = g.image("b", kWide), c = g.image("c", kColor);
     g.graphics("greedy").color(a).color(b).color(c);
     EXPECT_EQ(refusal(), "pass 'greedy': 20 bytes of colour per pixel exceed the tile budget of 'mali-old' (16)");
+    caps.transient = false;  // no tile
+    EXPECT_EQ(refusal(), "");
+    caps.transient = true;
     caps.tileBytesPerPixel = 20;
     EXPECT_EQ(refusal(), "");
     caps.maxColorAttachments = 2;

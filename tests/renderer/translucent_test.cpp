@@ -5,10 +5,13 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <random>
+#include <span>
 #include <vector>
 
 #include "engine/frame/choose.h"
 #include "engine/frame/picture.h"
+#include "engine/scene/build/translucency.h"
 #include "engine/scene/color/colors.h"
 #include "tests/renderer/meshes.h"
 #include "tests/renderer/scenes.h"
@@ -69,6 +72,31 @@ Representation ballsAndShells() {
     return r;
 }
 
+/// Many layers of spheres, sticks and triangles, of all opacities, around an opaque ball.
+Representation crowd() {
+    Representation r = balls(0.6, 0.3);
+    std::mt19937 random(7);
+    const auto within = [&](double least, double most) {
+        return static_cast<float>(least + (most - least) * static_cast<double>(random()) / 4294967295.0);
+    };
+    const auto somewhere = [&] { return glm::vec3(within(-3, 3), within(-3, 3), within(-4, 4)); };
+    for (std::uint32_t atom = 9; atom < 60; ++atom) {
+        r.spheres.push_back({somewhere(), within(0.5, 1.6)});
+        r.sphereLooks.push_back(makeLook(atom, within(0.05, 0.95)));
+    }
+    for (std::uint32_t atom = 60; atom < 80; atom += 2) {
+        r.cylinders.push_back({somewhere(), within(0.2, 0.6), somewhere(), 0});
+        r.cylinderLooks.push_back(
+            {makeLook(atom, within(0.05, 0.95)).color, makeLook(atom + 1, 0.4).color, atom + 1, atom + 2});
+    }
+    for (std::uint32_t atom = 80; atom < 90; ++atom)
+        appendMesh(
+            icosphere(somewhere(), within(0.5, 2.5), 2, atom), glm::dvec3(0),
+            [](std::uint32_t a) { return makeLook(a, a % 2 == 0 ? 0.3 : 0.7); }, r);
+    r.drawnAtoms = 90;
+    return r;
+}
+
 struct TranslucentCase {
     const char* name;
     Projection projection;
@@ -122,7 +150,9 @@ INSTANTIATE_TEST_SUITE_P(
         TranslucentCase{"Edges", Projection::orthographic, false, 1, RenderSettings::kEdges, 48},
         TranslucentCase{"Balls", Projection::orthographic, false, 1, 1, 128, [] { return balls(0.6, 0.3); }},
         TranslucentCase{"BallsInPerspective", Projection::perspective, true, 1, 1, 128, [] { return balls(0.6, 0.3); }},
-        TranslucentCase{"BallsAndShells", Projection::orthographic, true, 1, 1, 128, ballsAndShells}),
+        TranslucentCase{"BallsAndShells", Projection::orthographic, true, 1, 1, 128, ballsAndShells},
+        TranslucentCase{"Crowd", Projection::orthographic, false, 1, 1, 128, crowd},
+        TranslucentCase{"CrowdInPerspective", Projection::perspective, true, 1, 1, 128, crowd}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 struct Crossing {
@@ -161,7 +191,36 @@ std::array<double, 4> over(std::uint32_t color, double opacity, const std::array
     return mixed;
 }
 
-TEST(Translucent, TwoLayersAreMixedAsAFormulaSays) {
+struct Layer {
+    double Z;
+    std::uint32_t color;
+    double opacity;
+};
+
+/// All layers over a background: the nearest in order, and the rest as one layer, whose transmittance is the product of
+/// theirs, and whose colour is a mean weighted by opacity and by the light that probably reaches them.
+/// @param layers  from near to far @param perLength  layers per Å, on average
+std::array<double, 4> mixed(std::span<const Layer> layers, double perLength, std::array<double, 4> behind) {
+    const std::size_t ordered = std::min<std::size_t>(layers.size(), kTranslucentLayers);
+    if (layers.size() > ordered) {
+        std::array<double, 4> sum{};
+        double through = 1, weights = 0;
+        for (const Layer& layer : layers.subspan(ordered)) {
+            const double between = (layer.Z - layers[ordered - 1].Z) * perLength;
+            const double weight = layer.opacity * std::max(std::pow(1 - layer.opacity, between), 1.0 / 256);
+            const std::array<double, 4> own = over(layer.color, 1, {});
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * own[c];
+            weights += weight;
+            through *= 1 - layer.opacity;
+        }
+        for (std::size_t c = 0; c < 3; ++c) behind[c] = sum[c] / weights * (1 - through) + behind[c] * through;
+        behind[3] = 1 - through + behind[3] * through;
+    }
+    for (std::size_t i = ordered; i-- > 0;) behind = over(layers[i].color, layers[i].opacity, behind);
+    return behind;
+}
+
+TEST(Translucent, LayersOfTrianglesAreMixedAsAFormulaSays) {
     constexpr double kOpacity[] = {0.5, 0.25};
     Representation r = shells(kOpacity[kOuter], kOpacity[kInner]);
     r.cylinders.clear();
@@ -174,7 +233,7 @@ TEST(Translucent, TwoLayersAreMixedAsAFormulaSays) {
         s.background = transparent ? std::array<float, 4>{0, 0, 0, 0} : std::array<float, 4>{1, 1, 1, 1};
         const LayerPicture l = renderer->layers(s);
         const std::vector<glm::dvec3> vertices = turnedVertices(r, s.view);
-        std::size_t compared = 0, behindBoth = 0;
+        std::size_t compared = 0, behindBoth = 0, more = 0;
         double worst = 0;
         for (std::uint32_t y = 0; y < kSize; ++y)
             for (std::uint32_t x = 0; x < kSize; ++x) {
@@ -193,25 +252,28 @@ TEST(Translucent, TwoLayersAreMixedAsAFormulaSays) {
                     expected = over(testLook(kBall).color, 1, expected);
                 }
                 for (std::size_t i = 0; i + 1 < hits.size(); ++i) sure = sure && hits[i + 1].Z - hits[i].Z > 0.01;
-                if (hits.size() > 2) hits.resize(2);
                 for (const Crossing& hit : hits) sure = sure && hit.sure;
                 if (!sure) continue;
-                for (std::size_t i = hits.size(); i-- > 0;)
-                    expected = over(testLook(hits[i].atom).color, kOpacity[hits[i].atom], expected);
+                std::vector<Layer> layers;
+                for (const Crossing& hit : hits)
+                    layers.push_back({hit.Z, testLook(hit.atom).color, kOpacity[hit.atom]});
+                expected = mixed(layers, layersPerLength(r, translucentParts(r)), expected);
                 ++compared;
                 behindBoth += hits.size() == 2 && high > 0;
+                more += hits.size() > kTranslucentLayers;
                 for (std::size_t c = 0; c < 4; ++c)
                     worst =
                         std::max(worst, std::abs(static_cast<double>(l.rgba[4 * (y * kSize + x) + c]) - expected[c]));
             }
         EXPECT_GT(compared, 3000u);
         EXPECT_GT(behindBoth, 50u);
+        EXPECT_GT(more, 50u);
         EXPECT_LT(worst, 2e-4);  // shaders' curves of sRGB are polynomials
     }
 }
 
-/// The nearest balls of each pixel over an opaque one, mixed by hand.
-TEST(Translucent, TheNearestBallsAreMixedAsAFormulaSays) {
+/// The balls of each pixel over an opaque one, mixed by hand.
+TEST(Translucent, BallsAreMixedAsAFormulaSays) {
     Representation r = balls(0.6, 0.3);
     for (const float z : {4.5f, 5.0f, 5.5f}) {
         r.spheres.push_back({{0.3f * z - 1, 0.5f, z}, 1.5f});
@@ -252,10 +314,10 @@ TEST(Translucent, TheNearestBallsAreMixedAsAFormulaSays) {
             std::array<double, 4> expected{1, 1, 1, 1};
             if (opaque != fronts.end()) expected = over(r.sphereLooks[opaque->ball].color, 1, expected);
             fronts.erase(opaque, fronts.end());
-            more += fronts.size() > kLayersOfAtoms;
-            if (fronts.size() > kLayersOfAtoms) fronts.resize(kLayersOfAtoms);
-            for (std::size_t i = fronts.size(); i-- > 0;)
-                expected = over(r.sphereLooks[fronts[i].ball].color, frontOpacity(fronts[i]), expected);
+            more += fronts.size() > kTranslucentLayers + 1;
+            std::vector<Layer> layers;
+            for (const Front& f : fronts) layers.push_back({-f.z, r.sphereLooks[f.ball].color, frontOpacity(f)});
+            expected = mixed(layers, layersPerLength(r, translucentParts(r)), expected);
             ++compared;
             for (std::size_t c = 0; c < 4; ++c)
                 worst = std::max(worst, std::abs(static_cast<double>(l.rgba[4 * (y * kSize + x) + c]) - expected[c]));
@@ -263,6 +325,29 @@ TEST(Translucent, TheNearestBallsAreMixedAsAFormulaSays) {
     EXPECT_GT(compared, 3000u);
     EXPECT_GT(more, 50u);
     EXPECT_LT(worst, 2e-4);  // shaders' curves of sRGB are polynomials
+}
+
+/// What many layers let through is the product of what each lets through, whatever their order.
+TEST(Translucent, TheRestHidesExactlyWhatItsLayersHide) {
+    Representation r;
+    for (std::uint32_t i = 0; i < 30; ++i) {
+        r.spheres.push_back({{0, 0, 0.1f * static_cast<float>(i * 17 % 30)}, 3});
+        r.sphereLooks.push_back(makeLook(i, (5 + i * 29 % 40) / 128.0));
+    }
+    r.radius = 6;
+    r.drawnAtoms = 30;
+    double through = 1;
+    for (const SphereLook& look : r.sphereLooks) through *= 1 - opacitySteps(look.color) / 128.0;
+    ASSERT_GT(through, 1e-4);
+    constexpr std::uint32_t kSize = 16;
+    for (const Visibility visibility : devicePaths()) {
+        ValidatedRenderer renderer(visibility, r);
+        RenderSettings s = settings(r, kSize, Projection::orthographic, {0, 0, 0});
+        s.background = {0, 0, 0, 0};
+        const LayerPicture l = renderer->layers(s);
+        EXPECT_NEAR(l.rgba[4 * (kSize / 2 * kSize + kSize / 2) + 3], 1 - through, 2e-6) << visibilityName(visibility);
+        EXPECT_EQ(l.rgba[3], 0) << visibilityName(visibility);
+    }
 }
 
 TEST(Translucent, BallsNeitherOccludeNorCastAShadow) {
@@ -329,7 +414,7 @@ TEST(Translucent, LightGoesThroughIt) {
         // A patch lies elsewhere in a larger atlas, where filters of devices round in their own way.
         for (std::size_t i = 0; i < alone.occlusion.size(); ++i)
             ASSERT_NEAR(within.occlusion[i], alone.occlusion[i], 2.0 / 255) << i;
-        for (std::size_t i = 0; i < alone.rgba.size(); ++i) ASSERT_NEAR(within.rgba[i], alone.rgba[i], 11.0 / 128) << i;
+        for (std::size_t i = 0; i < alone.rgba.size(); ++i) ASSERT_NEAR(within.rgba[i], alone.rgba[i], 21.0 / 128) << i;
     }
 }
 

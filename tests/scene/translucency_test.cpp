@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/build/chunks.h"
 #include "engine/scene/color/colors.h"
+#include "tests/renderer/meshes.h"
 
 namespace nacre::test {
 namespace {
@@ -35,6 +37,32 @@ Rule shown(const std::string& selection, Style style, std::optional<double> opac
     rule.style = style;
     rule.opacity = opacity;
     return rule;
+}
+
+TEST(Translucency, LayersPerLengthAreAreaByVolume) {
+    Representation r;
+    r.spheres = {{{0, 0, 0}, 2.0f}, {{0, 0, 0}, 1.0f}};
+    r.sphereLooks = {{withOpacity(0xff123456u, 0.5), 1}, {0xff123456u, 2}};
+    // The mean way through a ball is 4/3 of its radius.
+    EXPECT_NEAR(layersPerLength(r, translucentParts(r)), 1 / (4.0 / 3 * 2), 1e-6);
+    r.sphereLooks[1].color = r.sphereLooks[0].color;
+    EXPECT_NEAR(layersPerLength(r, translucentParts(r)), (1 + 0.25) / (4.0 / 3 * 2), 1e-6);
+    // A mesh about the ball is met twice where a ball shows its front alone.
+    Representation mesh;
+    appendMesh(
+        icosphere({0, 0, 0}, 2, 5, 0), glm::dvec3(0),
+        [](std::uint32_t) {
+            return SphereLook{withOpacity(0xff123456u, 0.5), 1};
+        },
+        mesh);
+    EXPECT_NEAR(layersPerLength(mesh, translucentParts(mesh)), 2 / (4.0 / 3 * 2), 2e-3);
+    // Of a stick with flat ends, a quarter of its surface.
+    Representation stick;
+    stick.cylinders = {{{0, 0, -3}, 1, {0, 0, 3}, 0}};
+    stick.cylinderLooks = {{withOpacity(0xff123456u, 0.5), withOpacity(0xff123456u, 0.5), 1, 2}};
+    constexpr double kArea = 3.5 * std::numbers::pi, kVolume = std::numbers::pi / 6 * 2 * 2 * 8;
+    EXPECT_NEAR(layersPerLength(stick, translucentParts(stick)), kArea / kVolume, 1e-6);
+    EXPECT_EQ(layersPerLength({}, {}), 0);
 }
 
 TEST(Translucency, ComesFromARuleOrFromWhatIsForAll) {

@@ -35,6 +35,10 @@ struct TranslucentParts {
 
 TranslucentParts translucentParts(const Representation& representation);
 
+/// Translucent primitives on a way through them, on average per Å: their area in a picture from any side, by the volume
+/// of the ellipsoid in their box.
+double layersPerLength(const Representation& representation, const TranslucentParts& parts);
+
 /// Sorts the triangles of a mesh by class, so that there are few runs.
 void orderByTranslucency(const Representation& representation, std::vector<Triangle>::iterator first,
                          std::vector<Triangle>::iterator end);

@@ -25,16 +25,18 @@ struct TileShading {
     vk::ImageView atlas;
     Output output = Output::color;
     bool depth = false;  ///< also writes the depth buffer
-    /// If set, composites one translucent layer of a view where the depth test passes; 0: nearest.
+    /// If set, composites one translucent layer of a view where the depth test passes; 0: nearest,
+    /// layout::kOrderedLayers: the rest.
     std::optional<std::uint32_t> layer{};
 };
 void draw(gpu::PassContext& context, const SceneView& view, const TileShading& pass);
 /// Requests the pipeline.
 void want(gpu::PipelineContext& context, const SceneView& view, const TileShading& pass);
 
-/// Compute: writes for each pixel of the view's tiles the numbers of the two nearest triangles.
-/// @param view  of translucent triangles only
-void findLayersByTiles(gpu::PassContext& context, const SceneView& view);
+/// Compute: writes for each pixel of the view's tiles the numbers of the nearest primitives, and adds up the rest in
+/// front of opaque shapes: layout::kLayerWords.
+/// @param view  of translucent primitives only @param opaque  depth buffer
+void drawLayersByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas, vk::ImageView opaque);
 
 /// Compute: lists the edge pixels, found from the numbers and colours of the nearest primitives.
 void findEdgesByTiles(gpu::PassContext& context, const SceneView& view);

@@ -15,6 +15,10 @@ constexpr auto kNearestStorage = asStorage(kNearestTexels);
 constexpr std::array kShadedTexels{kTexel, kTexel,   kTexel,  kStorage, kTexel, kSampled, Type::eUniformBuffer,
                                    kTexel, kStorage, kSampled};
 constexpr auto kShadedStorage = asStorage(kShadedTexels);
+// Of translucent layers: the opaque depth in place of the second numbers.
+constexpr std::array kLayerTexels{kTexel, kTexel,   kTexel,  kStorage, kTexel, kSampled, Type::eUniformBuffer,
+                                  kTexel, kSampled, kSampled};
+constexpr auto kLayerStorage = asStorage(kLayerTexels);
 // Atlas, effects, shadow map, numbers, shapes, rows of copies, looks.
 constexpr std::array kShadeTexels{kSampled, Type::eUniformBuffer, kSampled, kTexel, kTexel, kTexel, kTexel};
 constexpr auto kShadeStorage = asStorage(kShadeTexels);
@@ -163,20 +167,38 @@ void draw(gpu::PassContext& context, const SceneView& view, const TileShading& p
     drawSpans(context, f);
 }
 
-void findLayersByTiles(gpu::PassContext& context, const SceneView& view) {
+void drawLayersByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas, vk::ImageView opaque) {
     const ListedFrame& f = listedFrame(view);
+    const SceneBuffers& scene = *view.buffers;
     const gpu::TileCaps& caps = context.device.caps().tiles;
     if (f.tiles().tiles().empty()) return;
-    const gpu::Layout& layout = nearestLayout(context, false);
+    const gpu::Layout& layout =
+        context.pipelines.layout({"translucent layers by tiles", caps.texels ? kLayerTexels : kLayerStorage, kCompute,
+                                  sizeof(layout::TileConstants)});
     gpu::ComputePipeline d{
         context.pass, caps.texels ? shaders::tileLayersTexels : shaders::tileLayersStorage, {}, *layout.pipeline};
     setTileView(d.constants, view);
+    setShadingConstants(d.constants, view);
+    d.constants.set(layout::kSpheresId, !view.copies.spheres.empty());
+    d.constants.set(layout::kCylindersId, !view.copies.cylinders.empty());
+    d.constants.set(layout::kTrianglesId, !view.copies.triangles.empty());
     d.constants.set(layout::kLanesId, caps.lanes);
+    const vk::DescriptorImageInfo depth(context.pipelines.sampler(vk::Filter::eNearest), opaque,
+                                        vk::ImageLayout::eShaderReadOnlyOptimal);
     bindTiles(context, layout, d, f.constants, [&](TileBindings& to) {
-        to.read(view.buffers->shapes, view.buffers->shapeTexels);
+        to.read(scene.shapes, scene.shapeTexels);
         to.read(f.rows);
         to.read(f.words);
         to.store(f.numbers.buffer);
+        to.read(scene.looks, scene.lookTexels);
+        to.sample(atlas);
+        to.uniform(*view.effectConstants);
+        if (caps.texels)
+            to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
+        else
+            to.store(scene.looks);
+        to.sample(depth);
+        to.sample(describeShadow(context, view, atlas));
     });
     dispatchTiles(context, f.tiles().tiles().size());
 }
