@@ -271,10 +271,9 @@ TEST(Plan, TranslucentLayersLeaveTheTileAndTheOpaqueFrameStaysOnIt) {
     const Json& last = json["render_passes"][2];
     std::string names;
     for (const Json& subpass : last["subpasses"]) names += subpass["name"].get<std::string>() + ", ";
-    EXPECT_EQ(
-        names,
-        "opaque prepass, depth encoding, impostor colour, opaque depth, translucent rest, translucent colour of the "
-        "rest, translucent colour 2, translucent colour 1, ");
+    EXPECT_EQ(names,
+              "opaque prepass, depth encoding, impostor colour, opaque depth, translucent rest, "
+              "translucent colour of the rest + translucent colour 2 + translucent colour 1, ");
     EXPECT_EQ(last["subpasses"][3]["input_attachments"], Json({"encoded depth"}));
     // Numbers and depths of both layers go out and come back once each. Sums over the rest stay.
     EXPECT_EQ(json["memory_bytes"]["loaded"], kPixels * 16);
