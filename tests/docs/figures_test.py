@@ -47,7 +47,7 @@ class Figures(unittest.TestCase):
         costs = {}
         for opacity in ("1", "0.5"):
             plan = json.loads(run("plan", "sample:dna", "--style", "surface", "--surface-opacity", opacity,
-                                  "--visibility", "encoded", "--json"))
+                                  "--caps", "mali", "--json"))
             costs[opacity] = plan["memory_bytes"]["loaded"] + plan["memory_bytes"]["stored"]
             pixels = plan["size"][0] * plan["size"][1]
         self.says("pictures.md", f"{(costs['0.5'] - costs['1']) // pixels} bytes per pixel that leave the tile")
