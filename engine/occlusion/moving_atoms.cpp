@@ -6,7 +6,8 @@ namespace nacre::occlusion {
 
 OcclusionSettings settingsForMotion(const OcclusionSettings& settings, const Representation& scene) {
     constexpr float kSmall = 0.8f;  // mean radius, weighted by area, Å
-    constexpr std::uint32_t kOfAtoms = 10, kOfSmall = 5;
+    constexpr std::uint32_t kTexelsOfAtoms = 10, kTexelsOfSmall = 5;
+    constexpr int kDirectionsOfSmall = 16;
     if (!settings.moving) return settings;
     float radii = 0, weights = 0;
     for (const Sphere& s : scene.spheres) {
@@ -14,8 +15,9 @@ OcclusionSettings settingsForMotion(const OcclusionSettings& settings, const Rep
         weights += s.radius * s.radius;
     }
     OcclusionSettings few = settings;
-    few.directions = std::min(settings.directions, OcclusionSettings::kMovingDirections);
-    few.detail = std::min(settings.detail, radii < kSmall * weights ? kOfSmall : kOfAtoms);
+    const bool small = radii < kSmall * weights;
+    few.directions = std::min(settings.directions, small ? kDirectionsOfSmall : OcclusionSettings::kMovingDirections);
+    few.detail = std::min(settings.detail, small ? kTexelsOfSmall : kTexelsOfAtoms);
     return few;
 }
 
