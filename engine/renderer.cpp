@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "engine/error.h"
@@ -94,7 +93,7 @@ struct Renderer::Impl {
     std::unique_ptr<WindowFrames> window;
     std::unique_ptr<HeadsetFrames> headset;
     /// Inputs of the bake that started pictures read.
-    std::tuple<const Scene*, int, std::uint64_t, OcclusionMaps, std::uint32_t, bool, bool> startedWith{};
+    std::pair<const Scene*, occlusion::SceneOcclusion::Wanted> startedWith{};
 
     explicit Impl(const DeviceOptions& options)
         : start(options.surface.create ? options.selfTests : std::string()),
@@ -189,8 +188,7 @@ struct Renderer::Impl {
 
     /// Waits for started pictures if their bake would change: they read it.
     void waitUnlessBaked(const OcclusionSettings& wanted) {
-        std::tuple now(scene.get(), wanted.directions, wanted.bytes, wanted.maps, wanted.detail, wanted.bounce,
-                       wanted.moving);
+        std::pair now(static_cast<const Scene*>(scene.get()), occlusion::SceneOcclusion::wanted(wanted));
         if (wanted.once || now != startedWith) pictures.settle();
         startedWith = std::move(now);
     }

@@ -28,9 +28,8 @@ struct OcclusionSettings {
     /// of depth maps grow with the square.
     std::uint32_t detail = 32;
     bool bounce = false;  ///< surfaces send light in their colours to their surroundings
-    /// Atoms move from picture to picture: at most kMovingDirections, and few texels (occlusion/moving_atoms.h).
+    /// Atoms move from picture to picture: few directions and texels are enough (occlusion/moving_atoms.h).
     bool moving = false;
-    static constexpr int kMovingDirections = 32;
     std::string cache;  ///< folder for finished bakes; empty: none are kept
     /// The bake serves one view: without a cache, it skips texels that face away.
     bool once = false;

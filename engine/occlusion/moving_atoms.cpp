@@ -7,7 +7,7 @@ namespace nacre::occlusion {
 OcclusionSettings settingsForMotion(const OcclusionSettings& settings, const Representation& scene) {
     constexpr float kSmall = 0.8f;  // mean radius, weighted by area, Å
     constexpr std::uint32_t kTexelsOfAtoms = 10, kTexelsOfSmall = 5;
-    constexpr int kDirectionsOfSmall = 16;
+    constexpr int kDirectionsOfAtoms = 32, kDirectionsOfSmall = 16;
     if (!settings.moving) return settings;
     float radii = 0, weights = 0;
     for (const Sphere& s : scene.spheres) {
@@ -16,7 +16,7 @@ OcclusionSettings settingsForMotion(const OcclusionSettings& settings, const Rep
     }
     OcclusionSettings few = settings;
     const bool small = radii < kSmall * weights;
-    few.directions = std::min(settings.directions, small ? kDirectionsOfSmall : OcclusionSettings::kMovingDirections);
+    few.directions = std::min(settings.directions, small ? kDirectionsOfSmall : kDirectionsOfAtoms);
     few.detail = std::min(settings.detail, small ? kTexelsOfSmall : kTexelsOfAtoms);
     return few;
 }

@@ -26,6 +26,13 @@ struct SceneToBake {
 
 class SceneOcclusion {
 public:
+    /// The settings that a bake depends on.
+    using Wanted =
+        std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, bool, bool, std::optional<ViewDirection>>;
+    static Wanted wanted(const OcclusionSettings& s, const std::optional<ViewDirection>& viewDirection = {}) {
+        return {s.directions, s.bytes, s.maps, s.detail, s.bounce, s.moving, viewDirection};
+    }
+
     /// Both must outlive this.
     SceneOcclusion(const gpu::Device& device, gpu::Executor& executor);
     ~SceneOcclusion() { drop(); }
@@ -130,11 +137,6 @@ private:
     /// The bake, if there is one.
     std::shared_ptr<Bake> there() const;
 
-    using Wanted =
-        std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, bool, bool, std::optional<ViewDirection>>;
-    static Wanted wanted(const OcclusionSettings& s, const std::optional<ViewDirection>& viewDirection = {}) {
-        return {s.directions, s.bytes, s.maps, s.detail, s.bounce, s.moving, viewDirection};
-    }
     /// Starts preparing the requested bake unless it exists, is being prepared, or there is nothing to bake.
     void prepare(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection = {});
     /// As prepare(), beside frames: the last bake stays visible. Of a moving scene a running bake continues.

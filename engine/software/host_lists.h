@@ -1,5 +1,5 @@
 #pragma once
-// What the host's lists need of a scene as a frame shows it.
+// The view that the host's lists are made for.
 
 #include "engine/passes/scene_view.h"
 #include "engine/scene/view/camera.h"
@@ -7,7 +7,7 @@
 
 namespace nacre::passes {
 
-/// The view for the host's lists. @param centers  only pixel centres are sampled
+/// @param centers  only pixel centres are sampled
 TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers);
 
 }  // namespace nacre::passes

@@ -25,7 +25,7 @@ struct EdgePlaces {
     std::vector<std::uint8_t> pixels;  ///< row by row: not 0 where wanted
 };
 
-/// What compute writes for each pixel.
+/// The result of compute for each pixel.
 enum class TileResult : std::uint8_t {
     words,   ///< the nearest primitive's number, to a buffer
     colors,  ///< its shaded colour, to a buffer

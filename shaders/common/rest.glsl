@@ -4,7 +4,7 @@
 // between it and the last layer in order: as many layers of its own opacity as the scene has on the way, on average.
 // Needs color.glsl and layers.glsl.
 
-/// What one hit adds. Numbers are multiples of kRestStep: sums in 32 bits do not depend on the order.
+/// The part of one hit in the sums. Parts are multiples of kRestStep: 32-bit sums do not depend on the order.
 struct RestPart {
     vec4 color;  // weighted colour, weight
     float depth;  // optical depth

@@ -1,5 +1,5 @@
-// What `tiles` does without subgroup operations for a frame of spheres: tile_counts FILE [WxH] (1170x2532). Follows the
-// stages of engine/tiles on the host, as shaders/tile_bins.comp, tile_sort.comp and tile_numbers.comp go. Prints JSON:
+// Counts the work of `tiles` without subgroup operations for a frame of spheres: tile_counts FILE [WxH] (1170x2532).
+// Repeats shaders/tile_bins.comp, tile_sort.comp and tile_numbers.comp on the host. Prints JSON:
 // counts, the instructions that Mali-G610 takes for them, and bytes that go to memory and back.
 
 #include <algorithm>
@@ -138,7 +138,7 @@ Counts count(const std::vector<Seen>& all, const View& view) {
     }
     double radius = 0;
     for (const Seen& s : all) radius += s.radius / static_cast<double>(all.size());
-    const double side = (2 * 1.005 * radius + 1) / kBin + 2;  // as boundEntries() has it
+    const double side = (2 * 1.005 * radius + 1) / kBin + 2;  // as in boundEntries()
     counts.share = passes::chooseShare(static_cast<std::uint64_t>(std::ceil(side * side)) * all.size(), all.size());
     return counts;
 }

@@ -327,7 +327,7 @@ TEST(Translucent, BallsAreMixedAsAFormulaSays) {
     EXPECT_LT(worst, 2e-4);  // shaders' curves of sRGB are polynomials
 }
 
-/// What many layers let through is the product of what each lets through, whatever their order.
+/// The transmittance of many layers is the product of theirs, in any order.
 TEST(Translucent, TheRestHidesExactlyWhatItsLayersHide) {
     Representation r;
     for (std::uint32_t i = 0; i < 30; ++i) {
