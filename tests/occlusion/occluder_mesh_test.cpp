@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/occlusion/depth_maps.h"
 #include "engine/occlusion/mesh_heights.h"
 #include "tests/renderer/meshes.h"
 
@@ -51,6 +52,19 @@ TEST(OccluderMesh, OfSmallTrianglesHasFewer) {
         const glm::vec3 a = coarse.positions[t.x], b = coarse.positions[t.y], c = coarse.positions[t.z];
         EXPECT_NEAR(glm::length(a + b + c) / 3, kRadius, kPixel / 2);
     }
+}
+
+TEST(DepthMapSizes, FollowTheCurvatureOfMeshes) {
+    const auto perAngstrom = [](float radius) {
+        Representation r = makeScene(icosphere({0, 0, 0}, radius, 4, 0));
+        r.radius = 100;
+        return occlusion::DepthMapSizes::pixelsFor(r, 64u << 20, 32) / (2 * r.radius);
+    };
+    constexpr double kStep = 12 / 200.0;  // widths are multiples of 8 pixels
+    EXPECT_NEAR(perAngstrom(0.2f), 2.5, kStep);
+    EXPECT_NEAR(perAngstrom(1), 2.2, kStep);
+    EXPECT_NEAR(perAngstrom(1.5f), 2.2 / 1.5, kStep);
+    EXPECT_NEAR(perAngstrom(5), 1.25, kStep);
 }
 
 TEST(OccluderMesh, OfLargeTrianglesIsTheMesh) {
