@@ -1,9 +1,11 @@
 #pragma once
-// Ellipsoids of triangles with a band along each principal ellipse.
+// Ellipsoids of triangles with a band along each principal ellipse, whole or with an octant cut out as ORTEP draws
+// them.
 
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 
 #include "engine/mesh/mesh.h"
@@ -13,14 +15,19 @@ namespace nacre {
 struct Ellipsoid {
     glm::dvec3 center{};               ///< Å
     std::array<glm::dvec3, 3> axes{};  ///< half axes, Å: orthogonal, right-handed
-    std::uint32_t atom = 0;            ///< below kEllipsoidBand
+    std::uint32_t atom = 0;            ///< below kEllipsoidFace
+    /// The octant that is cut out: 1 or -1 along each axis. Empty: none. Its three faces, in the principal planes, have
+    /// lines along an axis.
+    std::optional<glm::dvec3> cut = {};
 };
 
-/// Of a band: Mesh::atoms names its atom with this.
+/// Mesh::atoms names the atom of a band, or of a line on a face of the cut, with this.
 constexpr std::uint32_t kEllipsoidBand = 0x80000000u;
+/// Likewise between the lines of a face.
+constexpr std::uint32_t kEllipsoidFace = 0x40000000u;
 
-/// Pieces per side of an octant. Gives up to about two million triangles in all: 32 for up to 222 ellipsoids, 16 up to
-/// 818, 8 up to 2793, 4 beyond. Triangles lie up to ellipsoidMeshError() of the longest axis inside.
+/// Pieces per side of an octant. Gives up to about two million triangles of whole ellipsoids in all: 32 for up to 204,
+/// 16 up to 698, 8 up to 2118, 4 beyond. Triangles lie up to ellipsoidMeshError() of the longest axis inside.
 int ellipsoidPieces(std::size_t count);
 double ellipsoidMeshError(int pieces);
 
