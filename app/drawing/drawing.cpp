@@ -104,7 +104,7 @@ Rebuild rebuildFor(const PictureDescription& before, const PictureDescription& a
     const bool uncovers = by == CameraBy::hand
                               ? before.aim.uncover != after.aim.uncover
                               : parts && (uncoveredBy(before.aim) || uncoveredBy(after.aim) || before.aim.spares ||
-                                          after.aim.spares);  // depends on the view
+                                          after.aim.spares || drawsOctants(after.look));  // depends on the view
     Rebuild rebuild{.molecule = has(parts, Facet::input) || has(parts, Facet::frame)};
     // Maps and primitives decide whether all atoms may be hidden.
     rebuild.scene = has(parts, Facet::scene) || uncovers || before.drawsBeside() != after.drawsBeside();
@@ -155,7 +155,10 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
     const bool another =
         !scene_ || rebuild.molecule || rebuild.scene || first.atoms.empty() || (cutsScene_ && has(parts, Facet::view));
     description_ = description;
-    if (another) rebuildScene(frame, now);
+    if (another) {
+        viewer_.reset();
+        rebuildScene(frame, now);
+    }
     Aimed aim{.camera = cameraFor(description_.stereo, description_.camera)};
     if (description_.aim.center) aim.camera.center = scene_->center;
     const bool follow = description_.maps.aroundFocus && !description_.maps.files.empty();
@@ -180,10 +183,16 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
     run = {};
     run.zoom = aim.camera.zoom;
     setView(description_, aim.camera);
+    std::optional<SceneView> seen;
     if (by_ == CameraBy::description) {
         // Captures include the bake.
         if (description_.capture.empty()) settings.occlusion.cache = cacheFolder(description_.input.cache, "occlusion");
-        applySceneFile();
+        seen = applySceneFile();
+    }
+    if (another && drawsOctants(description_.look)) cutOctants(first, frame, now);
+    if (seen) {
+        dropOutside(*scene_, *seen);
+        dropOutside(maps_.shown, *seen);
     }
     placeClip(aim, settings.effects.clip);
     uncoverTarget(aim.clipNear);
@@ -194,6 +203,7 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
 void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* now) {
     moving_.reset();
     PictureDescription picture = description_;
+    picture.look.viewer = viewer_;
     if (kept_) picture.camera.center = kept_->center;
     if (now) {
         moving_ = std::make_shared<MovingPicture>(facts_->molecule(), picture,
@@ -251,16 +261,17 @@ void Drawing::takeCamera(Camera& camera) {
 }
 
 /// Applies the scene file's background, camera and clipping planes, unless options set them.
-void Drawing::applySceneFile() {
+/// @returns the view of its camera, if that is applied
+std::optional<SceneView> Drawing::applySceneFile() {
     cutsScene_ = seenByScene_ = false;
     const Molecule& molecule = facts_->molecule();
-    if (!molecule.guide) return;
+    if (!molecule.guide) return std::nullopt;
     const bool standard =
         !description_.given.contains("background") && description_.background == PictureDescription{}.background;
     if (molecule.guide->background && standard) settings.background = *molecule.guide->background;
     const SceneCamera* camera = sceneCamera(molecule, description_);
     seenByScene_ = camera != nullptr;
-    if (!camera) return;
+    if (!camera) return std::nullopt;
     const bool ortho = description_.given.contains("projection") && !stereo_.on() &&
                        description_.camera.projection == Projection::orthographic;
     const Size eye = eyeSize(stereo_, size_);
@@ -270,8 +281,7 @@ void Drawing::applySceneFile() {
     clip.near = std::max(clip.near, seen.clip.near);
     clip.far = std::min(clip.far, seen.clip.far);
     cutsScene_ = seen.clip.on();
-    dropOutside(*scene_, seen);
-    dropOutside(maps_.shown, seen);
+    return seen;
 }
 
 /// Removes what hides the target. Uses a clipping plane instead for assemblies, whose copies share primitives, for
@@ -373,7 +383,9 @@ void Drawing::setStats() {
 // --- atoms that move
 
 void Drawing::startMoving(const Molecule& first) {
-    moving_ = std::make_shared<MovingPicture>(first, description_, recolor);
+    PictureDescription picture = description_;
+    picture.look.viewer = viewer_;
+    moving_ = std::make_shared<MovingPicture>(first, picture, recolor);
 }
 
 void Drawing::moveTo(const Molecule& molecule) {

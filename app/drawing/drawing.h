@@ -17,6 +17,7 @@
 #include "engine/molecule/residue_facts.h"
 #include "engine/renderer.h"
 #include "engine/scene/build/representation.h"
+#include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app {
 
@@ -121,6 +122,8 @@ public:
     Bounds frame() const { return {scene_->center, radius_}; }
     /// Whether keepFrame() changed the radius.
     bool reframed() const { return reframed_; }
+    /// Whether the octants that are cut out of ellipsoids, if any, are those that face a camera.
+    bool octantsFace(const Camera& camera) const;
     /// Makes a camera relative to the scene. A given eye distance sets the scene's radius for cameras.
     void takeCamera(Camera& camera);
 
@@ -166,8 +169,9 @@ public:
 private:
     bool update(const PictureDescription& description, const std::optional<Bounds>& frame, const Molecule* now);
     void rebuildScene(const std::optional<Bounds>& frame, const Molecule* now);
+    void cutOctants(const Molecule& first, const std::optional<Bounds>& frame, const Molecule* now);
     void setView(const PictureDescription& picture, const Camera& camera);
-    void applySceneFile();
+    std::optional<SceneView> applySceneFile();
     void uncoverTarget(std::optional<double> plane);
     void finish(const PictureDescription& picture);
     void placePictureWords(const PictureDescription& picture);
@@ -179,6 +183,7 @@ private:
     PictureDescription description_;     ///< of the scene
     std::optional<ResidueFacts> facts_;  ///< of the molecule
     std::optional<Representation> scene_;
+    std::optional<glm::dvec4> viewer_;  ///< whom octants of scene_ face (RepresentationOptions::viewer)
     MapLayers maps_;
     std::optional<Bounds> kept_;  ///< from keepFrame()
     bool reframed_ = false;

@@ -54,7 +54,10 @@ void drawStyles(PanelFrame& f) {
         f.ui.caption("Automatic: " + choiceLabel("style", styleName(f.viewer.document()->drawing.scene().style)));
     if (shows(Style::cartoon, look)) slideOnRelease(f.ui, "cartoon-opacity", 100, look.cartoonOpacity);
     if (shows(Style::surface, look)) slideOnRelease(f.ui, "surface-opacity", 100, look.surfaceOpacity);
-    if (shows(Style::ellipsoids, look)) slideOnRelease(f.ui, "probability", 1, look.sizes.probability);
+    if (shows(Style::ellipsoids, look)) {
+        slideOnRelease(f.ui, "probability", 1, look.sizes.probability);
+        chooseOption(f, "ellipsoids");
+    }
     if (f.viewer.document() && !f.viewer.document()->drawing.scene().spheres.empty())
         slideOnRelease(f.ui, "atom-opacity", 100, look.atomOpacity);
 }

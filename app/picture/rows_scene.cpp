@@ -21,6 +21,7 @@ inline constexpr std::array<const char*, 3> kCarbohydrates{"off", "on", "icon"};
 inline constexpr std::array<const char*, 4> kBaseForms{"plates", "rings", "ladder", "none"};
 inline constexpr Words2 kDashedOff = {"dashed", "off"};
 inline constexpr std::array<const char*, 3> kSurfaceForms{"solid", "mesh", "dots"};
+inline constexpr std::array<const char*, 2> kEllipsoidForms{"bands", "octants"};
 inline constexpr std::array<const char*, 3> kSurfaceKinds{"excluded", "accessible", "gaussian"};
 
 void parseAssembly(T text, P& d) {
@@ -279,6 +280,12 @@ std::vector<Option> meshes() {
                                     {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"}),
         opacity<&R::atomOpacity>("atom-opacity", "Opacity of spheres and sticks, 0.01 to 1",
                                  {"Atom opacity", 0.1, 1, "Atom opacity: %.2f"}),
+        row("ellipsoids", "bands|octants",
+            "Ellipsoids with bands along the principal ellipses, or also with the octant towards the viewer cut out\n"
+            "and lines on its faces, as in ORTEP",
+            parseNamed<kEllipsoidForms, &P::look, &R::ellipsoids>,
+            printNamed<kEllipsoidForms, &P::look, &R::ellipsoids>,
+            {.label = "Ellipsoid style", .choices = {{"Bands", "bands"}, {"Octants", "octants"}}}),
         row(
             "probability", "P", "Probability in % that an atom is inside its ellipsoid (--style ellipsoids), 1 to 99",
             [](T text, P& d) { d.look.sizes.probability = parseNumber(text, 1, 99); },

@@ -256,19 +256,25 @@ void Viewer::takeDocument(double now) {
     if (arrival.another && has(difference(shown.view, view()), Facet::scene)) reading_.build();
 }
 
-/// Redraws maps around the camera's focus, once the camera rests.
-void Viewer::followFocus(double now) {
-    constexpr double kFollows = 0.1;  // of their radius
+/// Whether the camera's focus has left the one around which maps are drawn.
+bool Viewer::focusMoved() const {
+    constexpr double kFollows = 0.1;  // of the maps' radius
     const PictureDescription& wanted = view();
     const Drawing& drawing = stage_.document.drawing;
     const std::optional<glm::dvec3>& followed = drawing.maps().focus;
-    if (!wanted.maps.aroundFocus || !stage_.shown() || !followed || followed_ == stage_.changes()) return;
-    if (stage_.moving(now) || playback_.playing() || reading_.loader().busy()) return;
-    followed_ = stage_.changes();
+    if (!wanted.maps.aroundFocus || !followed) return false;
     const glm::dvec3 focus =
         findFocus(*document()->molecule, wanted, {wanted.camera, stage_.radius()}, drawing.scene().center);
     const double reach = wanted.maps.reach.value_or(wanted.maps.usualReach());
-    if (glm::distance(focus, *followed) > kFollows * reach) reading_.build();
+    return glm::distance(focus, *followed) > kFollows * reach;
+}
+
+/// Redraws what depends on the camera, once that rests: maps around its focus, and octants of ellipsoids that face it.
+void Viewer::followCamera(double now) {
+    if (!stage_.shown() || followed_ == stage_.changes()) return;
+    if (stage_.moving(now) || playback_.playing() || reading_.loader().busy()) return;
+    followed_ = stage_.changes();
+    if (focusMoved() || !stage_.document.drawing.octantsFace(view().camera)) reading_.build();
 }
 
 std::string Viewer::explanation() const {
@@ -306,7 +312,7 @@ std::string Viewer::title() const {
 double Viewer::advance(double now) {
     apply(touches_.tick(now), now);
     if (stage_.motion.advance(now)) stage_.changed(now);
-    followFocus(now);
+    followCamera(now);
     double due = playback_.advance(now);
     due = std::min(due, stage_.messages.advance(now));
     due = std::min(due, picking_.advance(now));

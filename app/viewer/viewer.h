@@ -101,7 +101,8 @@ private:
     bool changeLook(ViewerCommand command, PictureDescription& look, double now);
     void restore(const PictureDescription& saved, double now, double seconds = CameraMotion::kFlightSeconds);
     void takeDocument(double now);
-    void followFocus(double now);
+    bool focusMoved() const;
+    void followCamera(double now);
     double advance(double now);
 
     Stage stage_;
@@ -118,7 +119,7 @@ private:
     double levelTurned_ = -1e9;
     mutable std::uint64_t explained_ = 0;  // the scene's number
     mutable std::string explanation_;      // of that scene
-    std::uint64_t followed_ = 0;           // Stage::changes() when maps last followed the camera's focus
+    std::uint64_t followed_ = 0;           // Stage::changes() when the scene last followed the camera
 };
 
 }  // namespace nacre::app

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <gemmi/symmetry.hpp>
 #include <gemmi/unitcell.hpp>
 #include <glm/geometric.hpp>
@@ -147,6 +149,132 @@ TEST(AtomEllipsoids, OtherAtomsAreSpheres) {
     // Bonds are thin, and single.
     EXPECT_EQ(r.cylinders.size(), m.bonds.size());
     for (const Cylinder& stick : r.cylinders) EXPECT_NEAR(stick.radius, 0.06, 1e-6);
+}
+
+/// Glucose of which each atom but hydrogens has a tensor of its own, seen from a viewer.
+Molecule glucoseWithTensors() {
+    Molecule m = sampleMolecule("glucose");
+    m.displacements.resize(m.atoms.size());
+    for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
+        const float turn = 0.002f * static_cast<float>(i % 7);
+        const auto along = [i](std::uint32_t k) { return 0.02f + 0.015f * static_cast<float>((i + k) % 3); };
+        if (!isHydrogen(m.atoms[i].element))
+            m.displacements[i] = {along(0), along(1), along(2), turn - 0.006f, 0.004f, -turn / 2};
+    }
+    return m;
+}
+Representation seenFrom(const Molecule& m, const glm::dvec4& viewer) {
+    return represent(m, drawnAtoms(m),
+                     {.style = Style::ellipsoids, .ellipsoids = EllipsoidForm::octants, .viewer = viewer});
+}
+
+/// Areas of an ellipsoid's octants towards a direction, by the triangles of its mesh; by the signs of its axes.
+std::array<double, 8> areasTowards(const Representation& r, const Molecule& m, std::uint32_t atom,
+                                   const glm::dvec3& way) {
+    std::array<double, 8> areas{};
+    const auto axes = *displacementAxes(m.displacements[atom]);
+    for (const Triangle& t : r.triangles) {
+        if (r.meshLooks[r.meshVertices[t.a].look].atom != atom + 1) continue;
+        const auto at = [&](std::uint32_t v) {
+            return glm::dvec3(decodePosition(r.meshVertices[v], t.step())) + r.center -
+                   glm::dvec3(m.atoms[atom].position);
+        };
+        const glm::dvec3 a = at(t.a), b = at(t.b), c = at(t.c), middle = (a + b + c) / 3.0;
+        std::size_t octant = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            if (glm::dot(middle, axes[i]) < 0) octant |= std::size_t{1} << i;
+        areas[octant] += glm::dot(glm::cross(b - a, c - a), way) / 2;
+    }
+    return areas;
+}
+
+TEST(CutEllipsoids, LackTheOctantWithTheLargestAreaTowardsTheViewer) {
+    const Molecule m = glucoseWithTensors();
+    const Representation whole = ellipsoidScene(m);
+    for (const glm::dvec4& viewer :
+         {glm::dvec4(0, 0, 1, 0), glm::dvec4(-0.6, 0.7, 0.2, 0), glm::dvec4(whole.center + glm::dvec3(3, -6, 4), 1)}) {
+        const Representation r = seenFrom(m, viewer);
+        ASSERT_EQ(r.meshes.size(), 1u);
+        EXPECT_TRUE(r.meshes[0].closed);
+        EXPECT_EQ(r.center, whole.center);
+        std::set<std::size_t> met;
+        for (std::uint32_t atom = 0; atom < m.atoms.size(); ++atom) {
+            if (!m.displacements[atom].stated()) continue;
+            const glm::dvec3 way = glm::normalize(glm::dvec3(viewer) - viewer.w * glm::dvec3(m.atoms[atom].position));
+            const auto before = areasTowards(whole, m, atom, way);
+            const std::size_t cut = static_cast<std::size_t>(std::ranges::max_element(before) - before.begin());
+            met.insert(cut);
+            EXPECT_EQ(facingOctants(m, viewer)[atom], cut);
+            const auto axes = *displacementAxes(m.displacements[atom]);
+            for (const Triangle& t : r.triangles) {
+                if (r.meshLooks[r.meshVertices[t.a].look].atom != atom + 1) continue;
+                glm::dvec3 middle(0);
+                for (const std::uint32_t v : {t.a, t.b, t.c})
+                    middle += (glm::dvec3(decodePosition(r.meshVertices[v], t.step())) + r.center -
+                               glm::dvec3(m.atoms[atom].position)) /
+                              3.0;
+                double least = 1;
+                for (std::size_t i = 0; i < 3; ++i)
+                    least = std::min(least,
+                                     glm::dot(middle, axes[i]) / glm::dot(axes[i], axes[i]) * (cut >> i & 1 ? -1 : 1));
+                ASSERT_LT(least, 1e-3) << "nothing is left of the octant";
+            }
+        }
+        EXPECT_GE(met.size(), 2u);
+    }
+    EXPECT_EQ(facingOctants(m, {0, 0, 1, 0}).back(), kNoOctant) << "a hydrogen";
+}
+
+TEST(CutEllipsoids, ShowNeitherBallsNorEndsOfBonds) {
+    const Molecule m = glucoseWithTensors();
+    const glm::dvec4 viewer(0.3, -0.5, 0.8, 0);
+    const Representation whole = ellipsoidScene(m), r = seenFrom(m, viewer);
+    for (std::size_t i = 0; i < r.spheres.size(); ++i) {
+        const bool stated = m.displacements[r.sphereLooks[i].atom - 1].stated();
+        EXPECT_EQ(r.spheres[i].radius, stated ? kCutBall : whole.spheres[i].radius);
+    }
+    ASSERT_EQ(r.cylinders.size(), whole.cylinders.size());
+    const AtomEllipsoids ellipsoids(m, 50, viewer);
+    std::size_t through = 0, inside = 0;
+    for (std::size_t i = 0; i < r.cylinders.size(); ++i) {
+        const auto end = [&](std::uint32_t atom, const glm::vec3& at, const glm::vec3& center) {
+            if (!m.displacements[atom].stated()) {
+                EXPECT_EQ(at, center);
+                return;
+            }
+            const glm::dvec3 off = glm::dvec3(at) + r.center - glm::dvec3(m.atoms[atom].position);
+            if (glm::length(off) < 1e-5) {
+                ++through;
+                return;
+            }
+            ++inside;
+            EXPECT_NEAR(quadricAt(m.displacements[atom], off), 0.64 * 1.5382 * 1.5382, 1e-3);
+            const auto axes = *ellipsoids.axes(atom);
+            const glm::dvec3 signs = *ellipsoids.cut(atom);
+            double least = 1;
+            for (std::size_t k = 0; k < 3; ++k)
+                least = std::min(least, glm::dot(axes[k], off) * signs[static_cast<int>(k)]);
+            EXPECT_LT(least, 0) << "outside the cut";
+        };
+        end(r.cylinderLooks[i].atomA - 1, r.cylinders[i].a, whole.cylinders[i].a);
+        end(r.cylinderLooks[i].atomB - 1, r.cylinders[i].b, whole.cylinders[i].b);
+    }
+    EXPECT_GE(through, 1u);
+    EXPECT_GE(inside, 10u);
+}
+
+TEST(CutEllipsoids, NeedAViewer) {
+    const Molecule m = glucoseWithTensors();
+    RepresentationOptions look{.style = Style::ellipsoids, .ellipsoids = EllipsoidForm::octants};
+    EXPECT_EQ(represent(m, drawnAtoms(m), look).triangles.size(), ellipsoidScene(m).triangles.size());
+    EXPECT_TRUE(drawsOctants(look));
+    look.style = Style::licorice;
+    EXPECT_FALSE(drawsOctants(look));
+    look.rules.emplace_back().style = Style::ellipsoids;
+    EXPECT_TRUE(drawsOctants(look));
+    look.ellipsoids = EllipsoidForm::bands;
+    EXPECT_FALSE(drawsOctants(look));
+    EXPECT_EQ(faceColor(packedColor(0x406080)), packedColor(0xcfd7df));
 }
 
 TEST(AtomEllipsoids, BandsStandOutFromTheColorOfTheirAtom) {

@@ -448,5 +448,38 @@ TEST(Viewer, WordsFollowTheSizeOfTheWindowsText) {
     EXPECT_DOUBLE_EQ(b.viewer.words().size(), 10) << "its own size is kept";
 }
 
+TEST(Viewer, OctantsOfEllipsoidsFollowTheCameraOnceItRests) {
+    CountingScreen screen;
+    Sources tensors{[](const PictureDescription&) {
+        Molecule m = sampleMolecule("glucose");
+        m.displacements.assign(m.atoms.size(), {0.04f, 0.03f, 0.02f, 0.004f, 0, 0});
+        return m;
+    }};
+    PictureDescription view = Bench::makeView("sample:glucose");
+    view.look.style = Style::ellipsoids;
+    view.look.ellipsoids = EllipsoidForm::octants;
+    Viewer viewer(screen, tensors, view, {});
+    double now = 100;
+    const auto rest = [&] {
+        for (int i = 0; i < 30; ++i) {
+            viewer.reading().loader().wait();
+            viewer.update(now += 0.05);
+        }
+    };
+    const auto faces = [&] { return viewer.document()->drawing.octantsFace(viewer.view().camera); };
+    viewer.frames().resize({640, 480}, 1, now);
+    rest();
+    EXPECT_TRUE(faces()) << "also once the first view is aligned";
+    const int scenes = screen.scenes;
+    for (int i = 0; i < 20; ++i) viewer.run(ViewerCommand::rotateLeft, now);
+    viewer.update(now += 0.01);
+    EXPECT_EQ(screen.scenes, scenes) << "it moves";
+    rest();
+    EXPECT_TRUE(faces());
+    EXPECT_EQ(screen.scenes, scenes + 1);
+    rest();
+    EXPECT_EQ(screen.scenes, scenes + 1) << "it rests";
+}
+
 }  // namespace
 }  // namespace nacre::app::test

@@ -59,6 +59,7 @@ class Options(TypedDict, total=False):
     surface_opacity: str | float
     cartoon_opacity: str | float
     atom_opacity: str | float
+    ellipsoids: str
     probability: str | float
     interactions: str | bool | Mask | tuple[str | Mask, str | Mask]
     interaction_kinds: str

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "engine/molecule/element.h"
+#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/bond_cylinders.h"
 
 namespace nacre {
@@ -81,6 +84,9 @@ bool isCoordination(const Molecule& molecule, const Bond& bond) {
     return isMetal(molecule.atoms[bond.a].element) != isMetal(molecule.atoms[bond.b].element);
 }
 
+/// Å from an atom along a bond to the bond's end in a cut ellipsoid.
+using FindBondEnd = std::function<double(std::uint32_t atom, const glm::dvec3& way)>;
+
 /// A bond's dashes, each in the colour of the nearer atom.
 void appendCoordination(const Sphere& a, const Sphere& b, const SphereLook& lookA, const SphereLook& lookB,
                         Representation& result) {
@@ -100,13 +106,15 @@ void appendCoordination(const Sphere& a, const Sphere& b, const SphereLook& look
 class BondDrawing {
 public:
     BondDrawing(const Molecule& molecule, const DrawnOrders& orders, std::span<const Bond> bonds,
-                std::span<const std::uint32_t> slots, AromaticForm aromatic, const Sizes& sizes, Representation& result)
+                std::span<const std::uint32_t> slots, AromaticForm aromatic, const Sizes& sizes, FindBondEnd findEnd,
+                Representation& result)
         : molecule_(molecule),
           orders_(orders),
           around_(molecule, bonds),
           slots_(slots),
           aromatic_(aromatic),
           sizes_(sizes),
+          findEnd_(std::move(findEnd)),
           result_(result) {}
 
     void add(const Bond& bond, Style style) {
@@ -118,14 +126,26 @@ public:
         const bool sideless = strands.count == 1 && strands.inner.radius <= 0;
         const glm::dvec3 side = sideless ? glm::dvec3(0) : strandSide(bond, axis);
         const SphereLook &lookA = look(bond.a), &lookB = look(bond.b);
+        const double endA = findEnd_(bond.a, axis), endB = findEnd_(bond.b, -axis);
+        const bool apart = endA + endB < 0.9 * length;
+        const glm::dvec3 trimA = axis * (apart ? endA : 0), trimB = axis * (apart ? endB : 0);
         for (int i = 0; i < strands.count; ++i) {
             const auto& strand = strands.strands[static_cast<std::size_t>(i)];
             const glm::dvec3 from = start + side * static_cast<double>(strand.offset);
-            result_.cylinders.push_back({glm::vec3(from), strand.radius, glm::vec3(from + way), 0.0f});
+            result_.cylinders.push_back({glm::vec3(from + trimA), strand.radius, glm::vec3(from + way - trimB), 0.0f});
             result_.cylinderLooks.push_back({lookA.color, lookB.color, lookA.atom, lookB.atom});
         }
         if (strands.inner.radius > 0 && !(bond.order == 4 && aromatic_ == AromaticForm::ring && inRing))
             addInner(bond, strands.inner, axis, side);
+    }
+
+    /// A bond of a metal.
+    void addCoordination(const Bond& bond) {
+        Sphere a = result_.spheres[slots_[bond.a]], b = result_.spheres[slots_[bond.b]];
+        const glm::dvec3 axis = glm::normalize(between(molecule_, bond.a, bond.b));
+        a.radius = std::max(a.radius, static_cast<float>(findEnd_(bond.a, axis)));
+        b.radius = std::max(b.radius, static_cast<float>(findEnd_(bond.b, -axis)));
+        appendCoordination(a, b, look(bond.a), look(bond.b), result_);
     }
 
     /// A piece of a backbone.
@@ -227,6 +247,7 @@ private:
     std::span<const std::uint32_t> slots_;
     AromaticForm aromatic_;
     Sizes sizes_;
+    FindBondEnd findEnd_;
     Representation& result_;
 };
 
@@ -280,7 +301,11 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
         return stouter(styles[slots[a]], styles[slots[b]]);
     };
     std::vector<Bond> bonds = drawnBonds(molecule, appearance, orders, contacts, slots);
-    BondDrawing drawing(molecule, orders, bonds, slots, orders.form(), appearance.sizes, result);
+    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability, appearance.viewer);
+    const auto findEnd = [&](std::uint32_t atom, const glm::dvec3& way) {
+        return styles[slots[atom]] == Style::ellipsoids ? ellipsoids.bondEnd(atom, way) : 0;
+    };
+    BondDrawing drawing(molecule, orders, bonds, slots, orders.form(), appearance.sizes, findEnd, result);
     std::erase_if(bonds, [&](const Bond& bond) { return !hasSticks(chooseStyle(bond.a, bond.b)); });
     if (has(Style::backbone)) addTraces(facts, appearance, slots, bonds);
     if (assembly) assembly->sortByCopies(bonds);
@@ -289,8 +314,7 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
         if (bond.order == kTraceBond)
             drawing.addTrace(bond);
         else if (isCoordination(molecule, bond))
-            appendCoordination(result.spheres[slots[bond.a]], result.spheres[slots[bond.b]],
-                               result.sphereLooks[slots[bond.a]], result.sphereLooks[slots[bond.b]], result);
+            drawing.addCoordination(bond);
         else
             drawing.add(bond, chooseStyle(bond.a, bond.b));
     }

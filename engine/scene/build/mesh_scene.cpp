@@ -125,11 +125,11 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
     for (const std::uint32_t atom : appearance.cartoon.atoms) groups[findGroup(atom)].cartoon.push_back(atom);
     for (const std::uint32_t atom : appearance.surface.atoms) groups[findGroup(atom)].surface.push_back(atom);
     for (const std::uint32_t atom : appearance.sugars.atoms) groups[findGroup(atom)].sugars.push_back(atom);
-    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability);
+    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability, appearance.viewer);
     const MeshAtoms asEllipsoids = ellipsoidAtoms(appearance, ellipsoids);
     for (const std::uint32_t atom : asEllipsoids.atoms)
         groups[findGroup(atom)].ellipsoids.push_back(
-            {glm::dvec3(molecule.atoms[atom].position), *ellipsoids.axes(atom), atom});
+            {glm::dvec3(molecule.atoms[atom].position), *ellipsoids.axes(atom), atom, ellipsoids.cut(atom)});
     const MeshLooks ofEllipsoids(molecule, asEllipsoids);
     const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface),
         ofSugars(molecule, appearance.sugars);
@@ -166,8 +166,9 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
             appendMesh(
                 ellipsoidMesh(group.ellipsoids, representation.center), {},
                 [&](std::uint32_t atom) {
-                    SphereLook look = ofEllipsoids(atom & ~kEllipsoidBand);
+                    SphereLook look = ofEllipsoids(atom & ~(kEllipsoidBand | kEllipsoidFace));
                     if (atom & kEllipsoidBand) look.color = bandColor(look.color);
+                    if (atom & kEllipsoidFace) look.color = faceColor(look.color);
                     return look;
                 },
                 representation);

@@ -27,7 +27,7 @@ namespace {
 void appendAtoms(const Molecule& molecule, const Appearance& appearance, Representation& result) {
     result.spheres.reserve(appearance.atoms.size());
     result.sphereLooks.reserve(appearance.atoms.size());
-    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability);
+    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability, appearance.viewer);
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
         const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];

@@ -155,7 +155,8 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
     const Molecule& molecule = facts.molecule();
     Appearance appearance = appearanceOfLayer(facts, layer);
     appearance.sizes.probability = options.sizes.probability;
-    const AtomEllipsoids ellipsoids(molecule, options.sizes.probability);
+    if (options.ellipsoids == EllipsoidForm::octants) appearance.viewer = options.viewer;
+    const AtomEllipsoids ellipsoids(molecule, options.sizes.probability, appearance.viewer);
     Representation part;
     part.center = center;
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
