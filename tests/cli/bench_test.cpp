@@ -81,6 +81,16 @@ TEST(Bench, SeveralInputsEachByItselfAndWhatIsSaidOfOneThatFails) {
     EXPECT_NE(table.out.find("entries of lists"), std::string::npos) << table.out;
 }
 
+TEST(Bench, TableOfAPathWithoutListsAndOfAPictureWithoutAtoms) {
+    const TemporaryFolder folder;
+    const std::string options = "bench sample:glucose --size 64x64 --occlusion off --frames 1 --visibility fragdepth";
+    const Outcome table = nacreDone(folder, options);
+    EXPECT_EQ(table.out.find("of lists"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("times as long\n"), std::string::npos) << table.out;
+    const Outcome nothing = nacreDone(folder, options + " --pan 9,9");
+    EXPECT_NE(nothing.out.find("; 0 pixels covered\n"), std::string::npos) << nothing.out;
+}
+
 TEST(Bench, EdgesByTilesAndByMoreSamples) {
     const TemporaryFolder folder;
     struct Case {
