@@ -109,16 +109,18 @@ vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, std::optional
                                         std::uint32_t group) {
     const vk::DescriptorSet set =
         context.descriptors.allocate(accumulationLayout(context, !maps).set, "occlusion accumulation");
-    bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
     bind(device_, set, 2, Type::eStorageBuffer, *list_.handle);
     bind(device_, set, 3, Type::eStorageBuffer, *sums_.handle);
     if (!maps && maps_.tiles()->texels()) {
-        const vk::BufferView heights = maps_.tiles()->texels(), directions = *directionTexels_;
-        const vk::WriteDescriptorSet writes[] = {{set, 1, 0, 1, Type::eUniformTexelBuffer, {}, {}, &directions},
+        const vk::BufferView heights = maps_.tiles()->texels(), directions = *directionTexels_,
+                             shapes = *scene_.shapeTexels;
+        const vk::WriteDescriptorSet writes[] = {{set, 0, 0, 1, Type::eUniformTexelBuffer, {}, {}, &shapes},
+                                                 {set, 1, 0, 1, Type::eUniformTexelBuffer, {}, {}, &directions},
                                                  {set, 4, 0, 1, Type::eUniformTexelBuffer, {}, {}, &heights}};
         device_->updateDescriptorSets(writes, {});
         return set;
     }
+    bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
     bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle, group * kGroupBytes, kGroupBytes);
     if (!maps) {
         bind(device_, set, 4, Type::eStorageBuffer, *maps_.tiles()->buffer().handle);

@@ -31,8 +31,8 @@ constexpr double kShareOfMesh = 16;
 // 0.095 Å.
 constexpr double kManyTriangles = 8e6, kLeastShare = 0.4;
 constexpr double kSmallest = 128, kLargest = 2048;
-// Patches narrower than this need fewer pixels per Å, down to a minimum share.
-constexpr double kFullDetail = 10, kLeastOfDetail = 0.5;
+// Narrow patches need fewer pixels per Å, down to a minimum share.
+constexpr double kLeastOfDetail = 0.5;
 constexpr std::uint64_t kMostBytesPerPixel = 4 + 8;  // encoded depth in RGBA16F, and the depth buffer
 // Primitives per draw of the tile path: their lists take about 30 bytes each on the host.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
@@ -126,10 +126,31 @@ double wantedResolution(const Representation& r) {
     return sum / std::max(count, 1.0);
 }
 
+std::uint64_t countCopies(const Representation& r) { return std::max<std::size_t>(r.copies.transforms.size(), 1); }
+
+/// Primitives that the tile path lists per map.
+std::uint64_t listedPrimitives(const Representation& r) {
+    return (r.spheres.size() + r.cylinders.size()) * countCopies(r);
+}
+
 }  // namespace
 
 std::uint64_t DepthMapSizes::mostBytes(std::uint32_t pixels) {
     return std::max(kMostBytesPerPixel * pixels * pixels, 2 * TileMaps::bytesFor(pixels, 1));
+}
+
+std::uint64_t DepthMapSizes::listedBytes(std::uint32_t pixels, std::uint32_t batch, std::uint64_t primitives) {
+    return TileMaps::bytesFor(pixels, mapsAcross(batch)) + primitives * batch * TileMaps::kBytesPerPrimitive;
+}
+
+std::uint64_t DepthMapSizes::batchBytes(const Representation& representation, std::uint32_t pixels,
+                                        std::uint64_t room) {
+    const std::uint64_t primitives = listedPrimitives(representation);
+    for (const std::uint32_t batch : {DepthMaps::kMostPerBatch, 4u})
+        if (const std::uint64_t bytes = listedBytes(pixels, batch, primitives);
+            bytes <= room && primitives * batch <= kMostPrimitives)
+            return bytes;
+    return 0;
 }
 
 std::uint32_t DepthMapSizes::pixelsFor(const Representation& representation, std::uint64_t room, std::uint32_t detail) {
@@ -146,24 +167,24 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
     const bool tiles = path == OcclusionMaps::tiles, lists = tiles && !caps.tiles.lists;
     if (caps.apartMemory) room = std::max(room, kRoomOfCards);
     const std::uint32_t each = bytesPerPixel(path, caps.encodedMaps);
+    const std::uint64_t listed = listedPrimitives(representation);
     const auto countBytes = [&](std::uint32_t batch) {
-        return tiles ? (lists ? 2 : 1) * TileMaps::bytesFor(pixels, mapsAcross(batch))
-                     : std::uint64_t{each} * pixels * pixels * batch;
+        return tiles ? listedBytes(pixels, batch, lists ? listed : 0) : std::uint64_t{each} * pixels * pixels * batch;
     };
     // The tile path numbers the primitives of a batch with 32 bits.
-    const std::uint64_t copies = std::max<std::size_t>(representation.copies.transforms.size(), 1);
-    const std::uint64_t listed = (representation.spheres.size() + representation.cylinders.size()) * copies;
-    const std::uint64_t drawn = listed + representation.triangles.size() * copies;
+    const std::uint64_t drawn = listed + representation.triangles.size() * countCopies(representation);
     for (const std::uint32_t batch : {4u, DepthMaps::kMostPerBatch})
         if (countBytes(batch) <= room && pixels * mapsAcross(batch) <= caps.maxImageSize &&
-            (!tiles || drawn * batch < 1ull << 31))
+            (!tiles || drawn * batch < 1ull << 31) && (!lists || listed * batch <= kMostPrimitives))
             perBatch = batch;
     bytes = countBytes(perBatch);
     mostPrimitives = std::uint64_t{1} << 31;
-    if (!lists) return;
-    mostPrimitives = std::clamp<std::uint64_t>(bytes / 2 / TileMaps::kBytesPerPrimitive, 1, kMostPrimitives);
-    // Lists hold no triangles.
-    mostPrimitives = mostPrimitives * std::max<std::uint64_t>(drawn, 1) / std::max<std::uint64_t>(listed, 1);
+    if (!lists || listed == 0) return;
+    // A map whose lists take more than the room is drawn in parts.
+    const std::uint64_t ofHeights = listedBytes(pixels, perBatch, 0);
+    bytes = std::min(bytes, std::max(room, 2 * ofHeights));
+    const std::uint64_t fit = (bytes - ofHeights) / TileMaps::kBytesPerPrimitive;
+    mostPrimitives = std::clamp<std::uint64_t>(fit, 1, kMostPrimitives) * drawn / listed;  // lists hold no triangles
 }
 
 DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,

@@ -26,6 +26,8 @@ struct DepthMapSizes {
     std::uint64_t bytes = 0, mostPrimitives = 1;  ///< per batch; per draw of the tile path
     /// Allowed error of meshes drawn on maps, pixels. The depth test has a slack of one pixel.
     static constexpr double kMeshError = 0.5;
+    /// Patches narrower than this, texels, need fewer pixels per Å.
+    static constexpr double kFullDetail = 10;
     DepthMapSizes() = default;
     /// Fits as many maps per batch as the device memory allows.
     DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path, std::uint32_t pixels,
@@ -35,6 +37,10 @@ struct DepthMapSizes {
     static std::uint32_t pixelsFor(const Representation& representation, std::uint64_t room, std::uint32_t detail);
     /// Device memory of one map, on the path that needs the most.
     static std::uint64_t mostBytes(std::uint32_t pixels);
+    /// Device memory of maps by tiles and of lists for them. @param primitives  listed per map
+    static std::uint64_t listedBytes(std::uint32_t pixels, std::uint32_t batch, std::uint64_t primitives);
+    /// Device memory of 16 maps by tiles, or of 4 if 16 do not fit into `room`; 0 if 4 do not, either.
+    static std::uint64_t batchBytes(const Representation& representation, std::uint32_t pixels, std::uint64_t room);
 };
 
 /// Part of a model that is drawn on a map: all instances, or a range.

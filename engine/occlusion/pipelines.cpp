@@ -16,7 +16,7 @@ using passes::kTexel;
 using passes::Type;
 constexpr std::array kAccumulate{kStorage, Type::eUniformBuffer, kStorage, kStorage, Type::eCombinedImageSampler};
 constexpr std::array kAccumulateStorage{kStorage, Type::eUniformBuffer, kStorage, kStorage, kStorage};
-constexpr std::array kAccumulateTexels{kStorage, kTexel, kStorage, kStorage, kTexel};
+constexpr std::array kAccumulateTexels{kTexel, kTexel, kStorage, kStorage, kTexel};
 // Shapes, rows of copies, lists, heights for reading and for writing.
 constexpr std::array kThreeBuffers{kStorage, kStorage, kStorage};
 

@@ -1,12 +1,16 @@
 // Texels of the occlusion atlas in linear order: all sphere patches, then all cylinder patches, row by row, then vertices.
+#include "divide.glsl"
 #include "vertex.glsl"
 
 layout(push_constant) uniform Push { OcclusionConstants bake; };
-#ifdef VERTEX
-layout(set = 0, binding = 0, std430) readonly buffer Shapes { uvec4 shapes[]; };
+#ifdef TEXELS
+layout(set = 0, binding = 0) uniform usamplerBuffer shapeTexels;
+uvec4 shapeBits(uint i) { return texelFetch(shapeTexels, int(i)); }
 #else
-layout(set = 0, binding = 0, std430) readonly buffer Shapes { vec4 shapes[]; };
+layout(set = 0, binding = 0, std430) readonly buffer Shapes { uvec4 shapes[]; };
+uvec4 shapeBits(uint i) { return shapes[i]; }
 #endif
+vec4 shapeAt(uint i) { return uintBitsToFloat(shapeBits(i)); }
 
 /// The directions of a batch; missing ones are zero and contribute nothing. Addresses are constant (loops are
 /// unrolled), so that drivers can load directions once for all invocations. lavapipe 22.3 gathers them lane by lane
@@ -78,7 +82,7 @@ struct Texel {
 #ifdef VERTEX
 Texel vertexTexel(uint index) {
     uint rest = index - bake.firstVertexTexel;
-    uvec4 vertex = shapes[bake.firstVertex + rest / 2u];
+    uvec4 vertex = shapeBits(bake.firstVertex + rest / 2u);
     Texel t;
     t.a = vertexPosition(vertex, bake.step);
     t.radius = 0.0;
@@ -89,27 +93,27 @@ Texel vertexTexel(uint index) {
 #else
 Texel sphereTexel(uint index) {
     uint edge = bake.sphereEdge;
-    uint local = index % (edge * edge);
-    vec4 sphere = shapes[index / (edge * edge)];
+    uvec2 place = divided(index, edge * edge), local = dividedSmall(place.y, edge);  // row, column
+    vec4 sphere = shapeAt(place.x);
     Texel t;
     t.a = sphere.xyz;
     t.radius = sphere.w;
     t.axis = vec3(0.0);
-    t.normal = edge == 1u ? vec3(0.0) : octahedralNormal(vec2(local % edge, local / edge) / float(edge - 1u));
+    t.normal = edge == 1u ? vec3(0.0) : octahedralNormal(vec2(local.yx) / float(edge - 1u));
     return t;
 }
 
 Texel cylinderTexel(uint index) {
     uint edge = bake.sphereEdge, around = bake.around, along = bake.along, spheres = bake.spheres;
-    uint rest = index - ((spheres * edge * edge + 3u) & ~3u);
-    uint shape = rest / (around * along), local = rest % (around * along);
-    vec4 a = shapes[spheres + 2u * shape];
-    vec3 b = shapes[spheres + 2u * shape + 1u].xyz;
+    uvec2 place = divided(index - ((spheres * edge * edge + 3u) & ~3u), around * along);
+    uvec2 local = dividedSmall(place.y, around);  // along the axis, around it
+    vec4 a = shapeAt(spheres + 2u * place.x);
+    vec3 b = shapeAt(spheres + 2u * place.x + 1u).xyz;
     Texel t;
-    t.a = mix(a.xyz, b, float(local / around) / float(along - 1u));
+    t.a = mix(a.xyz, b, float(local.x) / float(along - 1u));
     t.radius = a.w;
     t.axis = normalize(b - a.xyz);
-    t.normal = directionAbout(t.axis, float(local % around) / float(around - 1u));
+    t.normal = directionAbout(t.axis, float(local.y) / float(around - 1u));
     return t;
 }
 #endif
