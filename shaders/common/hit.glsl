@@ -314,7 +314,8 @@ Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint division, vec2 q) {
     precise float ofA = edgeSide(pb, pc), ofB = edgeSide(pc, pa), ofC = edgeSide(pa, pb);
     precise float sum = ofA + ofB + ofC;
     hit.inside = (min(ofA, min(ofB, ofC)) >= 0.0 || max(ofA, max(ofB, ofC)) <= 0.0) && sum != 0.0;
-    hit.back = sum < 0.0;
+    bool mirrored = dot(cross(copyRow0.xyz, copyRow1.xyz), copyRow2.xyz) < 0.0;  // a copy that is a mirror image
+    hit.back = (sum < 0.0) != mirrored;
     if (kFrontsOnly) hit.inside = hit.inside && !hit.back;
     precise float unit = 1.0 / (sum == 0.0 ? 1.0 : sum);
     precise vec3 shares = vec3(ofA, ofB, ofC) * unit;

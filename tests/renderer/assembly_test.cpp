@@ -161,6 +161,43 @@ Representation copiesStored(const Representation& r) {
     return all;
 }
 
+/// A copy by a mirror plane shows the fronts of its meshes, as bright as the molecule's own: its picture is the
+/// molecule's from right to left.
+TEST(MirroredCopy, ShowsTheFrontsOfItsMeshes) {
+    Molecule m = sampleMolecule("glucose");
+    m.subchains = {"A"};
+    m.assemblies = {{"1", "", {{{glm::mat4x3({-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0})}, {0}}}}};
+    RepresentationOptions look{.style = Style::surface};
+    const Representation own = represent(m, drawnAtoms(m), look);
+    look.assembly = "1";
+    const Representation mirrored = represent(m, drawnAtoms(m), look);
+    ASSERT_FALSE(mirrored.triangles.empty());
+    constexpr std::uint32_t kSize = 120;
+    for (const bool cut : {false, true}) {
+        RenderSettings s = settings(own, kSize, Projection::orthographic, {0, 0, 0});
+        s.occlusion.directions = 32;
+        if (cut) s.effects.clip.near = 0;
+        for (const Visibility visibility : devicePaths()) {
+            ValidatedRenderer renderer(visibility, own);
+            const LayerPicture expected = renderer->layers(s);
+            renderer->setScene(mirrored);
+            const LayerPicture p = renderer->layers(s);
+            std::size_t covered = 0, differ = 0;
+            for (std::uint32_t y = 0; y < kSize; ++y)
+                for (std::uint32_t x = 0; x < kSize; ++x) {
+                    const std::size_t i = y * kSize + x, k = y * kSize + kSize - 1 - x;
+                    covered += expected.id[k] != 0;
+                    const bool alike = p.id[i] == expected.id[k] &&
+                                       std::abs(p.normal[3 * i + 2] - expected.normal[3 * k + 2]) < 0.05f &&
+                                       std::abs(p.occlusion[i] - expected.occlusion[k]) < 0.1f;
+                    differ += !alike;
+                }
+            EXPECT_GT(covered, 5000u);
+            EXPECT_LT(differ * 20, covered) << visibilityName(visibility) << (cut ? ", cut" : "");
+        }
+    }
+}
+
 class CopyColors : public SharedRenderers<Style> {};
 
 TEST_P(CopyColors, EachCopyHasItsColourOnEveryPath) {
