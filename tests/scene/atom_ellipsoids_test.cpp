@@ -19,6 +19,7 @@
 #include "engine/molecule/read.h"
 #include "engine/scene/build/representation.h"
 #include "engine/scene/color/colors.h"
+#include "engine/scene/view/camera.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {
@@ -261,6 +262,58 @@ TEST(CutEllipsoids, ShowNeitherBallsNorEndsOfBonds) {
     }
     EXPECT_GE(through, 1u);
     EXPECT_GE(inside, 10u);
+}
+
+/// Copies by a threefold screw axis, an inversion and a translation, each seen from its own side.
+TEST(CutEllipsoids, OfCopiesFaceTheViewerInEachCopy) {
+    Molecule m = glucoseWithTensors();
+    m.subchains = {"A"};
+    m.assemblies = {{"1", "", {{{}, {0}}}}};
+    for (const glm::vec3& shift : {glm::vec3(0), glm::vec3(30, 0, 0)})
+        for (const float side : {1.0f, -1.0f})
+            for (const double degrees : {0.0, 120.0, 240.0}) {
+                const glm::mat3 turn = glm::mat3(rotationMatrix({0, 0, degrees})) * side;
+                m.assemblies[0].parts[0].transforms.emplace_back(turn[0], turn[1], turn[2], shift);
+            }
+    RepresentationOptions look{.style = Style::ellipsoids,
+                               .assembly = "1",
+                               .ellipsoids = EllipsoidForm::octants,
+                               .viewer = glm::dvec4(0.48, -0.6, 0.64, 0)};
+    const Representation r = represent(m, drawnAtoms(m), look);
+    const glm::dvec3 toViewer(*look.viewer);
+    std::size_t copies = 0;
+    EXPECT_EQ(r.copies.triangles.size(), 6u) << "one per rotation";
+    for (const PrimitiveRun& run : r.copies.triangles)
+        for (const std::uint32_t copy : r.copies.lists[run.list]) {
+            const glm::dmat4x3& motion = r.copies.transforms[copy];
+            ++copies;
+            std::size_t inCut = 0, towards = 0;
+            for (std::size_t i = run.first; i < std::size_t{run.first} + run.count; ++i) {
+                const Triangle& t = r.triangles[i];
+                const std::uint32_t atom = r.meshLooks[r.meshVertices[t.a].look].atom - 1;
+                const glm::dvec3 center = motion * glm::dvec4(glm::dvec3(m.atoms[atom].position) - r.center, 1);
+                glm::dvec3 middle(0);
+                for (const std::uint32_t v : {t.a, t.b, t.c})
+                    middle += (motion * glm::dvec4(decodePosition(r.meshVertices[v], t.step()), 1) - center) / 3.0;
+                double least = 1;
+                for (const glm::dvec3& own : *displacementAxes(m.displacements[atom])) {
+                    const glm::dvec3 axis = motion * glm::dvec4(own, 0);
+                    least = std::min(
+                        least, glm::dot(middle, axis) / glm::dot(axis, axis) * (glm::dot(toViewer, axis) < 0 ? -1 : 1));
+                }
+                inCut += least > 1e-3;
+                towards += least > -1e-3;
+            }
+            EXPECT_EQ(inCut, 0u) << copy;
+            EXPECT_GT(towards, 100u) << "faces";
+        }
+    EXPECT_EQ(copies, 12u);
+    for (std::size_t i = 0; i < r.cylinders.size(); ++i) {  // their ends do not show in any copy
+        const std::uint32_t atom = r.cylinderLooks[i].atomA - 1;
+        if (!m.displacements[atom].stated()) continue;
+        const glm::dvec3 off = glm::dvec3(r.cylinders[i].a) + r.center - glm::dvec3(m.atoms[atom].position);
+        EXPECT_NEAR(quadricAt(m.displacements[atom], off), 0.64 * 1.5382 * 1.5382, 1e-3);
+    }
 }
 
 TEST(CutEllipsoids, NeedAViewer) {

@@ -60,14 +60,19 @@ double AtomEllipsoids::bondEnd(std::uint32_t atom, const glm::dvec3& way) const 
     if (!signs) return 0;
     const auto own = *axes(atom);
     bool open = true;  // the bond leaves through the cut
+    for (std::size_t i = 0; i < 3; ++i) open = open && glm::dot(own[i], way) * (*signs)[static_cast<int>(i)] > 0;
+    return open ? 0 : bondEndInCopies(atom, way);
+}
+
+double AtomEllipsoids::bondEndInCopies(std::uint32_t atom, const glm::dvec3& way) const {
+    const auto own = viewer_ ? axes(atom) : std::nullopt;
+    if (!own) return 0;
     double square = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double along = glm::dot(own[i], way);
-        open = open && along * (*signs)[static_cast<int>(i)] > 0;
-        const double share = along / glm::dot(own[i], own[i]);
+    for (const glm::dvec3& axis : *own) {
+        const double share = glm::dot(axis, way) / glm::dot(axis, axis);
         square += share * share;
     }
-    return open ? 0 : kInside / std::sqrt(square);
+    return kInside / std::sqrt(square);
 }
 
 double AtomEllipsoids::reach(std::uint32_t atom) const {

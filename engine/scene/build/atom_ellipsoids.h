@@ -31,6 +31,8 @@ public:
     /// Å from an atom's centre along a unit vector to where a bond can end unseen: in the ellipsoid, if that is cut in
     /// another octant. 0: at the centre.
     double bondEnd(std::uint32_t atom, const glm::dvec3& way) const;
+    /// As above for copies whose cuts differ: in the ellipsoid, or where it was before the cut.
+    double bondEndInCopies(std::uint32_t atom, const glm::dvec3& way) const;
     /// The largest distance from an atom's centre, Å.
     double reach(std::uint32_t atom) const;
     /// Lists atoms, except hydrogens, that are not drawn as ellipsoids.

@@ -303,7 +303,8 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
     std::vector<Bond> bonds = drawnBonds(molecule, appearance, orders, contacts, slots);
     const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability, appearance.viewer);
     const auto findEnd = [&](std::uint32_t atom, const glm::dvec3& way) {
-        return styles[slots[atom]] == Style::ellipsoids ? ellipsoids.bondEnd(atom, way) : 0;
+        if (styles[slots[atom]] != Style::ellipsoids) return 0.0;
+        return assembly ? ellipsoids.bondEndInCopies(atom, way) : ellipsoids.bondEnd(atom, way);
     };
     BondDrawing drawing(molecule, orders, bonds, slots, orders.form(), appearance.sizes, findEnd, result);
     std::erase_if(bonds, [&](const Bond& bond) { return !hasSticks(chooseStyle(bond.a, bond.b)); });

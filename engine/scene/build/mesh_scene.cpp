@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 #include <map>
 #include <optional>
@@ -112,24 +113,28 @@ MeshAtoms ellipsoidAtoms(const Appearance& appearance, const AtomEllipsoids& ell
     return mesh;
 }
 
+/// A viewer as seen from the frame of a copy. @param motion  of the copy, from the file's frame
+std::optional<glm::dvec4> viewerOfCopy(const std::optional<glm::dvec4>& viewer, const glm::dmat4x3& motion) {
+    if (!viewer) return viewer;
+    const glm::dmat3 back = glm::transpose(glm::dmat3(motion[0], motion[1], motion[2]));
+    return glm::dvec4(back * (glm::dvec3(*viewer) - viewer->w * motion[3]), viewer->w);
+}
+
 }  // namespace
 
 void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
-               const std::function<std::uint32_t(std::uint32_t)>& findGroup, Representation& representation) {
+               const std::function<std::uint32_t(std::uint32_t)>& findGroup, Representation& representation,
+               const EachClass& eachClass) {
     const Molecule& molecule = facts.molecule();
     struct Group {
-        std::vector<std::uint32_t> cartoon, surface, sugars;
-        std::vector<Ellipsoid> ellipsoids;
+        std::vector<std::uint32_t> cartoon, surface, sugars, ellipsoids;
     };
     std::map<std::uint32_t, Group> groups;
     for (const std::uint32_t atom : appearance.cartoon.atoms) groups[findGroup(atom)].cartoon.push_back(atom);
     for (const std::uint32_t atom : appearance.surface.atoms) groups[findGroup(atom)].surface.push_back(atom);
     for (const std::uint32_t atom : appearance.sugars.atoms) groups[findGroup(atom)].sugars.push_back(atom);
-    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability, appearance.viewer);
-    const MeshAtoms asEllipsoids = ellipsoidAtoms(appearance, ellipsoids);
-    for (const std::uint32_t atom : asEllipsoids.atoms)
-        groups[findGroup(atom)].ellipsoids.push_back(
-            {glm::dvec3(molecule.atoms[atom].position), *ellipsoids.axes(atom), atom, ellipsoids.cut(atom)});
+    const MeshAtoms asEllipsoids = ellipsoidAtoms(appearance, AtomEllipsoids(molecule, appearance.sizes.probability));
+    for (const std::uint32_t atom : asEllipsoids.atoms) groups[findGroup(atom)].ellipsoids.push_back(atom);
     const MeshLooks ofEllipsoids(molecule, asEllipsoids);
     const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface),
         ofSugars(molecule, appearance.sugars);
@@ -162,16 +167,24 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
                     {glm::vec3(glm::dvec3(molecule.atoms[atom].position) - representation.center),
                      vanDerWaalsRadius(molecule.atoms[atom]), ofSurface(atom)});
         }
-        if (!group.ellipsoids.empty())
-            appendMesh(
-                ellipsoidMesh(group.ellipsoids, representation.center), {},
-                [&](std::uint32_t atom) {
-                    SphereLook look = ofEllipsoids(atom & ~(kEllipsoidBand | kEllipsoidFace));
-                    if (atom & kEllipsoidBand) look.color = bandColor(look.color);
-                    if (atom & kEllipsoidFace) look.color = faceColor(look.color);
-                    return look;
-                },
-                representation);
+        const auto addEllipsoids = [&](const glm::dmat4x3& motion) {
+            const AtomEllipsoids sizes(molecule, appearance.sizes.probability, viewerOfCopy(appearance.viewer, motion));
+            std::vector<Ellipsoid> ellipsoids;
+            for (const std::uint32_t atom : group.ellipsoids)
+                ellipsoids.push_back(
+                    {glm::dvec3(molecule.atoms[atom].position), *sizes.axes(atom), atom, sizes.cut(atom)});
+            const auto look = [&](std::uint32_t atom) {
+                SphereLook own = ofEllipsoids(atom & ~(kEllipsoidBand | kEllipsoidFace));
+                if (atom & kEllipsoidBand) own.color = bandColor(own.color);
+                if (atom & kEllipsoidFace) own.color = faceColor(own.color);
+                return own;
+            };
+            appendMesh(ellipsoidMesh(ellipsoids, representation.center), {}, look, representation);
+        };
+        if (!group.ellipsoids.empty() && eachClass && appearance.viewer)
+            eachClass(number, addEllipsoids);
+        else if (!group.ellipsoids.empty())
+            addEllipsoids(glm::dmat4x3(1.0));
         if (!group.sugars.empty())
             appendMesh(
                 sugarSymbols(molecule, group.sugars, {options.carbohydrates == Carbohydrates::icon, options.sugarScale},

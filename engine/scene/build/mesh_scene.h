@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <glm/mat4x3.hpp>
 
 #include "engine/molecule/molecule.h"
 #include "engine/scene/build/appearance.h"
@@ -10,11 +11,17 @@
 
 namespace nacre {
 
+/// Calls add(motion) for the copies of a group of atoms, by classes that the viewer sees alike: each with the motion of
+/// one of its copies. What is added belongs to the class.
+using EachClass = std::function<void(std::uint32_t group, const std::function<void(const glm::dmat4x3&)>& add)>;
+
 /// Adds an appearance's meshes, relative to the representation's centre: one per group of atoms, in the order of
-/// groups.
+/// groups; of ellipsoids with octants one per class.
 /// @param findGroup    atoms that move together: in an assembly the list of copies, else the model
+/// @param eachClass  of an assembly; else empty
 void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
-               const std::function<std::uint32_t(std::uint32_t)>& findGroup, Representation& representation);
+               const std::function<std::uint32_t(std::uint32_t)>& findGroup, Representation& representation,
+               const EachClass& eachClass = {});
 
 /// Largest distance of a vertex from the centre, Å; 0 without meshes.
 double meshReach(const Representation& representation);

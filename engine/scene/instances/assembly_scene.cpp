@@ -1,6 +1,8 @@
 #include "engine/scene/instances/assembly_scene.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
 #include <numeric>
 
 #include "engine/error.h"
@@ -218,6 +220,29 @@ void AssemblyScene::eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm
     for (const std::uint32_t copy : placement_.lists[list]) visit(about(placement_.transforms[copy], center), copy);
 }
 
+void AssemblyScene::eachRotation(std::uint32_t list, const Representation& representation,
+                                 const std::function<void(const glm::dmat4x3&)>& addMeshes) {
+    constexpr double kSame = 1e-6;
+    std::vector<std::vector<std::uint32_t>> classes;
+    const auto rotation = [&](std::uint32_t copy) { return glm::dmat3(placement_.transforms[copy]); };
+    for (const std::uint32_t copy : placement_.lists[list]) {
+        const auto same = std::ranges::find_if(classes, [&](const std::vector<std::uint32_t>& copies) {
+            const glm::dmat3 a = rotation(copies.front()), b = rotation(copy);
+            return glm::distance(a[0], b[0]) + glm::distance(a[1], b[1]) + glm::distance(a[2], b[2]) < kSame;
+        });
+        if (same == classes.end())
+            classes.push_back({copy});
+        else
+            same->push_back(copy);
+    }
+    listsOfTriangles_.emplace_back(representation.triangles.size(), Placement::kNowhere);
+    for (std::vector<std::uint32_t>& copies : classes) {
+        addMeshes(placement_.transforms[copies.front()]);
+        const std::uint32_t own = classes.size() == 1 ? list : lists_.add(std::move(copies));
+        listsOfTriangles_.emplace_back(representation.triangles.size(), own);
+    }
+}
+
 std::uint32_t AssemblyScene::tintColor(std::uint32_t tint, std::uint32_t copy) const {
     return copyColors_.empty() ? tint : tintedColor(copyColors_[copy % copyColors_.size()], tint);
 }
@@ -309,7 +334,11 @@ void AssemblyScene::finish(Representation& r) {
         });
     eachRun(
         r.triangles.size(),
-        [&](std::size_t i) { return copyList(r.meshLooks[r.meshVertices[r.triangles[i].a].look].atom - 1); },
+        [&](std::size_t i) {
+            const auto part = std::ranges::upper_bound(listsOfTriangles_, i, {}, [](const auto& p) { return p.first; });
+            if (part != listsOfTriangles_.end() && part->second != Placement::kNowhere) return part->second;
+            return copyList(r.meshLooks[r.meshVertices[r.triangles[i].a].look].atom - 1);
+        },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
             copies.triangles.push_back(makeRun(list, first, count, [&](std::size_t i, const auto& add) {
                 const Triangle& t = r.triangles[i];
