@@ -1,6 +1,7 @@
 #include "app/mvs/annotations.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "app/files/json_text.h"
@@ -17,6 +18,9 @@ namespace {
 
 std::optional<std::string> toCell(const Json& value) {
     if (value.is_null()) return std::nullopt;
+    if (value.is_number_float() && std::abs(value.get<double>()) < 1e15 &&
+        std::trunc(value.get<double>()) == value.get<double>())
+        return std::to_string(value.get<std::int64_t>());  // 2.0 as 2
     return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', true);
 }
 

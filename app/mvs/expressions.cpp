@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
+#include "engine/molecule/near_atoms.h"
 #include "engine/molecule/text.h"
+#include "engine/scene/build/carbohydrates.h"
 
 namespace nacre::app::mvs {
 namespace {
@@ -81,18 +84,20 @@ const std::vector<std::string_view>* fieldsOfSchema(std::string_view schema) {
         {"entity", {"label_entity_id"}},
         {"chain", {"label_entity_id", "label_asym_id"}},
         {"auth_chain", {"auth_asym_id"}},
-        {"residue", {"label_entity_id", "label_asym_id", "label_seq_id"}},
-        {"auth_residue", {"auth_asym_id", "auth_seq_id", "pdbx_PDB_ins_code"}},
+        {"residue", {"label_entity_id", "label_asym_id", "label_seq_id", "residue_index"}},
+        {"auth_residue", {"auth_asym_id", "auth_seq_id", "pdbx_PDB_ins_code", "residue_index"}},
         {"residue_range", {"label_entity_id", "label_asym_id", "beg_label_seq_id", "end_label_seq_id"}},
         {"auth_residue_range", {"auth_asym_id", "beg_auth_seq_id", "end_auth_seq_id"}},
         {"atom",
-         {"label_entity_id", "label_asym_id", "label_seq_id", "label_atom_id", "type_symbol", "atom_id", "atom_index"}},
+         {"label_entity_id", "label_asym_id", "label_seq_id", "residue_index", "label_atom_id", "type_symbol",
+          "atom_id", "atom_index"}},
         {"auth_atom",
-         {"auth_asym_id", "auth_seq_id", "pdbx_PDB_ins_code", "auth_atom_id", "type_symbol", "atom_id", "atom_index"}},
+         {"auth_asym_id", "auth_seq_id", "pdbx_PDB_ins_code", "residue_index", "auth_atom_id", "type_symbol", "atom_id",
+          "atom_index"}},
         {"all_atomic",
          {"label_entity_id", "label_asym_id", "auth_asym_id", "label_seq_id", "auth_seq_id", "pdbx_PDB_ins_code",
           "beg_label_seq_id", "end_label_seq_id", "beg_auth_seq_id", "end_auth_seq_id", "residue_index",
-          "label_atom_id", "auth_atom_id", "type_symbol", "atom_id", "atom_index"}}};
+          "label_comp_id", "auth_comp_id", "label_atom_id", "auth_atom_id", "type_symbol", "atom_id", "atom_index"}}};
     const auto found = kSchemas.find(schema);
     return found == kSchemas.end() ? nullptr : &found->second;
 }
@@ -161,11 +166,56 @@ void StructureAtoms::add(const Expression& e, std::vector<bool>& atoms) {
         throw Error("cannot draw scene", m.file.title, "its selectors and annotations name too many residues");
 }
 
+namespace {
+
+/// Old files and PDB files state no branched entities.
+bool isBranched(const Residue& residue) {
+    const bool free = residue.entityKind == EntityKind::unknown || residue.entityKind == EntityKind::nonPolymer;
+    return residue.entityKind == EntityKind::branched || (free && sugarSymbol(residue.name));
+}
+
+}  // namespace
+
+/// Adds the residues that are bonded to atoms of a set: to a ligand also by metals, and no sugars.
+void StructureAtoms::addBonded(bool toLigand, std::vector<bool>& atoms) const {
+    constexpr double kCoordination = 2.7;  // Å
+    const Molecule& m = molecule();
+    std::set<std::uint32_t> bonded;
+    const auto add = [&](std::uint32_t atom) {
+        const std::uint32_t residue = m.atoms[atom].residue;
+        if (!atoms[atom] && !(toLigand && isBranched(m.residues[residue]))) bonded.insert(residue);
+    };
+    const auto isMetalAtom = [&](std::size_t atom) { return isMetal(m.atoms[atom].element); };
+    const auto isDonor = [&](std::size_t atom) {
+        const Element e = m.atoms[atom].element;
+        return e == 7 || e == 8 || e == 16;
+    };
+    for (const Bond& bond : m.bonds)
+        if (atoms[bond.a] != atoms[bond.b] && (toLigand || (!isMetalAtom(bond.a) && !isMetalAtom(bond.b))))
+            add(atoms[bond.a] ? bond.b : bond.a);
+    const auto addNear = [&](const auto& isOne, const auto& isOther) {
+        std::vector<bool> ones(atoms.size());
+        for (std::size_t i = 0; i < ones.size(); ++i) ones[i] = atoms[i] && isOne(i);
+        if (std::find(ones.begin(), ones.end(), true) == ones.end()) return;
+        const std::vector<bool> near = atomsNear(m, ones, kCoordination);
+        for (std::uint32_t i = 0; i < near.size(); ++i)
+            if (near[i] && isOther(i)) add(i);
+    };
+    if (toLigand) {
+        addNear(isMetalAtom, isDonor);
+        addNear(isDonor, isMetalAtom);
+    }
+    for (const std::uint32_t residue : bonded) {
+        const auto first = atoms.begin() + m.residues[residue].firstAtom;
+        std::fill(first, first + m.residues[residue].atomCount, true);
+    }
+}
+
 std::optional<std::vector<bool>> StructureAtoms::ofKind(std::string_view name) const {
     const Molecule& m = molecule();
     const auto& kinds = facts_.kinds();
     const auto is = [&](const Residue& residue, ResidueKind kind) {
-        const bool branched = residue.entityKind == EntityKind::branched;
+        const bool branched = isBranched(residue);
         if (name == "all") return true;
         if (name == "polymer") return kind == ResidueKind::protein || kind == ResidueKind::nucleic;
         if (name == "protein") return kind == ResidueKind::protein;
@@ -184,6 +234,7 @@ std::optional<std::vector<bool>> StructureAtoms::ofKind(std::string_view name) c
         if (!is(residue, kinds[i])) continue;
         for (std::uint32_t k = residue.firstAtom; k < residue.firstAtom + residue.atomCount; ++k) atoms[k] = true;
     }
+    if (name == "ligand" || name == "branched") addBonded(name == "ligand", atoms);
     return atoms;
 }
 

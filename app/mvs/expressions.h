@@ -49,6 +49,7 @@ public:
 private:
     bool fits(const Expression& e, const Residue& residue, std::uint32_t index) const;
     bool fits(const Expression& e, std::uint32_t atom) const;
+    void addBonded(bool toLigand, std::vector<bool>& atoms) const;
 
     ResidueFacts facts_;
     std::vector<std::uint32_t> drawn_;

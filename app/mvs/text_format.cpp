@@ -82,7 +82,8 @@ TextFormat::Style TextFormat::parseStyle(const std::string& text) {
         style.align = text[at++];
     if (next("+- ")) style.sign = text[at++];
     if (next("0")) {
-        if (style.align == 0) style.fill = '0', style.align = '=';
+        if (at < 2) style.fill = '0';  // none is given
+        if (style.align == 0) style.align = '=';
         ++at;
     }
     style.width = smallNumber(text, at, 0);

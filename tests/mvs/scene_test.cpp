@@ -38,6 +38,30 @@ TEST(SceneSelectors, StaticNamesFollowEntities) {
     EXPECT_EQ(selectedAtoms(R"("all")").size(), 9u);
 }
 
+/// Atoms of a named selector, with changes of the structure's text.
+Atoms selectedIn(const std::string& name, const std::vector<std::pair<std::string, std::string>>& changes) {
+    std::string structure = kStructure;
+    for (const auto& [from, to] : changes) structure.replace(structure.find(from), from.size(), to);
+    SceneSources sources;
+    sources.fetch = [&](const std::string&) { return structure; };
+    const Molecule molecule =
+        buildScene(parseScene(scene(component('"' + name + '"', balls())), "a.mvsj"), 0, "a.mvsj", sources);
+    return molecule.guide->layers.at(0).atoms;
+}
+
+TEST(SceneSelectors, LigandsAndSugarsHaveTheResiduesThatAreBondedToThem) {
+    const std::pair<std::string, std::string> near{"200 X 9 2 3", "200 X 6.5 2 3"},
+        sugar{"2 non-polymer", "2 branched"}, iron{"17 C C1 LIG B 2 . 200 X 9 2 3", "17 FE C1 LIG B 2 . 200 X 3 5.1 3"};
+    EXPECT_EQ(selectedIn("ligand", {near}), (Atoms{4, 5, 6, 7}));
+    EXPECT_EQ(selectedIn("branched", {near, sugar}), (Atoms{4, 5, 6, 7}));
+    EXPECT_EQ(selectedIn("ligand", {iron}), (Atoms{0, 1, 2, 3, 6, 7}));  // near an oxygen
+    EXPECT_EQ(selectedIn("branched", {iron, sugar}), (Atoms{6, 7}));
+    EXPECT_EQ(selectedIn("polymer", {near}), (Atoms{0, 1, 2, 3, 4, 5}));
+    // A file without branched entities.
+    const std::pair<std::string, std::string> first{"O1 LIG B", "O1 NAG B"}, second{"C1 LIG B", "C1 NAG B"};
+    EXPECT_EQ(selectedIn("branched", {first, second}), (Atoms{6, 7}));
+}
+
 TEST(SceneSelectors, ExpressionsTakeEveryField) {
     EXPECT_EQ(selectedAtoms(R"({"label_asym_id": "B"})"), (Atoms{6, 7}));
     EXPECT_EQ(selectedAtoms(R"({"auth_asym_id": "X", "auth_seq_id": 102})"), (Atoms{4, 5}));

@@ -179,6 +179,8 @@ TEST(SceneTexts, FormatsAreThoseOfPython) {
     EXPECT_EQ(text("{:>5}", "ab"), "   ab");
     EXPECT_EQ(text("{:<5}|", "ab"), "ab   |");
     EXPECT_EQ(text("{:05d}", "42"), "00042");
+    EXPECT_EQ(text("{:<05d}", "42"), "42000");
+    EXPECT_EQ(text("{:*<05d}", "42"), "42***");
     EXPECT_EQ(text("{{{}}}", "a"), "{a}");
     EXPECT_EQ(text("{:.1f} Å", "none"), "none Å");
     for (const char* fault : {"{", "a}", "{a{", "{:x}", "{:.999f}", "{:q}"})
@@ -188,7 +190,7 @@ TEST(SceneTexts, FormatsAreThoseOfPython) {
 
 TEST(SceneTexts, LabelsNameFieldsAndJoinRows) {
     const std::string rows = R"([{"auth_seq_id": 101, "name": "a", "score": 0.5, "site": "s"},
-        {"auth_seq_id": 102, "name": "b", "score": 1, "site": "s"}, {"auth_seq_id": 200, "name": "c"}])";
+        {"auth_seq_id": 102, "name": "b", "score": 1.0, "site": "s"}, {"auth_seq_id": 200, "name": "c"}])";
     const auto labels = [&](const std::string& more) {
         std::vector<std::string> texts;
         const std::string node = R"({"kind": "label_from_uri", "params": {"uri": "b.json", "format": "json",
@@ -206,6 +208,24 @@ TEST(SceneTexts, LabelsNameFieldsAndJoinRows) {
     EXPECT_EQ(labels(R"(, "group_by_fields": [])"), (Texts{"a"}));
     EXPECT_EQ(labels(R"(, "field_remapping": {"group_id": "site"})"), (Texts{"a", "c"}));
     EXPECT_TRUE(labels(R"(, "text_format": "{")").empty());
+    EXPECT_EQ(labels(R"(, "field_name": "score")"), (Texts{"0.5", "1"}));  // 1.0 as Mol* writes it
+}
+
+TEST(SceneAnnotations, SchemasKnowNamesAndIndicesOfResidues) {
+    const auto painted = [](const std::string& schema, const std::string& row) {
+        const std::string node =
+            R"({"kind": "color_from_uri", "params": {"uri": "b.json", "format": "json", "schema": ")" + schema + "\"}}";
+        const auto colors =
+            built(scene(component(R"("all")", balls(node))), "[" + row + "]").guide->layers.at(0).colors;
+        std::string marks;
+        for (const std::uint32_t color : colors) marks += color == kRed ? 'x' : '-';
+        return marks;
+    };
+    const std::string byName = R"({"label_comp_id": "GLY", "color": "red"})";
+    EXPECT_EQ(painted("all_atomic", byName), "----xx---");
+    EXPECT_EQ(painted("residue", byName), "xxxxxxxxx");  // it ignores the name
+    for (const char* schema : {"residue", "auth_residue", "atom", "auth_atom", "all_atomic"})
+        EXPECT_EQ(painted(schema, R"({"residue_index": 2, "color": "red"})"), "------xx-") << schema;
 }
 
 }  // namespace
