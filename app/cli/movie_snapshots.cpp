@@ -127,8 +127,7 @@ MovieSnapshots::Shot& MovieSnapshots::ready(std::size_t number, double time) {
     auto made = shot ? std::move(shot) : std::make_unique<Shot>();
     const bool isNew = !made->canvas;
     if (isNew) {
-        // The camera of the first frame stays, unless the animation moves it.
-        load(number, seconds ? std::optional(0.0) : std::nullopt, *made);
+        load(number, std::nullopt, *made);  // its camera stays, unless the animation moves it
         for (const std::string& warning : made->drawing.warnings)
             sayWarning("snapshot " + std::to_string(number + 1) + ": " + warning);
         made->lens = makeLens(made->drawing.settings.view, made->drawing.run.center);
@@ -148,7 +147,7 @@ MovieSnapshots::Shot& MovieSnapshots::ready(std::size_t number, double time) {
 Picture MovieSnapshots::drawFrom(std::size_t number, double seconds, const Lens* lens) {
     Shot& shot = ready(number, seconds);
     RenderSettings settings = shot.drawing.settings;
-    if (!lens && shot.seconds.value_or(0) > 0) lens = &shot.lens;
+    if (!lens && shot.seconds) lens = &shot.lens;
     if (lens) settings.view = viewThrough(*lens, settings.view, shot.drawing.run.center);
     return shot.drawing.drawAs(settings, shot.canvas->renderer);
 }

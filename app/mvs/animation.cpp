@@ -188,10 +188,16 @@ Json mixedColors(const Json& from, const Json& to, double share, const Json* bas
 }
 
 /// The end value of an earlier interpolation, else the node's value.
-const Json* findStart(const Node& node, const Node* before, const Json* current, const std::string& prefix = "") {
-    if (const Json* own = node.param((prefix + "start").c_str())) return own;
-    if (const Json* last = before ? before->param((prefix + "end").c_str()) : nullptr) return last;
+const Json* findStart(const Node& node, const Node* before, const Json* current) {
+    if (const Json* own = node.param("start")) return own;
+    if (const Json* last = before ? before->param("end") : nullptr) return last;
     return current;
+}
+
+/// A start of a matrix: that of an earlier interpolation, as in Mol*.
+const Json* findMatrixStart(const Node& node, const Node* before, const char* name) {
+    const Json* own = node.param(name);
+    return own || !before ? own : before->param(name);
 }
 
 glm::dvec3 vectorOr(const char* name, const Json* value, const glm::dvec3& otherwise) {
@@ -204,11 +210,11 @@ Json transformed(const Node& node, const Node* before, const Json* current, doub
         const std::vector<double> numbers = numbersIn("its matrix", *current, 16);
         matrix = glm::make_mat4(numbers.data());
     }
-    const Json *startTurn = findStart(node, before, nullptr, "rotation_"), *endTurn = node.param("rotation_end");
+    const Json *startTurn = findMatrixStart(node, before, "rotation_start"), *endTurn = node.param("rotation_end");
     glm::dmat3 turn = startTurn ? readTurn(*startTurn) : glm::dmat3(matrix);
     if (endTurn && time > 0) turn = mixedRotation(turn, readTurn(*endTurn), computeProgress(node, time, "rotation_"));
     glm::dvec3 shift =
-        vectorOr("translation_start", findStart(node, before, nullptr, "translation_"), glm::dvec3(matrix[3]));
+        vectorOr("translation_start", findMatrixStart(node, before, "translation_start"), glm::dvec3(matrix[3]));
     const glm::dvec3 end = vectorOr("translation_end", node.param("translation_end"), shift);
     shift += (end - shift) * (time > 0 ? computeProgress(node, time, "translation_") : 0);
     const glm::dvec3 pivot = vectorOr("pivot", node.param("pivot"), glm::dvec3(0));
@@ -221,12 +227,12 @@ Json transformed(const Node& node, const Node* before, const Json* current, doub
 Json interpolated(const Node& node, const Node* before, const Json* current, double time) {
     const std::string kind = nodeText(node, "kind");
     if (kind == "transform_matrix") return transformed(node, before, current, time);
-    const Json* palette = kind == "color" ? node.param("palette") : nullptr;
-    if (palette) {
+    const Json *from = findStart(node, before, current), *to = node.param("end");
+    if (const Json* palette = kind == "color" ? node.param("palette") : nullptr) {
+        if (time <= 0) return from ? *from : Json();
         const auto color = paletteColorAt(*palette, computeProgress(node, time));
         return colorText(color.value_or(0xff000000u));
     }
-    const Json *from = findStart(node, before, current), *to = node.param("end");
     if (!from) refuseMotion("it has no start");
     if (!to) return *from;
     const double share = time <= 0 ? 0 : computeProgress(node, time);
@@ -254,6 +260,12 @@ struct Track {
         return place;
     }
 };
+
+/// The time whose values are shown at a time: that of the next frame, as in Mol*, if the animation has slow frames.
+double timeOfFrame(const Node& animation, double ms) {
+    const double frame = readTime(animation, "frame_time_ms", 0);
+    return frame <= 0 ? ms : ms <= frame ? 0 : std::ceil(ms / frame - kRounding) * frame;
+}
 
 bool isHeld(const Node& target, const Snapshot& snapshot) {
     const bool camera = target.kind == "camera" || target.kind == "focus";
@@ -320,7 +332,7 @@ Snapshot animatedAt(const Snapshot& snapshot, double seconds, SceneWarnings& war
         const Json* property = node.param("property");
         if (row) tracks[nodeText(node, "target_ref") + '\0' + (property ? property->dump() : "")].add(node);
     }
-    const double ms = seconds * 1000;
+    const double ms = timeOfFrame(snapshot.animation, seconds * 1000);
     for (const auto& [name, track] : tracks) {
         const std::size_t place = track.at(ms);
         const Node& node = *track.parts[place];

@@ -64,7 +64,7 @@ constexpr NodeRow kRows[] = {
     {"camera", "root", "target position up near", "", ""},
     {"canvas", "root", "background_color", "", ""},
     {"transition", "root", "duration_ms trajectory easing", "", "in movies; leap-relative is drawn as leap"},
-    {"animation", "", "duration_ms loop include_camera include_canvas", "frame_time_ms autoplay",
+    {"animation", "", "duration_ms loop frame_time_ms include_camera include_canvas", "autoplay",
      "in movies; of a snapshot, beside its root"},
     {"interpolate", "animation", "kind", "", "kinds: the rows below"},
     {"interpolate:scalar", "",

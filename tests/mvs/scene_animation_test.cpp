@@ -119,6 +119,37 @@ TEST(SceneAnimations, VectorsColoursAndRotationsMix) {
     EXPECT_NEAR(whole[14].get<double>(), -2, 1e-9);
 }
 
+TEST(SceneAnimations, MatricesBeginWhereTheEarlierOneBegan) {
+    const Snapshot snapshot = withAnimation(
+        part("transform_matrix", R"("x")",
+             R"("translation_start": [1,0,0], "translation_end": [2,0,0], "duration_ms": 1000)") +
+        "," +
+        part("transform_matrix", R"("x")", R"("translation_end": [5,0,0], "start_ms": 1000, "duration_ms": 1000)"));
+    EXPECT_NEAR(at(snapshot, 0.5, "x")[12].get<double>(), 1.5, 1e-9);
+    EXPECT_NEAR(at(snapshot, 1.5, "x")[12].get<double>(), 3, 1e-9);
+}
+
+TEST(SceneAnimations, PalettesBeginWithTheirInterpolation) {
+    const Snapshot snapshot = withAnimation(
+        part("color", R"("x")", R"("palette": {"kind": "discrete", "colors": ["#111111", "#222222"]}, "start_ms": 500,
+            "duration_ms": 1000)"),
+        "{}", R"({"x": "red"})");
+    EXPECT_EQ(at(snapshot, 0.4, "x"), "red");
+    EXPECT_EQ(at(snapshot, 0.6, "x"), "#111111");
+    EXPECT_EQ(at(snapshot, 1.4, "x"), "#222222");
+}
+
+// Mol* shows the values at the end of each frame's time, except for the first.
+TEST(SceneAnimations, SlowFramesStandStill) {
+    const Snapshot snapshot = withAnimation(part("scalar", R"("x")", R"("start": 0, "end": 10, "duration_ms": 1000)"),
+                                            R"({"frame_time_ms": 400})");
+    EXPECT_EQ(at(snapshot, 0.3, "x"), 0);
+    EXPECT_EQ(at(snapshot, 0.4, "x"), 0);
+    EXPECT_EQ(at(snapshot, 0.5, "x"), 8);
+    EXPECT_EQ(at(snapshot, 0.8, "x"), 8);
+    EXPECT_EQ(at(snapshot, 0.9, "x"), 10);
+}
+
 TEST(SceneAnimations, TheCanvasStaysUnlessItIsIncluded) {
     const std::string fade =
         part("color", R"("background_color")", R"("end": "#000000", "duration_ms": 1000)", "paper");
