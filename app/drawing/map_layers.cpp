@@ -148,6 +148,7 @@ void addVolume(const SceneVolume& volume, Representation& shown) {
     contour.color = volume.color & 0xffffffu;
     contour.opacity = volume.opacity;
     contour.width = 1;
+    contour.cuts = volume.cuts;
     contour.style = MapStyle::surface;
     if (volume.faces) addContour(*region, contour, shown);
     contour.style = MapStyle::mesh;

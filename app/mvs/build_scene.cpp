@@ -1,6 +1,7 @@
 #include "app/mvs/build_scene.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/mvs/animation.h"
 #include "app/mvs/camera_nodes.h"
@@ -301,9 +302,10 @@ private:
                 node = &loaded;
             }
             Primitives primitives = readPrimitives(*node, own, structures_, warnings_);
-            if (node != group.node) clipPrimitives(ClipRegions(*group.node, warnings_), primitives);
             std::vector<glm::dvec4> balls = outlinePoints(primitives);
             addLabelBalls(primitives.labels, balls);
+            clipPrimitives(ClipRegions(*node, warnings_), primitives);
+            if (node != group.node) clipPrimitives(ClipRegions(*group.node, warnings_), primitives);
             camera_.addDrawn(balls);
             for (const std::size_t focus : group.focuses) camera_.fillFocus(focus, balls);
             guide_->primitives.append(std::move(primitives));
@@ -341,10 +343,11 @@ private:
             takeTexts(s, atoms);
             once ? putAtoms(s) : placeCopies(s);
             dropUnplaced(s);
-            for (SceneLayer& layer : s.layers) {
-                for (std::uint32_t& atom : layer.atoms) atom += atoms;
-                guide_->layers.push_back(std::move(layer));
-            }
+            for (std::vector<SceneLayer>* layers : {&s.layers, &s.framed})
+                for (SceneLayer& layer : *layers)
+                    for (std::uint32_t& atom : layer.atoms) atom += atoms;
+            std::ranges::move(s.layers, std::back_inserter(guide_->layers));
+            for (SceneLayer& layer : s.framed) camera_.addLayer(std::move(layer));
             firsts.push_back(atoms);
             atoms += static_cast<std::uint32_t>(s.molecule->atoms.size());
             s.atoms.reset();

@@ -140,7 +140,7 @@ std::optional<SceneCamera> CameraNodes::camera(const Molecule& molecule, const S
     }
     const auto whole = [&] {
         std::vector<glm::dvec4> balls = drawn_;
-        for (const SceneLayer& layer : guide.layers) addChains(molecule, guide, layer.atoms, &layer, balls);
+        for (const SceneLayer& layer : layers_) addChains(molecule, guide, layer.atoms, &layer, balls);
         for (const SceneVolume& volume : guide.volumes) balls.emplace_back(volume.ball.center, volume.ball.radius);
         return balls;
     };

@@ -22,6 +22,8 @@ public:
     void fillFocus(std::size_t number, std::vector<glm::dvec4> balls) { focuses_[number].balls = std::move(balls); }
     /// A focus on everything drawn.
     void focusAll(const Node& node);
+    /// Adds a layer, with the atoms that clips cut away. @param layer  of atoms of all structures
+    void addLayer(SceneLayer layer) { layers_.push_back(std::move(layer)); }
     /// Adds balls around everything drawn except structures and maps.
     void addDrawn(const std::vector<glm::dvec4>& balls) { drawn_.insert(drawn_.end(), balls.begin(), balls.end()); }
     /// The resulting camera. @param molecule  all structures @param firsts  first atom of each in it
@@ -38,6 +40,7 @@ private:
     };
     std::optional<SceneCamera> camera_;
     std::vector<Focus> focuses_;
+    std::vector<SceneLayer> layers_;
     std::vector<glm::dvec4> drawn_;
 };
 

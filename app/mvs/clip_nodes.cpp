@@ -11,6 +11,7 @@
 
 #include "app/mvs/primitive_values.h"
 #include "engine/molecule/text.h"
+#include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app::mvs {
 namespace {
@@ -76,6 +77,7 @@ ClipRegions::ClipRegions(const Node& parent, SceneWarnings& warnings) {
         }
         tellUnused(node, *row, warnings);
         try {
+            if (regions_.empty()) cutObjects_ = nodeText(node, "variant") == "object";
             regions_.push_back(readRegion(node, type));
         } catch (const std::invalid_argument& why) {
             warnings.add(node, why.what() + std::string(": it is left out"));
@@ -129,17 +131,21 @@ void clipLayer(const Node& representation, const Structure& s, SceneLayer& layer
         return warnings.add(representation, "a structure with copies is not clipped");
     const glm::dmat4x3 motion = findFirstMotion(s);
     const bool byResidue = layer.style == Style::cartoon || layer.style == Style::backbone;
-    std::map<std::uint32_t, std::pair<glm::dvec3, double>> centers;  // sums of positions, and their number
-    const auto findGroup = [&](std::uint32_t atom) { return byResidue ? s.molecule->atoms[atom].residue : atom; };
-    for (const std::uint32_t atom : layer.atoms) {
-        auto& [sum, count] = centers[findGroup(atom)];
-        sum += motion * glm::dvec4(glm::dvec3(s.molecule->atoms[atom].position), 1.0);
-        count += 1;
-    }
-    keepAtoms(layer, [&](std::size_t i) {
-        const auto& [sum, count] = centers[findGroup(layer.atoms[i])];
-        return !regions.cuts(sum / count);
-    });
+    const auto place = [&](std::uint32_t atom) {
+        return glm::dvec3(motion * glm::dvec4(glm::dvec3(s.molecule->atoms[atom].position), 1.0));
+    };
+    if (!regions.cutObjects() && !byResidue)
+        return keepAtoms(layer, [&](std::size_t i) { return !regions.cuts(place(layer.atoms[i])); });
+    const auto findGroup = [&](std::uint32_t atom) {
+        const std::uint32_t index = s.molecule->atoms[atom].residue;
+        const Residue& residue = s.molecule->residues[index];
+        return !regions.cutObjects() ? index : s.molecule->subchains.empty() ? residue.chain : residue.subchain;
+    };
+    std::map<std::uint32_t, std::vector<glm::dvec4>> groups;
+    for (const std::uint32_t atom : layer.atoms) groups[findGroup(atom)].emplace_back(place(atom), 0.0);
+    std::map<std::uint32_t, bool> cut;
+    for (const auto& [group, points] : groups) cut[group] = regions.cuts(extremeSphere(points).center);
+    keepAtoms(layer, [&](std::size_t i) { return !cut[findGroup(layer.atoms[i])]; });
 }
 
 void clipPrimitives(const ClipRegions& regions, Primitives& p) {

@@ -17,6 +17,8 @@ public:
     bool empty() const { return regions_.empty(); }
     /// Whether a point, in the scene's frame, is cut away.
     bool cuts(const glm::dvec3& point) const;
+    /// Whether whole chains are cut, by their centres: the first node's variant.
+    bool cutObjects() const { return cutObjects_; }
 
 private:
     /// A point is cut if, in the region's own frame, y >= 0 (a plane), it lies in the unit ball, or in the unit cube.
@@ -28,6 +30,7 @@ private:
     static Region readRegion(const Node& node, const std::string& type);
 
     std::vector<Region> regions_;
+    bool cutObjects_ = false;
 };
 
 /// Drops clipped parts of a layer by their centres: atoms, or residues of cartoons and backbones.

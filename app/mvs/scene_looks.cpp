@@ -175,6 +175,7 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
         if ((!bare || !isHydrogen(structure.molecule->atoms[atom].element)) &&
             (!ofPolymers || isOfPolymer(structure, structure.molecule->atoms[atom].residue)))
             layer.atoms.push_back(atom);
+    structure.framed.push_back(layer);
     layer.colors.assign(layer.atoms.size(), kDefaultColor);
     paintChildren(node, structure, files, layer, warnings);
     clipLayer(node, structure, layer, warnings);

@@ -85,6 +85,7 @@ struct Structure {
     glm::dmat4x3 moved{1.0};                        ///< by transform nodes, applied last
     std::vector<glm::dmat4x3> instances;            ///< from instance nodes, instead of `moved`
     std::vector<SceneLayer> layers;                 ///< of its own atoms
+    std::vector<SceneLayer> framed;                 ///< the same, without colours, and with what is cut or transparent
     struct Text {
         std::vector<std::uint32_t> atoms;  ///< ascending
         std::string text;

@@ -51,9 +51,7 @@ public:
             all_.labels = labels;
         }
         if (number(group_, "label_opacity", 1) < kLeastOpacity) all_.labels.clear();
-        Primitives result = atInstances(group_, std::move(all_));
-        clipPrimitives(ClipRegions(group_, warnings_), result);
-        return result;
+        return atInstances(group_, std::move(all_));
     }
 
 private:

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "app/mvs/clip_nodes.h"
 #include "app/mvs/primitive_values.h"
 #include "engine/error.h"
 #include "engine/molecule/text.h"
@@ -101,6 +102,8 @@ private:
         look(node, volume);
         const bool slice = type == "grid_slice";
         if (slice ? !setSlice(node, volume) : !setContour(node, volume)) return {};
+        if (const ClipRegions regions(node, warnings_); !regions.empty())
+            volume.cuts = [regions](const glm::dvec3& place) { return regions.cuts(place); };
         std::vector<glm::dvec4> balls;
         for (const auto& map : maps_) {
             files_.step();

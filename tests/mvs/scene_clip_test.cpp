@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "tests/mvs/small_scene.h"
 
 namespace nacre::app::mvs {
@@ -47,9 +49,45 @@ TEST(SceneClips, SpheresAndBoxesCutTheirInside) {
 }
 
 TEST(SceneClips, CartoonsLoseWholeResidues) {
-    // The mean of the first residue lies at x = 2.25, that of the second at 4.5.
+    // The first residue reaches from x = 1 to 3, the second from 4 to 5.
     EXPECT_EQ(left(clip(R"({"type": "plane", "normal": [1,0,0], "point": [4.2,0,0]})"), "cartoon"),
               (Atoms{11, 12, 13, 14}));
+}
+
+TEST(SceneClips, ObjectsGoByTheCentresOfChains) {
+    // Those of the polymer at x = 3, of the ligand at 9.5, and of the water at 1.
+    const char* plane = R"({"type": "plane", "normal": [1,0,0], "point": [4.2,0,0], "variant": "object"})";
+    EXPECT_EQ(left(clip(plane)), (Atoms{11, 12, 13, 14, 15, 16, 19}));
+}
+
+TEST(SceneClips, TheCameraShowsWhatIsCutAsWell) {
+    const std::string plane = clip(R"({"type": "plane", "normal": [1,0,0], "point": [3,0,0]})");
+    const auto camera = [](const std::string& json) { return built(json).guide->camera.value(); };
+    const std::string all = component(R"("all")", balls()),
+                      faint = component(R"("all")", balls(R"({"kind": "opacity", "params": {"opacity": 0}})"));
+    const SceneCamera whole = camera(scene(all));
+    for (const SceneCamera& other : {camera(scene(component(R"("all")", balls(plane)))),
+                                     camera(scene(component(R"("water")", balls()) + "," + faint))}) {
+        EXPECT_LT(glm::distance(whole.target, other.target), 1e-9);
+        EXPECT_NEAR(whole.radius, other.radius, 1e-9);
+    }
+    const auto tubes = [&](const std::string& more) {
+        return camera(R"({"root": {"kind": "root", "children": [{"kind": "primitives", "children": [
+            {"kind": "primitive", "params": {"kind": "tube", "start": [0,0,0], "end": [2,0,0]}},
+            {"kind": "primitive", "params": {"kind": "tube", "start": [4,0,0], "end": [9,0,0]}})" +
+                      more + "]}]}}");
+    };
+    EXPECT_NEAR(tubes("").radius, tubes("," + plane).radius, 1e-9);
+}
+
+TEST(SceneClips, ContoursAreCutAtPlaces) {
+    const auto cuts = [](const std::string& children) {
+        return built(volume(R"({"type": "isosurface", "absolute_isovalue": 0.5})", children)).guide->volumes.at(0).cuts;
+    };
+    EXPECT_FALSE(cuts(""));
+    const auto cut = cuts(clip(R"({"type": "plane", "normal": [1,0,0], "point": [1,0,0]})"));
+    EXPECT_TRUE(cut({1.5, 0, 0}));
+    EXPECT_FALSE(cut({0.5, 0, 0}));
 }
 
 TEST(SceneClips, PointsAreThoseOfTheMovedStructure) {

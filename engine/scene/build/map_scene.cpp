@@ -148,6 +148,15 @@ void addContour(const MapRegion& region, const MapContour& contour, Representati
                                   : contour.style == MapStyle::mesh  ? IsosurfaceParts::lines
                                                                      : IsosurfaceParts::vertices;
     Isosurface surface = region.at(contour.level, contour.above, parts, scene.center);
+    if (contour.cuts) {
+        const auto isCut = [&](const auto& corners) {
+            glm::dvec3 sum(0);
+            for (int i = 0; i < corners.length(); ++i) sum += surface.positions[corners[i]];
+            return contour.cuts(sum / static_cast<double>(corners.length()) + scene.center);
+        };
+        std::erase_if(surface.triangles, isCut);
+        std::erase_if(surface.lines, isCut);
+    }
     if (contour.style != MapStyle::surface) return addWires(surface, contour, scene);
     if (surface.triangles.empty()) return;
     Mesh mesh;

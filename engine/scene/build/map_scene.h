@@ -2,6 +2,8 @@
 // Density maps in a scene: isosurfaces as wires, surfaces or dots.
 
 #include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
 #include <limits>
 
 #include "engine/mesh/isosurface.h"
@@ -15,10 +17,11 @@ struct MapContour {
     double level = 0;
     bool above = true;  ///< encloses higher values; false: lower ones
     MapStyle style = MapStyle::mesh;
-    std::uint32_t color = 0;                ///< as SphereLook has it
-    double opacity = 1;                     ///< of surfaces
-    double width = 1.5;                     ///< of lines and dots, pixels
-    const ValueColoring* values = nullptr;  ///< colours the contour by values of another map; null: `color`
+    std::uint32_t color = 0;                           ///< as SphereLook has it
+    double opacity = 1;                                ///< of surfaces
+    double width = 1.5;                                ///< of lines and dots, pixels
+    const ValueColoring* values = nullptr;             ///< colours the contour by values of another map; null: `color`
+    std::function<bool(const glm::dvec3&)> cuts = {};  ///< whether a part at a place is left out; empty: none is
 };
 
 /// Adds a map's contour to a scene that contains only maps, about its centre. Its pixels have no atom. Enlarges the

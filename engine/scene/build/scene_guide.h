@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -58,7 +59,8 @@ struct SceneVolume {
     std::uint32_t color =
         0xffffffffu;  ///< packed as in colors.h; a slice is black at the least value, this at the largest
     double opacity = 1;
-    Bounds ball;  ///< around the map, Å
+    Bounds ball;                                       ///< around the map, Å
+    std::function<bool(const glm::dvec3&)> cuts = {};  ///< whether a place of a contour is left out; empty: none is
 };
 
 struct SceneGuide {
