@@ -37,7 +37,7 @@ double computeRoom(const SceneLayer& layer, double largest) {
     const double scale = static_cast<double>(layer.atomScale);
     switch (layer.style) {
         case Style::cartoon:
-            return 0.2;
+            return layer.cartoon.putty ? layer.cartoon.scale : 0.2;
         case Style::ballAndStick:
             return 2 * 0.5 * scale + 0.05;
         case Style::spacefill:

@@ -93,7 +93,7 @@ constexpr NodeRow kRows[] = {
      ""},
     {"volume_representation:grid_slice", "",
      "type dimension absolute_index relative_index relative_isovalue absolute_isovalue", "",
-     "from black to the colour; without what lies below the isovalue, or whole where the scene gives none"},
+     "from black to the colour; without what lies below the isovalue: the mean where the scene gives none"},
     {"primitives", "root structure", "color label_color tooltip opacity label_opacity instances",
      "label_show_tether label_tether_length label_attachment label_background_color snapshot_key",
      "its primitives: the rows below"},

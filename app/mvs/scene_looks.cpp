@@ -20,7 +20,6 @@ constexpr float kBall = 0.5f, kStickScale = 0.25f / 0.15f;
 constexpr float kLargestSurface = 4;        // of a factor: a larger one would take minutes, and show a ball
 constexpr float kLineScale = 2 / 1.5f;      // from our lines of 1.5 pixels to those of Mol*
 constexpr float kBackboneScale = 2.0f / 3;  // from our tubes of 0.3 Å to those of 0.2 Å
-constexpr double kTube = 0.2;               // Å, as Mol* has it
 constexpr std::uint32_t kDefaultColor = 0xffffffffu;
 
 float readFactor(const Node& node, SceneWarnings& warnings) {
@@ -53,7 +52,7 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
         layer.style = Style::cartoon;
         layer.cartoon.disulfides = false;
         layer.cartoon.putty = true;
-        if (const Json* theme = node.param("size_theme"); theme && *theme == "uniform") layer.cartoon.tube = kTube;
+        if (nodeText(node, "size_theme") != "uncertainty") layer.cartoon.tube = static_cast<double>(factor);  // squared
     } else if (type == "surface") {
         layer.style = Style::surface;
         if (factor > kLargestSurface) warnings.add(node, "surfaces have a size_factor of 4 at most");

@@ -142,11 +142,15 @@ private:
         }
     }
 
-    bool setContour(const Node& node, SceneVolume& volume) {
+    /// The mean of the map, unless the node says otherwise.
+    double isovalue(const Node& node) {
         const MapStatistics& statistics = maps_.front()->statistics;
         const double relative = readValue(node, "relative_isovalue", warnings_).value_or(0);
-        volume.level =
-            readValue(node, "absolute_isovalue", warnings_).value_or(statistics.mean + relative * statistics.rms);
+        return readValue(node, "absolute_isovalue", warnings_).value_or(statistics.mean + relative * statistics.rms);
+    }
+
+    bool setContour(const Node& node, SceneVolume& volume) {
+        volume.level = isovalue(node);
         volume.wires = flag(node, "show_wireframe", false);
         volume.faces = flag(node, "show_faces", true);
         return (volume.wires || volume.faces) && volume.opacity > 0;
@@ -164,10 +168,7 @@ private:
         const auto index = readValue(node, "absolute_index", warnings_);
         const double slice = share ? std::round(*share * last) : index.value_or(0);
         volume.place = std::clamp(slice / last, 0.0, 1.0);
-        const MapStatistics& statistics = maps_.front()->statistics;
-        volume.least = readValue(node, "absolute_isovalue", warnings_);
-        if (const auto relative = readValue(node, "relative_isovalue", warnings_); relative && !volume.least)
-            volume.least = statistics.mean + *relative * statistics.rms;
+        volume.least = isovalue(node);
         return volume.opacity > 0;
     }
 

@@ -92,7 +92,8 @@ Out volumeNode(const SceneVolume& volume, const std::string& address) {
     if (volume.axis >= 0)
         params = {{"type", "grid_slice"},
                   {"dimension", std::string(1, static_cast<char>('x' + volume.axis))},
-                  {"relative_index", rounded(volume.place)}};
+                  {"relative_index", rounded(volume.place)},
+                  {"absolute_isovalue", volume.least.value_or(volume.map->statistics.min)}};
     else
         params = {{"type", "isosurface"},
                   {"absolute_isovalue", volume.level},

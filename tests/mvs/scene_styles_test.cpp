@@ -70,9 +70,10 @@ TEST(SceneSizes, SurfacesHaveALargest) {
 }
 
 TEST(SceneSizes, PuttyIsATubeOfTheFactorOrOfTheTemperatures) {
-    EXPECT_EQ(buildLayer(R"({"type": "putty"})").cartoon.tube, 0);
+    EXPECT_EQ(buildLayer(R"({"type": "putty"})").cartoon.tube, 1);
     EXPECT_EQ(buildLayer(R"({"type": "putty", "size_theme": "uncertainty"})").cartoon.tube, 0);
-    EXPECT_NEAR(buildLayer(R"({"type": "putty", "size_theme": "uniform"})").cartoon.tube, 0.2, 1e-9);
+    const CartoonOptions wide = buildLayer(R"({"type": "putty", "size_factor": 2})").cartoon;
+    EXPECT_NEAR(wide.tube * wide.scale, 4, 1e-9);  // Å: Mol* applies the factor twice
 }
 
 TEST(SceneSizes, AtomsHaveTheRadiiOfMolstar) {

@@ -87,6 +87,10 @@ TEST(WrittenScenes, KeepTheWidthsOfCartoons) {
                                       [](const SceneLayer& layer) { return layer.style == Style::cartoon; });
     ASSERT_NE(cartoon, again.guide->layers.end());
     EXPECT_NEAR(cartoon->cartoon.scale, 1, 1e-3);
+    d.look.cartoon.putty = true;
+    const Molecule putty = readBack(writeScene(m, d, {}, camera(), "out.mvsj"));
+    EXPECT_TRUE(std::ranges::any_of(putty.guide->layers, [](const SceneLayer& layer) { return layer.cartoon.putty; }));
+    for (const SceneLayer& layer : putty.guide->layers) EXPECT_EQ(layer.cartoon.tube, 0);  // by the B factors
 }
 
 TEST(WrittenScenes, HaveMeasurementsAndTellOfTorsions) {
@@ -131,6 +135,7 @@ TEST(WrittenScenes, HaveVolumes) {
     const json& cut = nodes[2]["children"][0]["children"][0]["children"][0]["params"];
     EXPECT_EQ(cut["dimension"], "y");
     EXPECT_EQ(cut["relative_index"], 0.5);
+    EXPECT_EQ(cut["absolute_isovalue"], 1);  // the least value: Mol* would leave out what is below the mean
 }
 
 TEST(WrittenScenes, NameFilesFromTheirFolder) {
