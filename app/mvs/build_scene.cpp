@@ -48,6 +48,11 @@ void addLabelBalls(const std::vector<Primitives::Label>& labels, std::vector<glm
     balls.insert(balls.end(), more.begin(), more.end());
 }
 
+/// Whether a copy shows an atom.
+bool isPlaced(const Structure& s, std::uint32_t atom) {
+    return listOfCopies(s, s.molecule->residues[s.molecule->atoms[atom].residue]) != UINT32_MAX;
+}
+
 bool isStill(const glm::dmat4x3& motion) { return motion == glm::dmat4x3(1.0); }
 
 class SceneBuilder {
@@ -101,6 +106,7 @@ private:
     }
 
     void canvas(const Node& node) {
+        if (!node.param("background_color")) return;
         const auto color = readColor(node.param("background_color"));
         if (!color) return warnings_.add(node, "it names no colour");
         std::array<float, 4> background{0, 0, 0, 1};
@@ -127,34 +133,56 @@ private:
     }
 
     void structure(const Node& parse, const Node& node, const std::string& url) {
-        if (structures_.size() == kMostStructures)
-            throw Error("cannot draw scene", node.place,
-                        "it has more than " + std::to_string(kMostStructures) + " structures");
+        checkCount(node);
+        const std::size_t own = structures_.size();
         structures_.push_back(readStructure(parse, node, url, files_, warnings_));
-        Structure& s = structures_.back();
-        takeMotions(node, s);
-        const std::vector<bool> all(s.molecule->atoms.size(), true);
+        takeMotions(node, structures_[own], structures_[own].atoms->all());
+        const std::vector<bool> all(structures_[own].molecule->atoms.size(), true);
         for (const Node& child : node.children) {
             files_.step();
             tellUnknown(child, node, warnings_);
-            if (child.kind.starts_with("component")) component(child, s);
-            words(child, all, s);
-            if (child.kind.starts_with("primitives")) group(child, structures_.size() - 1);
+            if (child.kind.starts_with("component")) component(child, own);
+            words(child, all, own);
+            if (child.kind.starts_with("primitives")) group(child, own);
         }
     }
 
+    void checkCount(const Node& node) const {
+        if (structures_.size() == kMostStructures)
+            throw Error("cannot draw scene", node.place,
+                        "it has more than " + std::to_string(kMostStructures) + " structures");
+    }
+
+    /// The structure of a component: one of its own if it moves by itself.
+    std::size_t structureOf(const Node& node, std::size_t whole, const std::vector<std::uint32_t>& atoms) {
+        const auto moves = [](const Node& child) { return child.kind == "transform" || child.kind == "instance"; };
+        if (atoms.empty() || std::ranges::none_of(node.children, moves)) return whole;
+        if (!structures_[whole].instances.empty()) {
+            warnings_.add(node, "its structure has instances: it does not move by itself");
+            return whole;
+        }
+        checkCount(node);
+        Structure own = structures_[whole].copied();
+        own.ref = node.ref;
+        takeMotions(node, own, atoms);
+        structures_.push_back(std::move(own));
+        return structures_.size() - 1;
+    }
+
     /// Adds labels, tooltips and focus of some atoms of a structure.
-    void words(const Node& node, const std::vector<bool>& atoms, Structure& s) {
+    void words(const Node& node, const std::vector<bool>& atoms, std::size_t structure) {
+        Structure& s = structures_[structure];
         if (node.kind == "label" || node.kind == "tooltip")
             addText(atoms, nodeText(node, "text"), s, node.kind == "label" ? s.labels : s.tooltips);
         if (node.kind.starts_with("label_from_")) addTexts(node, "label", s, s.labels);
         if (node.kind.starts_with("tooltip_from_")) addTexts(node, "tooltip", s, s.tooltips);
-        if (node.kind == "focus") camera_.takeFocus(node, structures_.size() - 1, s.atoms->selectDrawn(atoms));
+        if (node.kind == "focus") camera_.takeFocus(node, structure, s.atoms->selectDrawn(atoms));
     }
 
     static void addText(const std::vector<bool>& atoms, const std::string& text, const Structure& s,
                         std::vector<Structure::Text>& labels, const Node* source = nullptr) {
         Structure::Text label{s.atoms->selectDrawn(atoms), text, source};
+        std::erase_if(label.atoms, [&](std::uint32_t atom) { return !isPlaced(s, atom); });
         if (!label.atoms.empty() && !text.empty()) labels.push_back(std::move(label));
     }
 
@@ -164,22 +192,24 @@ private:
             addText(atoms, text, s, labels, &node);
     }
 
-    void component(const Node& node, Structure& s) {
-        std::vector<bool> atoms;
-        if (node.kind == "component") {
-            atoms = selected(node, node.param("selector"), s, warnings_);
-        } else {
-            const Json* wanted = node.param("field_values");
-            atoms.assign(s.molecule->atoms.size(), false);
-            for (const AnnotationRow& row : readRows(node, "component", s, files_)) {
-                const bool chosen =
-                    !wanted || (row.value() && wanted->is_array() &&
-                                std::find(wanted->begin(), wanted->end(), *row.value()) != wanted->end());
-                if (chosen) s.atoms->add(row.expression, atoms);
-            }
+    std::vector<bool> selectedBy(const Node& node, const Structure& s) {
+        if (node.kind == "component") return selected(node, node.param("selector"), s, warnings_);
+        const Json* wanted = node.param("field_values");
+        std::vector<bool> atoms(s.molecule->atoms.size());
+        for (const AnnotationRow& row : readRows(node, "component", s, files_)) {
+            const bool chosen = !wanted || (row.value() && wanted->is_array() &&
+                                            std::find(wanted->begin(), wanted->end(), *row.value()) != wanted->end());
+            if (chosen) s.atoms->add(row.expression, atoms);
         }
-        const std::vector<std::uint32_t> drawn = s.atoms->selectDrawn(atoms);
+        return atoms;
+    }
+
+    void component(const Node& node, std::size_t whole) {
+        const std::vector<bool> atoms = selectedBy(node, structures_[whole]);
+        const std::vector<std::uint32_t> drawn = structures_[whole].atoms->selectDrawn(atoms);
         if (drawn.empty()) warnings_.add(node, "it matches no atoms");
+        const std::size_t structure = structureOf(node, whole, drawn);
+        Structure& s = structures_[structure];
         for (const Node& child : node.children) {
             files_.step();
             tellUnknown(child, node, warnings_);
@@ -191,17 +221,8 @@ private:
                 files_.countShown(child, drawn.size());
                 addRepresentation(child, drawn, s, files_, warnings_);
             }
-            words(child, atoms, s);
+            words(child, atoms, structure);
         }
-    }
-
-    /// Positions of a structure: all its copies, each moved by its transform or by each of its instances.
-    static std::vector<glm::dmat4x3> listMotions(const Structure& s, const glm::dmat4x3& copy) {
-        if (s.instances.empty()) return {joinedMotion(s.moved, copy)};
-        std::vector<glm::dmat4x3> motions;
-        for (const glm::dmat4x3& instance : s.instances)
-            motions.push_back(joinedMotion(instance, joinedMotion(s.moved, copy)));
-        return motions;
     }
 
     /// Whether no structure has copies: then atoms are moved to their final positions.
@@ -214,8 +235,7 @@ private:
     }
 
     static void putAtoms(Structure& s) {
-        const glm::dmat4x3 copy = s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front();
-        const glm::dmat4x3 motion = listMotions(s, copy).front();
+        const glm::dmat4x3 motion = findFirstMotion(s);
         if (isStill(motion)) return;
         for (std::size_t i = 0; i < s.molecule->atoms.size(); ++i) {
             glm::vec3& position = s.molecule->atoms[i].position;
@@ -252,20 +272,14 @@ private:
             places.push_back(add(copies));
         }
         for (const Residue& residue : s.molecule->residues) {
-            const std::uint32_t list =
-                residue.subchain < s.listOfSubchain.size() ? s.listOfSubchain[residue.subchain] : 0;
+            const std::uint32_t list = listOfCopies(s, residue);
             guide_->listOfResidue.push_back(list == UINT32_MAX ? UINT32_MAX : places[list]);
         }
     }
 
     /// Drops atoms from layers if their structure's assembly omits them.
     static void dropUnplaced(Structure& s) {
-        if (s.listOfSubchain.empty()) return;
-        const auto isPlaced = [&](std::uint32_t atom) {
-            const Residue& residue = s.molecule->residues[s.molecule->atoms[atom].residue];
-            return residue.subchain >= s.listOfSubchain.size() || s.listOfSubchain[residue.subchain] != UINT32_MAX;
-        };
-        for (SceneLayer& layer : s.layers) keepAtoms(layer, [&](std::size_t i) { return isPlaced(layer.atoms[i]); });
+        for (SceneLayer& layer : s.layers) keepAtoms(layer, [&](std::size_t i) { return isPlaced(s, layer.atoms[i]); });
     }
 
     /// Makes labels primitives while structures still have their own atoms, and adds tooltips to the joined molecule.

@@ -14,6 +14,7 @@ namespace {
 constexpr std::string_view kPalettes = "palette: categorical, discrete and continuous; elements in Nacre's colours";
 constexpr std::string_view kFormats = "text_format: types s, d, f, e and %, with width, precision, sign and commas";
 
+constexpr std::string_view kMovedParents = "structure component component_from_uri component_from_source volume";
 constexpr std::string_view kLookParents = "component component_from_uri component_from_source";
 constexpr std::string_view kTextParents = "structure component component_from_uri component_from_source";
 constexpr std::string_view kFocusParents =
@@ -28,8 +29,8 @@ constexpr NodeRow kRows[] = {
     {"structure", "parse",
      "type assembly_id assembly_index model_index coordinates_ref block_index block_header radius ijk_min ijk_max", "",
      "block_index and block_header: of CIF and SDF; with coordinates_ref, model_index is the frame"},
-    {"transform", "structure volume", "rotation translation rotation_center matrix", "", "rigid motions"},
-    {"instance", "structure volume", "rotation translation rotation_center matrix", "", "rigid motions"},
+    {"transform", kMovedParents, "rotation translation rotation_center matrix", "", "rigid motions"},
+    {"instance", kMovedParents, "rotation translation rotation_center matrix", "", "rigid motions"},
     {"component", "structure", "selector", "", ""},
     {"component_from_uri", "structure", NACRE_URI " field_values", "", ""},
     {"component_from_source", "structure", NACRE_SOURCE " field_values", "", ""},

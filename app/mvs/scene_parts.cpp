@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/mvs/molstar_radii.h"
 #include "app/mvs/node_table.h"
 #include "app/mvs/primitive_values.h"
 #include "app/picture/color_values.h"
@@ -207,37 +208,33 @@ glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& c
     return motion;
 }
 
-namespace {
-
-/// Centroid of the atoms in all copies. Keeps only extreme points of the previous copies.
-glm::dvec3 computeCentroid(const Structure& s) {
-    std::vector<glm::dvec4> points;
-    const auto add = [&](const glm::dmat4x3& copy) {
-        std::vector<glm::dvec3> extreme;
-        if (!points.empty()) extreme = extremePoints(points);
-        points.clear();
-        for (const glm::dvec3& point : extreme) points.emplace_back(point, 0.0);
-        const glm::dmat4x3 motion = joinedMotion(s.moved, copy);
-        for (const Atom& atom : s.molecule->atoms)
-            points.emplace_back(motion * glm::dvec4(glm::dvec3(atom.position), 1.0), 0.0);
-    };
-    if (s.transforms.empty()) add(glm::dmat4x3(1.0));
-    for (const glm::dmat4x3& copy : s.transforms) add(copy);
-    return points.empty() ? glm::dvec3(0) : extremeSphere(points).center;
+Structure Structure::copied() const {
+    Structure s;
+    s.uri = uri;
+    s.molecule = std::make_unique<Molecule>(*molecule);
+    s.atoms = std::make_unique<StructureAtoms>(*s.molecule);
+    s.transforms = transforms, s.lists = lists, s.listOfSubchain = listOfSubchain;
+    s.moved = moved;
+    s.representation = representation;
+    return s;
 }
 
-}  // namespace
-
-void takeMotions(const Node& node, Structure& s) {
+void takeMotions(const Node& node, Structure& s, const std::vector<std::uint32_t>& atoms) {
     std::optional<glm::dvec3> known;  // computed once for all instances: it takes time proportional to the atoms
-    const auto centroid = [&] { return known ? *known : *(known = computeCentroid(s)); };
+    const auto centroid = [&] {
+        if (known) return *known;
+        const std::vector<glm::dvec4> points = placedBalls(s, atoms, 0);
+        return *(known = points.empty() ? glm::dvec3(0) : extremeSphere(points).center);
+    };
     for (const Node& child : node.children) {
         if (child.kind != "transform") continue;
         s.moved = joinedMotion(motionOfNode(child, centroid), s.moved);
         known.reset();
     }
+    std::vector<glm::dmat4x3> instances;
     for (const Node& child : node.children)
-        if (child.kind == "instance") s.instances.push_back(motionOfNode(child, centroid));
+        if (child.kind == "instance") instances.push_back(motionOfNode(child, centroid));
+    s.instances = std::move(instances);
 }
 
 glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second) {
@@ -335,27 +332,76 @@ void keepAtoms(SceneLayer& layer, const std::function<bool(std::size_t)>& keeps)
     if (!layer.opacity.empty()) layer.opacity.resize(kept);
 }
 
-glm::dmat4x3 findFirstMotion(const Structure& s) {
-    const glm::dmat4x3 copy = s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front();
+std::vector<glm::dmat4x3> listMotions(const Structure& s, const glm::dmat4x3& copy) {
     const glm::dmat4x3 moved = joinedMotion(s.moved, copy);
-    return s.instances.empty() ? moved : joinedMotion(s.instances.front(), moved);
+    if (s.instances.empty()) return {moved};
+    std::vector<glm::dmat4x3> motions;
+    for (const glm::dmat4x3& instance : s.instances) motions.push_back(joinedMotion(instance, moved));
+    return motions;
 }
+
+glm::dmat4x3 findFirstMotion(const Structure& s) {
+    return listMotions(s, s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front()).front();
+}
+
+std::uint32_t listOfCopies(const Structure& s, const Residue& residue) {
+    return residue.subchain < s.listOfSubchain.size() ? s.listOfSubchain[residue.subchain] : 0;
+}
+
+std::vector<glm::dvec4> placedBalls(const Structure& s, const std::vector<std::uint32_t>& atoms, double scale) {
+    constexpr std::size_t kManyCopies = 14, kManyBalls = 100'000;
+    const auto reduce = [](std::vector<glm::dvec4>& balls) {
+        const std::vector<glm::dvec3> extreme = extremePoints(balls);
+        balls.clear();
+        for (const glm::dvec3& point : extreme) balls.emplace_back(point, 0.0);
+    };
+    std::map<std::uint32_t, std::vector<glm::dvec4>> still;  // by list of copies
+    for (const std::uint32_t index : atoms) {
+        const Atom& atom = s.molecule->atoms[index];
+        still[listOfCopies(s, s.molecule->residues[atom.residue])].emplace_back(
+            glm::dvec3(atom.position), scale * static_cast<double>(molstarRadius(atom.element)));
+    }
+    std::vector<glm::dvec4> placed;
+    const auto place = [&](const std::vector<glm::dvec4>& balls, const glm::dmat4x3& copy) {
+        for (const glm::dmat4x3& motion : listMotions(s, copy)) {
+            if (placed.size() > kManyBalls) reduce(placed);
+            for (const glm::dvec4& ball : balls)
+                placed.emplace_back(motion * glm::dvec4(glm::dvec3(ball), 1.0), ball.w);
+        }
+    };
+    for (auto& [list, balls] : still) {
+        if (s.transforms.empty()) place(balls, glm::dmat4x3(1.0));
+        if (s.transforms.empty() || list == UINT32_MAX) continue;
+        if (s.lists[list].size() > kManyCopies) reduce(balls);
+        for (const std::uint32_t copy : s.lists[list]) place(balls, s.transforms[copy]);
+    }
+    return placed;
+}
+
+namespace {
+
+std::size_t countCopies(const Structure& s, std::uint32_t atom) {
+    const std::uint32_t list = listOfCopies(s, s.molecule->residues[s.molecule->atoms[atom].residue]);
+    const std::size_t placed = s.transforms.empty() ? 1 : list == UINT32_MAX ? 0 : s.lists[list].size();
+    return placed * std::max<std::size_t>(s.instances.size(), 1);
+}
+
+}  // namespace
 
 Primitives::Label makeLabel(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& s,
                             std::optional<std::uint32_t> color, double* depth) {
-    const glm::dmat4x3 motion = findFirstMotion(s);
-    std::vector<glm::dvec4> points;
-    std::size_t heavy = 0;
+    std::size_t all = 0, heavy = 0;
     for (const std::uint32_t atom : atoms) {
-        points.emplace_back(motion * glm::dvec4(glm::dvec3(s.molecule->atoms[atom].position), 1.0), 0.0);
-        if (!isHydrogen(s.molecule->atoms[atom].element)) ++heavy;
+        const std::size_t copies = countCopies(s, atom);
+        all += copies;
+        if (!isHydrogen(s.molecule->atoms[atom].element)) heavy += copies;
     }
     Primitives::Label label;
-    const Bounds sphere = extremeSphere(points);
+    const Bounds sphere = extremeSphere(placedBalls(s, atoms, 0));
     label.at = sphere.center;
     if (depth) *depth = sphere.radius;
     label.text = withoutMarkup(text);
-    label.size = kEmOfSize * std::cbrt(static_cast<double>(heavy > 0 ? heavy : atoms.size()));
+    label.size = kEmOfSize * std::cbrt(static_cast<double>(heavy > 0 ? heavy : all));
     label.color = color;
     return label;
 }

@@ -94,6 +94,9 @@ struct Structure {
     std::vector<Text> labels, tooltips;
     const Node* representation = nullptr;  ///< its first one: labels have its colours
     std::string ref;
+
+    /// The same atoms at the same places, without layers and texts.
+    Structure copied() const;
 };
 
 /// Ratio of Mol*'s cartoon widths to those in other pictures.
@@ -113,8 +116,9 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
 /// @throws Error unless it is rigid and near
 glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& centroid);
 
-/// Reads the transform and instance nodes of a structure. @throws Error
-void takeMotions(const Node& node, Structure& structure);
+/// Reads the transform and instance nodes of a structure, or of a component. @param atoms  whose centroid they may turn
+/// about, in all copies @throws Error
+void takeMotions(const Node& node, Structure& structure, const std::vector<std::uint32_t>& atoms);
 
 /// Applies `second`, then `first`.
 glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second);
@@ -152,13 +156,23 @@ void keepAtoms(SceneLayer& layer, const std::function<bool(std::size_t)>& keeps)
 
 constexpr double kEmOfSize = 0.6;  ///< em of a label of size 1, Å: measured in Mol*'s pictures
 
-/// The label of some atoms, sized like Mol*'s: by the cube root of their number.
+/// The label of some atoms, in the midst of all copies, sized like Mol*'s: by the cube root of their number.
 /// @param atoms  of the structure, ascending, at least one @param depth  Å from its position to the farthest atom
 Primitives::Label makeLabel(const std::string& text, const std::vector<std::uint32_t>& atoms,
                             const Structure& structure, std::optional<std::uint32_t> color, double* depth = nullptr);
 
+/// Motions of a copy of a structure: by its transforms, then by each of its instances.
+std::vector<glm::dmat4x3> listMotions(const Structure& structure, const glm::dmat4x3& copy);
+
 /// The first position of a structure's atoms: by its copies, transforms and instances.
 glm::dmat4x3 findFirstMotion(const Structure& structure);
+
+/// The copies that show a residue: an index into Structure::lists; UINT32_MAX: none.
+std::uint32_t listOfCopies(const Structure& structure, const Residue& residue);
+
+/// Balls around atoms, in all copies; around their extreme points if there are many.
+/// @param scale  of their van der Waals radii
+std::vector<glm::dvec4> placedBalls(const Structure& structure, const std::vector<std::uint32_t>& atoms, double scale);
 
 /// Escapes plain text so that labels do not read it as markup.
 std::string withoutMarkup(std::string_view text);

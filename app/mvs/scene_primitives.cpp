@@ -4,10 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
-#include "app/mvs/clip_nodes.h"
-#include "app/mvs/molstar_radii.h"
 #include "app/mvs/node_table.h"
 #include "app/mvs/primitive_values.h"
 #include "app/mvs/scene_parts.h"
@@ -113,26 +113,21 @@ private:
     }
 
     std::optional<PlaceBounds> boundsOfAtoms(const Node& node, const Json& selector, const Structure& structure) {
-        const std::vector<std::uint32_t> atoms =
-            structure.atoms->selectDrawn(selected(node, &selector, structure, warnings_));
-        if (atoms.empty()) {
+        const std::vector<glm::dvec4> balls =
+            placedBalls(structure, structure.atoms->selectDrawn(selected(node, &selector, structure, warnings_)), 1);
+        if (balls.empty()) {
             warnings_.add(node, "its place matches no atoms: it is left out");
             return std::nullopt;
         }
-        const glm::dmat4x3 motion = findFirstMotion(structure);
-        std::vector<glm::dvec4> balls;
         Box box;
-        for (const std::uint32_t atom : atoms) {
-            const glm::dvec3 at = motion * glm::dvec4(glm::dvec3(structure.molecule->atoms[atom].position), 1.0);
-            balls.emplace_back(at, static_cast<double>(molstarRadius(structure.molecule->atoms[atom].element)));
-        }
         for (const glm::dvec3& point : extremePoints(balls)) box.add(point);
         const Bounds bounds = extremeSphere(balls);
         return PlaceBounds{bounds.center, box.low, box.high, bounds.radius};
     }
 
+    /// Dashes and gaps of twice the length, as Mol* draws them.
     static PrimitiveDashes dashes(double length) {
-        return length > 0 ? PrimitiveDashes{length, length} : PrimitiveDashes{};
+        return length > 0 ? PrimitiveDashes{2 * length, 2 * length} : PrimitiveDashes{};
     }
 
     void tube(const Node& node) {
@@ -232,6 +227,17 @@ private:
         }
     }
 
+    /// Edges of a mesh, in the colour of the first triangle that has them.
+    void wiresOfTriangles(const Primitives::Mesh& mesh) {
+        std::set<std::pair<std::uint32_t, std::uint32_t>> known;
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = mesh.triangles[i][k], b = mesh.triangles[i][(k + 1) % 3];
+                if (known.insert(std::minmax(a, b)).second)
+                    all_.lines.push_back({mesh.positions[a], mesh.positions[b], 0, mesh.wireWidth, {}, mesh.looks[i]});
+            }
+    }
+
     void mesh(const Node& node) {
         Indexed figure = indexed(node, 3, "triangle_groups");
         Primitives::Mesh mesh;
@@ -243,8 +249,11 @@ private:
         }
         mesh.faces = flag(node, "show_triangles", true);
         if (flag(node, "show_wireframe", false)) {
-            mesh.wires = look(node, node.param("wireframe_color") ? "wireframe_color" : "color", "");
             mesh.wireWidth = std::clamp(kPixelsOfWidth * number(node, "wireframe_width", 1), 0.5, 50.0);
+            if (node.param("wireframe_color") || !node.param("group_colors"))
+                mesh.wires = look(node, node.param("wireframe_color") ? "wireframe_color" : "color", "");
+            else
+                wiresOfTriangles(mesh);
         }
         if (!mesh.triangles.empty()) all_.meshes.push_back(std::move(mesh));
     }
@@ -293,7 +302,7 @@ private:
         if (flag(node, "show_vector", true)) {
             const double thick = number(node, "vector_radius", 0.05);
             for (const glm::dvec3& end : {a->center, c->center})
-                all_.lines.push_back({b->center, end, thick, 1.5, {thick, thick}, look(node, "vector_color", text)});
+                all_.lines.push_back({b->center, end, thick, 1.5, dashes(thick), look(node, "vector_color", text)});
         }
         glm::dvec3 across = v - u * glm::dot(u, v);
         if (flag(node, "show_section", true) && glm::length(across) > 1e-9) {
@@ -313,15 +322,20 @@ private:
         return otherwise;
     }
 
+    /// The part of an axis that is perpendicular to another one.
+    static glm::dvec3 upright(const glm::dvec3& axis, const glm::dvec3& other) {
+        return axis - other * (glm::dot(axis, other) / glm::dot(other, other));
+    }
+
     void ellipse(const Node& node) {
         const auto center = place(node, "center");
         if (!center) return;
         auto major = axis(node, "major_axis", center->center, {}), minor = axis(node, "minor_axis", center->center, {});
-        if (!major || !minor || !(glm::length(*major) > 1e-9) || !(glm::length(*minor) > 1e-9))
-            return warnings_.add(node, "it has no two axes");
+        const glm::dvec3 across = major && minor ? upright(*minor, *major) : glm::dvec3(0);
+        if (!(glm::length(across) > 1e-9)) return warnings_.add(node, "its axes are no two directions");
         const double large = number(node, "radius_major", glm::length(*major));
         const double small = flag(node, "as_circle", false) ? large : number(node, "radius_minor", glm::length(*minor));
-        all_.ellipses.push_back({center->center, glm::normalize(*major) * large, glm::normalize(*minor) * small,
+        all_.ellipses.push_back({center->center, glm::normalize(*major) * large, glm::normalize(across) * small,
                                  number(node, "theta_start", 0), number(node, "theta_end", 2 * std::numbers::pi),
                                  look(node, "color", readTooltip(node))});
     }
@@ -337,12 +351,12 @@ private:
         if (!center) return;
         const glm::dvec3 major = axis(node, "major_axis", center->center, glm::dvec3(1, 0, 0)).value();
         const glm::dvec3 minor = axis(node, "minor_axis", center->center, glm::dvec3(0, 1, 0)).value();
-        const glm::dvec3 third = glm::cross(major, minor);
+        const glm::dvec3 first = upright(major, minor), third = glm::cross(first, minor);
         if (!(glm::length(third) > 1e-9)) return warnings_.add(node, "its axes are no two directions");
         const glm::dvec3 radius = radii(node, "radius", center->radius) + radii(node, "radius_extent", 0);
         all_.ellipsoids.push_back(
             {center->center,
-             {glm::normalize(major) * radius.x, glm::normalize(minor) * radius.y, glm::normalize(third) * radius.z},
+             {glm::normalize(first) * radius.x, glm::normalize(minor) * radius.y, glm::normalize(third) * radius.z},
              look(node, "color", readTooltip(node))});
     }
 

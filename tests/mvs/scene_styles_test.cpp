@@ -160,6 +160,31 @@ TEST(SceneTransforms, ACentreIsThatOfAllCopies) {
     }
 }
 
+TEST(SceneTransforms, ComponentsMoveByThemselves) {
+    const std::string moved = R"({"kind": "transform", "params": {"translation": [0,0,10]}},)",
+                      whole = R"({"kind": "transform", "params": {"translation": [100,0,0]}},)";
+    const Molecule molecule =
+        built(scene(whole + component(R"("polymer")", balls()) + "," + component(R"("ligand")", moved + balls())));
+    EXPECT_TRUE(molecule.guide->warnings.empty());
+    ASSERT_EQ(molecule.guide->layers.size(), 2u);
+    const auto first = [&](std::size_t layer) {
+        return molecule.atoms[molecule.guide->layers[layer].atoms.at(0)].position;
+    };
+    EXPECT_NEAR(glm::distance(first(0), glm::vec3(101, 2, 3)), 0, 1e-4);
+    EXPECT_NEAR(glm::distance(first(1), glm::vec3(109, 2, 13)), 0, 1e-4);
+    const std::string twice = R"({"kind": "instance", "params": {"translation": [0,0,10]}},
+        {"kind": "instance", "params": {"rotation": [-1,0,0,0,-1,0,0,0,1], "rotation_center": "centroid"}},)";
+    const Molecule copies =
+        built(scene(component(R"("polymer")", balls()) + "," + component(R"("ligand")", twice + balls())));
+    const SceneGuide& guide = *copies.guide;
+    const Atom& atom = copies.atoms[guide.layers.at(1).atoms.at(0)];
+    const std::vector<std::uint32_t>& list = guide.lists[guide.listOfResidue[atom.residue]];
+    ASSERT_EQ(list.size(), 2u);
+    const glm::dvec3 turned = guide.transforms[list[1]] * glm::dvec4(glm::dvec3(atom.position), 1.0);
+    EXPECT_NEAR(glm::distance(turned, glm::dvec3(10, 2, 3)), 0, 0.2);  // where the ligand's other atom was
+    EXPECT_EQ(guide.lists[guide.listOfResidue[0]].size(), 1u);
+}
+
 // Some 20 s, were it found anew for each.
 TEST(SceneTransforms, ACentreIsFoundOnceForAllInstances) {
     const std::string instance = R"({"kind": "instance", "params": {"rotation": [0,1,0,-1,0,0,0,0,1],

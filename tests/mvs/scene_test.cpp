@@ -16,6 +16,7 @@
 #include "engine/scene/build/scene_guide.h"
 #include "engine/scene/build/scene_layers.h"
 #include "engine/scene/color/colors.h"
+#include "engine/scene/view/scene_camera.h"
 #include "tests/mvs/small_scene.h"
 #include "tests/support/temporary_folder.h"
 
@@ -180,6 +181,74 @@ TEST(ScenePrimitives, InstancesAreCopies) {
     EXPECT_LT(glm::distance(lines[0].b, glm::dvec3(2, 0, 0)), 1e-9);
     EXPECT_LT(glm::distance(lines[1].a, glm::dvec3(10, 1, 0)), 1e-9);
     EXPECT_LT(glm::distance(lines[1].b, glm::dvec3(10, 2, 0)), 1e-9);
+}
+
+// Mol* 5.11's pictures: dashes are twice as long as dash_length says, and oblique axes are made upright.
+TEST(ScenePrimitives, DashesAndAxesAreThoseOfMolstar) {
+    const auto primitives = [](const std::string& params) {
+        return built(R"({"root": {"kind": "root", "children": [{"kind": "primitives", "children": [
+            {"kind": "primitive", "params": {)" +
+                     params + "}}]}]}}")
+            .guide->primitives;
+    };
+    EXPECT_EQ(
+        primitives(R"("kind": "tube", "start": [0,0,0], "end": [9,0,0], "dash_length": 0.5)").lines.at(0).dashes.dash,
+        1);
+    const auto ellipse =
+        primitives(R"("kind": "ellipse", "center": [0,0,0], "major_axis": [3,0,0], "minor_axis": [1,1,0])")
+            .ellipses.at(0);
+    EXPECT_LT(glm::distance(ellipse.major, glm::dvec3(3, 0, 0)), 1e-9);
+    EXPECT_LT(glm::distance(ellipse.minor, glm::dvec3(0, std::numbers::sqrt2, 0)), 1e-9);
+    const auto axes =
+        primitives(R"("kind": "ellipsoid", "center": [0,0,0], "major_axis": [1,0,0], "minor_axis": [0,2,2],
+        "radius": [3,2,1])")
+            .ellipsoids.at(0)
+            .axes;
+    EXPECT_LT(glm::distance(axes[0], glm::dvec3(3, 0, 0)), 1e-9);
+    EXPECT_LT(glm::distance(axes[1], glm::dvec3(0, std::numbers::sqrt2, std::numbers::sqrt2)), 1e-9);
+    const auto turned = primitives(R"("kind": "ellipsoid", "center": [0,0,0], "major_axis": [1,1,0],
+        "minor_axis": [0,1,0], "radius": [3,2,1])")
+                            .ellipsoids.at(0)
+                            .axes;
+    EXPECT_LT(glm::distance(turned[0], glm::dvec3(3, 0, 0)), 1e-9);  // the minor axis stays
+    EXPECT_THROW(primitives(R"("kind": "ellipse", "center": [0,0,0], "major_axis": [3,0,0], "minor_axis": [1,0,0])"),
+                 Error);  // it shows nothing
+}
+
+TEST(ScenePrimitives, WiresHaveTheColoursOfTheirTriangles) {
+    const auto mesh = [](const std::string& more) {
+        return built(R"({"root": {"kind": "root", "children": [{"kind": "primitives", "children": [{"kind": "primitive",
+            "params": {"kind": "mesh", "vertices": [0,0,0, 1,0,0, 1,1,0, 0,1,0], "indices": [0,1,2,0,2,3],
+            "show_wireframe": true, "color": "lime", "group_colors": {"1": "red"})" +
+                     more + "}}]}]}}")
+            .guide->primitives;
+    };
+    const Primitives own = mesh("");
+    ASSERT_EQ(own.lines.size(), 5u);
+    EXPECT_EQ(own.lines[2].look.color, packedColor(0x00ff00));  // which both have
+    EXPECT_EQ(own.lines[4].look.color, packedColor(0xff0000));
+    EXPECT_FALSE(own.meshes.at(0).wires);
+    const Primitives named = mesh(R"(, "wireframe_color": "blue")");
+    EXPECT_TRUE(named.lines.empty());
+    EXPECT_EQ(named.meshes.at(0).wires->color, packedColor(0x0000ff));
+}
+
+TEST(ScenePrimitives, AtomsOfAllCopiesGiveTheirPlace) {
+    const std::string cell = R"("symmetry", "ijk_min": [0,0,0], "ijk_max": [0,0,0])";
+    const Molecule molecule =
+        built(scene(component(R"({"atom_id": 12})", R"({"kind": "label", "params": {"text": "a"}})") + "," +
+                        component(R"("all")", balls()) +
+                        R"(,{"kind": "primitives", "children": [{"kind": "primitive", "params":
+        {"kind": "label", "position": {"atom_id": 12}, "text": "b"}}]})",
+                    "", cell));
+    const SceneGuide& guide = *molecule.guide;
+    ASSERT_EQ(guide.transforms.size(), 4u);
+    std::vector<glm::dvec4> places;
+    for (const glm::dmat4x3& copy : guide.transforms)
+        places.emplace_back(copy * glm::dvec4(glm::dvec3(molecule.atoms[1].position), 1.0), 0.0);
+    ASSERT_EQ(guide.primitives.labels.size(), 2u);
+    for (const Primitives::Label& label : guide.primitives.labels)
+        EXPECT_LT(glm::distance(label.at, extremeSphere(places).center), 0.5) << label.text;
 }
 
 TEST(ScenePrimitives, DistancesAreRoundedAndBoxesHaveRoom) {
