@@ -1,8 +1,8 @@
 // Draws a scene by Mol* and by Nacre, and compares cameras and colours (docs/molviewspec.md):
 //   npm install molstar pngjs
-//   node tools/beside_molstar/judge.mjs SCENE NACRE [STEP]
-// in the folder of node_modules. What the scene names lies beside it. CHROMIUM names another browser. Writes
-// molstar.png and nacre.png beside the scene.
+//   node tools/beside_molstar/judge.mjs SCENE NACRE [STEP [MOMENT]]
+// in the folder of node_modules. What the scene names lies beside it. STEP: pixels between those compared, 6. MOMENT: ms
+// of the scene's animation. CHROMIUM names another browser. Writes molstar.png and nacre.png beside the scene.
 import {execFileSync, spawn} from 'node:child_process';
 import fs from 'node:fs';
 import http from 'node:http';
@@ -11,7 +11,7 @@ import os from 'node:os';
 import path from 'node:path';
 
 const {PNG} = createRequire(process.cwd() + '/')('pngjs');
-const [scene, nacre, step = '6'] = process.argv.slice(2);
+const [scene, nacre, step = '6', moment = '0'] = process.argv.slice(2);
 const folder = path.dirname(path.resolve(scene)), own = path.dirname(new URL(import.meta.url).pathname);
 
 /// What the page sends.
@@ -40,7 +40,7 @@ async function byMolstar() {
     const browser = spawn(process.env.CHROMIUM ?? 'chromium',
         ['--headless=new', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--hide-scrollbars',
          '--window-size=800,800', `--user-data-dir=${profile}`,
-         `http://127.0.0.1:${server.address().port}/page.html?step=${step}&scene=${path.basename(scene)}`], {stdio: 'ignore'});
+         `http://127.0.0.1:${server.address().port}/page.html?step=${step}&moment=${moment}&scene=${path.basename(scene)}`], {stdio: 'ignore'});
     await finished;
     const ended = new Promise(resolve => browser.on('exit', resolve));
     browser.kill();
@@ -53,12 +53,12 @@ async function byMolstar() {
 }
 
 const column = (m, v) => [0, 1, 2, 3].map(i => m[i] * v[0] + m[4 + i] * v[1] + m[8 + i] * v[2] + m[12 + i] * v[3]);
-function placeByMolstar(seen, atom) {
-    const clip = column(seen.projection, column(seen.view, [...atom, 1]));
+function placeByMolstar(seen, place) {
+    const clip = column(seen.projection, column(seen.view, [...place, 1]));
     return [(clip[0] / clip[3] + 1) / 2, (1 - clip[1] / clip[3]) / 2];
 }
-function placeByNacre(view, atom) {
-    const from = atom.map((x, i) => x - view.center[i]);
+function placeByNacre(view, place) {
+    const from = place.map((x, i) => x - view.center[i]);
     const at = view.rotation.map(row => row.reduce((sum, x, i) => sum + x * from[i], 0));
     const scale = view.pixels_per_angstrom * view.eye_distance / (view.eye_distance - at[2]);
     return [0.5 + at[0] * scale / view.width, 0.5 - at[1] * scale / view.height];
@@ -83,22 +83,26 @@ function colorAt(image, x, y, seen) {
 const seen = await byMolstar();
 const stats = execFileSync(nacre, ['render', scene, '-o', path.join(folder, 'nacre.png'), '--size',
                                    `${seen.width}x${seen.height}`, '--stats', '-'], {stdio: ['ignore', 'pipe', 'inherit']});
+if (+moment) {
+    const frames = path.join(folder, 'frames/');
+    execFileSync(nacre, ['movie', scene, '-o', frames, '--size', `${seen.width}x${seen.height}`, '--fps', `${1000 / moment}`]);
+    fs.copyFileSync(path.join(frames, 'frame_00002.png'), path.join(folder, 'nacre.png'));
+}
 const view = JSON.parse(stats).view, read = name => PNG.sync.read(fs.readFileSync(path.join(folder, name)));
 const theirs = read('molstar.png'), ours = read('nacre.png');
-const atoms = seen.atoms.slice(0, 200).map(atom => atom.slice(1));
-const errors = atoms.map(atom => {
-    const [a, b] = [placeByMolstar(seen, atom), placeByNacre(view, atom)];
+const places = seen.places.slice(0, 208), errors = places.map(place => {
+    const [a, b] = [placeByMolstar(seen, place), placeByNacre(view, place)];
     return Math.hypot(a[0] - b[0], a[1] - b[1]);
 });
-const grid = new Map(seen.picks.map(([x, y, name]) => [`${x},${y}`, name])), residues = new Map();
+const grid = new Map(seen.picks.map(([x, y, name]) => [`${x},${y}`, name])), parts = new Map();
 for (const [x, y, name] of seen.picks) {
     const around = [[1, 0], [-1, 0], [0, 1], [0, -1]]
         .filter(([i, j]) => grid.get(`${x + i * step},${y + j * step}`) === name);
     if (around.length < 2) continue;
-    const told = residues.get(name) ?? residues.set(name, {same: 0, all: 0}).get(name);
+    const told = parts.get(name) ?? parts.set(name, {same: 0, all: 0}).get(name);
     told.all += 1;
     told.same += sameHue(colorAt(theirs, x, y, seen), colorAt(ours, x, y, seen)) ? 1 : 0;
 }
-const same = [...residues.values()].filter(told => 2 * told.same >= told.all).length;
-console.log(`${path.basename(scene)}: camera within ${(100 * Math.max(0, ...errors)).toFixed(2)} % (${atoms.length} atoms), ` +
-            `${same} of ${residues.size} residues in the same colour`);
+const same = [...parts.values()].filter(told => 2 * told.same >= told.all).length;
+console.log(`${path.basename(scene)}: camera within ${(100 * Math.max(0, ...errors)).toFixed(2)} % (${places.length} places), ` +
+            `${same} of ${parts.size} residues, primitives and maps in the same colour`);
