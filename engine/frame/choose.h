@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
@@ -117,7 +118,10 @@ struct Effect {
     friend bool operator==(const Effect&, const Effect&) = default;
 };
 
-constexpr std::size_t kEffectKinds = static_cast<std::size_t>(Effect::Kind::lens) + 1;
+constexpr const char* kEffectNames[] = {"shadow", "outlines", "halos", "translucency", "translucency by tiles",
+                                        "volume", "lens"};  // by kind
+constexpr std::size_t kEffectKinds = std::size(kEffectNames);
+static_assert(kEffectKinds == static_cast<std::size_t>(Effect::Kind::lens) + 1);
 
 /// The effects of a frame, one of each kind at most, in the order in which they run. Frames allocate nothing.
 class EffectList {
@@ -248,7 +252,13 @@ struct FrameChoice {
 };
 
 /// @throws Error if the device cannot do what its options or the settings ask for
-FrameChoice choose(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device);
+/// @param reasons  if not null, receives why each decision was taken
+FrameChoice choose(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device,
+                   std::vector<Decision>* reasons = nullptr);
+/// Render passes of a path's primitives. @param v  of a choice with this path
+std::uint32_t countRenderPasses(const FrameChoice& choice, const VertexOutputs& v);
+
+// In describe_choice.cpp:
 
 /// The decisions of a choice, for people; without reasons.
 std::vector<Decision> describe(const FrameChoice& choice);
