@@ -304,18 +304,18 @@ vec3 computeClaims(vec3 shares, uint division) {
 }
 
 layout(constant_id = kFrontsOnlyId) const bool kFrontsOnly = false;
+const uint kMirrored = 0x80000000u;  // the triangle's copy is a mirror image, which turns it the other way round
 /// A triangle from projected() corners. Depth is interpolated as a weighted mean of the corners', so a hit is never in
 /// front of or behind all of them. Triangles within kCapRise behind the near plane are its caps (mesh_caps.h). The inner
 /// side of a mesh without caps looks like one, at its own depth. This excludes TRANSLUCENT meshes.
-/// @param division  as in computeClaims()
+/// @param division  as in computeClaims(), with kMirrored; 0 where neither looks nor sides matter
 Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint division, vec2 q) {
     Hit hit = noHit();
     precise vec2 pa = a.xy - q, pb = b.xy - q, pc = c.xy - q;
     precise float ofA = edgeSide(pb, pc), ofB = edgeSide(pc, pa), ofC = edgeSide(pa, pb);
     precise float sum = ofA + ofB + ofC;
     hit.inside = (min(ofA, min(ofB, ofC)) >= 0.0 || max(ofA, max(ofB, ofC)) <= 0.0) && sum != 0.0;
-    bool mirrored = dot(cross(copyRow0.xyz, copyRow1.xyz), copyRow2.xyz) < 0.0;  // a copy that is a mirror image
-    hit.back = (sum < 0.0) != mirrored;
+    hit.back = (sum < 0.0) != ((division & kMirrored) != 0u);
     if (kFrontsOnly) hit.inside = hit.inside && !hit.back;
     precise float unit = 1.0 / (sum == 0.0 ? 1.0 : sum);
     precise vec3 shares = vec3(ofA, ofB, ofC) * unit;

@@ -12,12 +12,14 @@ struct Facet {
     uvec4 a, b, c;
     uvec3 vertices;  // their numbers
     float step;      // step of the vertices' positions
-    uint division;   // among the looks of its corners, for triangleHitThrough()
+    uint division;   // among the looks of its corners, with kMirrored, for triangleHitThrough()
 };
 
-/// @param packed  word w of the triangle
+/// Of a triangle in the selected copy. @param packed  word w of the triangle
 uint packDivision(uint lookA, uint lookB, uint lookC, uint packed) {
-    return uint(lookA == lookB) | uint(lookB == lookC) << 1 | uint(lookC == lookA) << 2 | (packed & 0x1fffffu) << 3;
+    bool mirrored = dot(cross(copyRow0.xyz, copyRow1.xyz), copyRow2.xyz) < 0.0;
+    return uint(lookA == lookB) | uint(lookB == lookC) << 1 | uint(lookC == lookA) << 2 | (packed & 0x1fffffu) << 3 |
+           (mirrored ? kMirrored : 0u);
 }
 /// @param record  of a triangle: places of its vertices a, b, c, which follow `before`
 Facet facetFrom(uvec4 a, uvec4 b, uvec4 c, uvec4 record, uint before) {
