@@ -76,13 +76,14 @@ TextFormat::Style TextFormat::parseStyle(const std::string& text) {
     const auto next = [&](std::string_view words) {
         return at < text.size() && words.find(text[at]) != std::string_view::npos;
     };
-    if (text.size() > 1 && kAligns.find(text[1]) != std::string_view::npos)
+    const bool filled = text.size() > 1 && kAligns.find(text[1]) != std::string_view::npos;
+    if (filled)
         style.fill = text[0], style.align = text[1], at = 2;
     else if (next(kAligns))
         style.align = text[at++];
     if (next("+- ")) style.sign = text[at++];
     if (next("0")) {
-        if (at < 2) style.fill = '0';  // none is given
+        if (!filled) style.fill = '0';
         if (style.align == 0) style.align = '=';
         ++at;
     }

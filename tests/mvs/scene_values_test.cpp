@@ -181,6 +181,7 @@ TEST(SceneTexts, FormatsAreThoseOfPython) {
     EXPECT_EQ(text("{:05d}", "42"), "00042");
     EXPECT_EQ(text("{:<05d}", "42"), "42000");
     EXPECT_EQ(text("{:*<05d}", "42"), "42***");
+    EXPECT_EQ(text("{:<+05d}", "42"), "+4200");
     EXPECT_EQ(text("{{{}}}", "a"), "{a}");
     EXPECT_EQ(text("{:.1f} Å", "none"), "none Å");
     for (const char* fault : {"{", "a}", "{a{", "{:x}", "{:.999f}", "{:q}"})
