@@ -165,8 +165,9 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
     };
     choose(half, options.detail);
     // Narrow patches do with coarser maps, which leave memory for more of them at once, or for finer patches.
-    if (patches.fit && patches.layout.sphereEdge < DepthMapSizes::kFullDetail && !stop.stop_requested())
-        choose(half, std::min(options.detail, patches.layout.sphereEdge));
+    const std::uint32_t edge = patches.layout.sphereEdge;
+    if (patches.fit && edge < DepthMapSizes::kFullDetail && edge < options.detail && !stop.stop_requested())
+        choose(half, edge);
     for (std::uint32_t before = 0; !patches.fit && pixels != before && !stop.stop_requested();) {
         before = pixels;
         choose(budget - std::min(patches.bytes, budget), options.detail);
