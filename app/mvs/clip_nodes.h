@@ -33,7 +33,7 @@ private:
     bool cutObjects_ = false;
 };
 
-/// Drops clipped parts of a layer by their centres: atoms, or residues of cartoons and backbones.
+/// Drops clipped parts of a layer by their centres: atoms, residues of cartoons and backbones, or whole chains.
 void clipLayer(const Node& representation, const Structure& structure, SceneLayer& layer, SceneWarnings& warnings);
 
 /// Drops clipped primitives by their centres, and triangles of meshes.

@@ -168,7 +168,7 @@ void StructureAtoms::add(const Expression& e, std::vector<bool>& atoms) {
 
 namespace {
 
-/// Old files and PDB files state no branched entities.
+/// Non-polymers that are sugars count: old files and PDB files state no branched entities.
 bool isBranched(const Residue& residue) {
     const bool free = residue.entityKind == EntityKind::unknown || residue.entityKind == EntityKind::nonPolymer;
     return residue.entityKind == EntityKind::branched || (free && sugarSymbol(residue.name));

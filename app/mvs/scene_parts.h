@@ -82,10 +82,10 @@ struct Structure {
     std::vector<glm::dmat4x3> transforms;           ///< of copies; empty: it stays in place
     std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms
     std::vector<std::uint32_t> listOfSubchain;      ///< by subchain; UINT32_MAX: not shown
-    glm::dmat4x3 moved{1.0};                        ///< by transform nodes, applied last
-    std::vector<glm::dmat4x3> instances;            ///< from instance nodes, instead of `moved`
+    glm::dmat4x3 moved{1.0};                        ///< by transform nodes, after `transforms`
+    std::vector<glm::dmat4x3> instances;            ///< from instance nodes, applied after `moved`
     std::vector<SceneLayer> layers;                 ///< of its own atoms
-    std::vector<SceneLayer> framed;                 ///< the same, without colours, and with what is cut or transparent
+    std::vector<SceneLayer> framed;                 ///< for the camera: before clips and opacity, without colours
     struct Text {
         std::vector<std::uint32_t> atoms;  ///< ascending
         std::string text;

@@ -11,13 +11,13 @@
 
 namespace nacre {
 
-/// Calls add(motion) for the copies of a group of atoms, by classes that the viewer sees alike: each with the motion of
-/// one of its copies. What is added belongs to the class.
+/// Calls add(motion) for each class of a group's copies: those of one rotation, which a distant viewer sees alike.
+/// @param add  receives the motion of one of them; what it adds belongs to the class
 using EachClass = std::function<void(std::uint32_t group, const std::function<void(const glm::dmat4x3&)>& add)>;
 
 /// Adds an appearance's meshes, relative to the representation's centre: one per group of atoms, in the order of
 /// groups; of ellipsoids with octants one per class.
-/// @param findGroup    atoms that move together: in an assembly the list of copies, else the model
+/// @param findGroup  atoms that move together: in an assembly the list of copies, else the model
 /// @param eachClass  of an assembly; else empty
 void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
                const std::function<std::uint32_t(std::uint32_t)>& findGroup, Representation& representation,
