@@ -102,7 +102,9 @@ private:
         look(node, volume);
         const bool slice = type == "grid_slice";
         if (slice ? !setSlice(node, volume) : !setContour(node, volume)) return {};
-        if (const ClipRegions regions(node, warnings_); !regions.empty())
+        const ClipRegions regions(node, warnings_);
+        if (slice && !regions.empty()) warnings_.add(node, "a slice is not clipped");
+        if (!slice && !regions.empty())
             volume.cuts = [regions](const glm::dvec3& place) { return regions.cuts(place); };
         std::vector<glm::dvec4> balls;
         for (const auto& map : maps_) {

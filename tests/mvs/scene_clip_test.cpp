@@ -88,6 +88,11 @@ TEST(SceneClips, ContoursAreCutAtPlaces) {
     const auto cut = cuts(clip(R"({"type": "plane", "normal": [1,0,0], "point": [1,0,0]})"));
     EXPECT_TRUE(cut({1.5, 0, 0}));
     EXPECT_FALSE(cut({0.5, 0, 0}));
+    const Molecule slice = built(volume(R"({"type": "grid_slice", "dimension": "x"})",
+                                        clip(R"({"type": "plane", "normal": [1,0,0], "point": [1,0,0]})")));
+    EXPECT_FALSE(slice.guide->volumes.at(0).cuts);
+    ASSERT_EQ(slice.guide->warnings.size(), 1u);
+    EXPECT_NE(slice.guide->warnings[0].find("not clipped"), std::string::npos) << slice.guide->warnings[0];
 }
 
 TEST(SceneClips, PointsAreThoseOfTheMovedStructure) {
