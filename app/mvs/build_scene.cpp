@@ -162,6 +162,7 @@ private:
             return whole;
         }
         checkCount(node);
+        files_.countCopied(node, structures_[whole].molecule->atoms.size());
         Structure own = structures_[whole].copied();
         own.ref = node.ref;
         takeMotions(node, own, atoms);

@@ -92,6 +92,11 @@ std::vector<glm::vec3> SceneFiles::positions(const std::string& ref, std::size_t
     return positions;
 }
 
+void SceneFiles::countCopied(const Node& node, std::size_t atoms) {
+    atoms_ += atoms;
+    if (atoms_ > sources_.reading.maxAtoms) throw tooManyAtoms(node.place, sources_.reading.maxAtoms);
+}
+
 void SceneFiles::countShown(const Node& node, std::size_t atoms) {
     shown_ += atoms;
     if (shown_ / kMostTimes > sources_.reading.maxAtoms)

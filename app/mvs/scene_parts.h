@@ -52,6 +52,8 @@ public:
     bool hasCoordinates(const std::string& ref) const { return coordinates_.contains(ref); }
     /// Positions of atoms in a frame of a coordinates node. @param frame  from 0 @throws Error
     std::vector<glm::vec3> positions(const std::string& ref, std::size_t frame, std::size_t atoms);
+    /// Counts atoms of a copied structure, as if they were read again. @throws Error if there are too many
+    void countCopied(const Node& node, std::size_t atoms);
     /// Counts atoms of a representation. @throws Error if there are too many
     void countShown(const Node& node, std::size_t atoms);
     /// Call before each node.
