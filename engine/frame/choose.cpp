@@ -151,7 +151,6 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Whether the limit changes shapes or render passes.
 /// Render passes beyond the first.
 std::uint32_t begun(const Rounds& rounds) { return rounds.count - (rounds.apart ? 0 : 1); }
 
