@@ -305,16 +305,17 @@ double ellipsoidMeshError(int pieces) {
     return 1 - nearest;
 }
 
-Mesh ellipsoidMesh(std::span<const Ellipsoid> ellipsoids, const glm::dvec3& origin) {
-    if (ellipsoids.size() > kMostEllipsoids)
+Mesh ellipsoidMesh(std::span<const Ellipsoid> ellipsoids, const glm::dvec3& origin, std::size_t meshes) {
+    const std::size_t count = ellipsoids.size() * meshes;
+    if (count > kMostEllipsoids)
         throw Error("cannot draw ellipsoids", "",
-                    std::to_string(ellipsoids.size()) + " are more than the limit of " +
-                        std::to_string(kMostEllipsoids) + " (--show SEL=ellipsoids draws fewer)");
+                    std::to_string(count) + " are more than the limit of " + std::to_string(kMostEllipsoids) +
+                        " (--show SEL=ellipsoids draws fewer)");
     Mesh mesh;
     double longest = 0;
     for (const Ellipsoid& each : ellipsoids)
         for (const glm::dvec3& axis : each.axes) longest = std::max(longest, glm::length(axis));
-    const int pieces = ellipsoidPieces(ellipsoids.size());
+    const int pieces = ellipsoidPieces(count);
     for (int coarser = pieces / 2; coarser >= kCoarsestPieces; coarser /= 2)
         mesh.coarser.push_back({static_cast<float>(ellipsoidMeshError(coarser) * longest), {}});
     for (const Ellipsoid& each : ellipsoids) EllipsoidMaker(mesh, each, origin, pieces).add();

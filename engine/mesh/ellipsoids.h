@@ -3,6 +3,7 @@
 // them.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -34,7 +35,9 @@ double ellipsoidMeshError(int pieces);
 /// More would take over 2 GB.
 constexpr std::size_t kMostEllipsoids = 200'000;
 
-/// Makes a mesh whose vertices and normals are those of the ellipsoids. @throws Error beyond kMostEllipsoids
-Mesh ellipsoidMesh(std::span<const Ellipsoid> ellipsoids, const glm::dvec3& origin);
+/// Makes a mesh whose vertices and normals are those of the ellipsoids.
+/// @param meshes  of this size that a scene has: ellipsoidPieces() counts the ellipsoids of all
+/// @throws Error beyond kMostEllipsoids in all
+Mesh ellipsoidMesh(std::span<const Ellipsoid> ellipsoids, const glm::dvec3& origin, std::size_t meshes = 1);
 
 }  // namespace nacre

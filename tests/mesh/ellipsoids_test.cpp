@@ -208,6 +208,14 @@ TEST(CutEllipsoid, LinesOfAFaceAreParallelToAnAxis) {
     }
 }
 
+TEST(EllipsoidMesh, SeveralOfASceneShareTheTriangles) {
+    const Ellipsoid e = tilted({0.4, 0.3, 0.2});
+    const std::size_t finest = ellipsoidMesh({&e, 1}, {}).triangles.size();
+    EXPECT_EQ(ellipsoidMesh({&e, 1}, {}, 204).triangles.size(), finest);
+    EXPECT_LT(ellipsoidMesh({&e, 1}, {}, 205).triangles.size(), finest / 2);
+    EXPECT_THROW(ellipsoidMesh({&e, 1}, {}, kMostEllipsoids + 1), Error);
+}
+
 TEST(EllipsoidMesh, ManyTakeFewerTrianglesEachUpToALimit) {
     for (const auto& [count, pieces] :
          {std::pair<std::size_t, int>{204, 32}, {205, 16}, {698, 16}, {699, 8}, {2118, 8}, {2119, 4}, {200'000, 4}})

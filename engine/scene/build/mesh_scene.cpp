@@ -167,7 +167,7 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
                     {glm::vec3(glm::dvec3(molecule.atoms[atom].position) - representation.center),
                      vanDerWaalsRadius(molecule.atoms[atom]), ofSurface(atom)});
         }
-        const auto addEllipsoids = [&](const glm::dmat4x3& motion) {
+        const auto addEllipsoids = [&](const glm::dmat4x3& motion, std::size_t meshes) {
             const AtomEllipsoids sizes(molecule, appearance.sizes.probability, viewerOfCopy(appearance.viewer, motion));
             std::vector<Ellipsoid> ellipsoids;
             for (const std::uint32_t atom : group.ellipsoids)
@@ -179,12 +179,12 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
                 if (atom & kEllipsoidFace) own.color = faceColor(own.color);
                 return own;
             };
-            appendMesh(ellipsoidMesh(ellipsoids, representation.center), {}, look, representation);
+            appendMesh(ellipsoidMesh(ellipsoids, representation.center, meshes), {}, look, representation);
         };
         if (!group.ellipsoids.empty() && eachClass && appearance.viewer)
             eachClass(number, addEllipsoids);
         else if (!group.ellipsoids.empty())
-            addEllipsoids(glm::dmat4x3(1.0));
+            addEllipsoids(glm::dmat4x3(1.0), 1);
         if (!group.sugars.empty())
             appendMesh(
                 sugarSymbols(molecule, group.sugars, {options.carbohydrates == Carbohydrates::icon, options.sugarScale},

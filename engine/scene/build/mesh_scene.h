@@ -1,6 +1,7 @@
 #pragma once
 // Cartoons, surfaces and ellipsoids of a representation. Used by representation.cpp.
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <glm/mat4x3.hpp>
@@ -11,9 +12,11 @@
 
 namespace nacre {
 
-/// Calls add(motion) for each class of a group's copies: those of one rotation, which a distant viewer sees alike.
-/// @param add  receives the motion of one of them; what it adds belongs to the class
-using EachClass = std::function<void(std::uint32_t group, const std::function<void(const glm::dmat4x3&)>& add)>;
+/// Calls add(motion, classes) for each class of a group's copies: those of one rotation, which a distant viewer sees
+/// alike.
+/// @param add  receives the motion of one of them, and the number of classes; what it adds belongs to the class
+using EachClass =
+    std::function<void(std::uint32_t group, const std::function<void(const glm::dmat4x3&, std::size_t)>& add)>;
 
 /// Adds an appearance's meshes, relative to the representation's centre: one per group of atoms, in the order of
 /// groups; of ellipsoids with octants one per class.

@@ -189,7 +189,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
         if (assembly) return assembly->copyList(atom);
         return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
     };
-    const auto eachClass = [&](std::uint32_t list, const std::function<void(const glm::dmat4x3&)>& add) {
+    const auto eachClass = [&](std::uint32_t list, const std::function<void(const glm::dmat4x3&, std::size_t)>& add) {
         assembly->eachRotation(list, result, add);
     };
     addMeshes(facts, appearance, options, findGroup, result, assembly ? eachClass : EachClass());

@@ -221,7 +221,7 @@ void AssemblyScene::eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm
 }
 
 void AssemblyScene::eachRotation(std::uint32_t list, const Representation& representation,
-                                 const std::function<void(const glm::dmat4x3&)>& addMeshes) {
+                                 const std::function<void(const glm::dmat4x3&, std::size_t)>& addMeshes) {
     constexpr double kSame = 1e-6;
     std::vector<std::vector<std::uint32_t>> classes;
     const auto rotation = [&](std::uint32_t copy) { return glm::dmat3(placement_.transforms[copy]); };
@@ -237,7 +237,7 @@ void AssemblyScene::eachRotation(std::uint32_t list, const Representation& repre
     }
     listsOfTriangles_.emplace_back(representation.triangles.size(), Placement::kNowhere);
     for (std::vector<std::uint32_t>& copies : classes) {
-        addMeshes(placement_.transforms[copies.front()]);
+        addMeshes(placement_.transforms[copies.front()], classes.size());
         const std::uint32_t own = classes.size() == 1 ? list : lists_.add(std::move(copies));
         listsOfTriangles_.emplace_back(representation.triangles.size(), own);
     }
