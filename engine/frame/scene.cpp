@@ -9,6 +9,7 @@
 #include "engine/frame/effects/shadow/shadow.h"
 #include "engine/frame/picture.h"
 #include "engine/passes/view_constants.h"
+#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/atom_groups.h"
 #include "engine/scene/build/mesh_caps.h"
 #include "engine/scene/instances/mesh_levels.h"
@@ -87,17 +88,20 @@ void completeScene(const gpu::Device& device, Scene& scene) {
 SceneSizes measureSizes(const Representation& r) {
     SceneSizes sizes;
     double sum = 0;
+    std::size_t seen = 0;
     const auto smallest = [&](float radius) {
         sizes.smallestRadius = std::min(sizes.smallestRadius, static_cast<double>(radius));
     };
     for (const Sphere& s : r.spheres) {
+        if (s.radius <= kCutBall) continue;
         sum += s.radius;
+        ++seen;
         smallest(s.radius);
     }
     for (const Cylinder& c : r.cylinders) smallest(c.radius);
     for (const Cylinder& wire : r.wires)
         sizes.thinnestWire = std::min(sizes.thinnestWire, -static_cast<double>(wire.radius));
-    sizes.meanRadius = sum / static_cast<double>(std::max<std::size_t>(r.spheres.size(), 1));
+    sizes.meanRadius = sum / static_cast<double>(std::max<std::size_t>(seen, 1));
     return sizes;
 }
 

@@ -11,6 +11,7 @@
 #include "engine/passes/select_opacity.h"
 #include "engine/passes/vertex_costs.h"
 #include "engine/passes/view_constants.h"
+#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre::occlusion {
@@ -115,14 +116,19 @@ double meanCurvature(const Representation& r) {
 /// Mean pixels per Å that the primitives need.
 double wantedResolution(const Representation& r) {
     double sum = 0;
-    for (const Sphere& s : r.spheres) sum += kPixelsPerSphere / s.radius;
+    std::size_t spheres = 0;
+    for (const Sphere& s : r.spheres) {
+        if (s.radius <= kCutBall) continue;
+        sum += kPixelsPerSphere / s.radius;
+        ++spheres;
+    }
     for (const Cylinder& c : r.cylinders) sum += kPixelsPerCylinder / c.radius;
     const double meshes = kShareOfMesh * static_cast<double>(r.meshLooks.size());
     if (meshes > 0) {
         const double ofMesh = std::clamp(kPixelsPerBend * meanCurvature(r), kFewestOfMesh, kMostOfMesh);
         sum += ofMesh * shareOfPixels(r) * meshes;
     }
-    const double count = static_cast<double>(r.spheres.size() + r.cylinders.size()) + meshes;
+    const double count = static_cast<double>(spheres + r.cylinders.size()) + meshes;
     return sum / std::max(count, 1.0);
 }
 

@@ -1,6 +1,8 @@
 // Ellipsoids with an octant cut out: one picture on every path, in which the ball at the corner does not show.
 
+#include "engine/frame/scene.h"
 #include "engine/molecule/element.h"
+#include "engine/occlusion/depth_maps.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -44,6 +46,14 @@ TEST(OctantPictures, DifferFromBandsWhereTheViewerLooksIn) {
     }
     EXPECT_GT(deeper, seen / 10);
     EXPECT_EQ(nearer, 0u);
+}
+
+/// The balls at the corners would ask for the largest depth maps, and for samples everywhere as thin shapes do.
+TEST(OctantPictures, TakeNoMoreThanBands) {
+    const Representation bands = octantScene(EllipsoidForm::bands), octants = octantScene(EllipsoidForm::octants);
+    EXPECT_EQ(measureSizes(octants).smallestRadius, measureSizes(bands).smallestRadius);
+    EXPECT_EQ(occlusion::DepthMapSizes::pixelsFor(octants, 64u << 20, 32),
+              occlusion::DepthMapSizes::pixelsFor(bands, 64u << 20, 32));
 }
 
 TEST(OctantPictures, ShowNoBall) {

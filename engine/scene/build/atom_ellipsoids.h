@@ -46,7 +46,7 @@ private:
     std::optional<glm::dvec4> viewer_;
 };
 
-/// Å: too small to be seen at the corner of the cut.
+/// Å: too small to be seen at the corner of the cut. Such balls do not count among the sizes of a scene's primitives.
 constexpr float kCutBall = 1e-4f;
 /// The radius that AtomEllipsoids::ball() would be without a cut, Å. @param reach  of an atom with axes
 double ballOfWhole(const Molecule& molecule, std::uint32_t atom, double reach);
