@@ -1,8 +1,9 @@
 #include "engine/scene/instances/assembly_scene.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
+#include <array>
+#include <cmath>
+#include <map>
 #include <numeric>
 
 #include "engine/error.h"
@@ -222,21 +223,16 @@ void AssemblyScene::eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm
 
 void AssemblyScene::eachRotation(std::uint32_t list, const Representation& representation,
                                  const std::function<void(const glm::dmat4x3&, std::size_t)>& addMeshes) {
-    constexpr double kSame = 1e-6;
-    std::vector<std::vector<std::uint32_t>> classes;
-    const auto rotation = [&](std::uint32_t copy) { return glm::dmat3(placement_.transforms[copy]); };
+    constexpr double kSteps = 1e5;
+    std::map<std::array<std::int64_t, 9>, std::vector<std::uint32_t>> classes;  // by the rotation in steps
     for (const std::uint32_t copy : placement_.lists[list]) {
-        const auto same = std::ranges::find_if(classes, [&](const std::vector<std::uint32_t>& copies) {
-            const glm::dmat3 a = rotation(copies.front()), b = rotation(copy);
-            return glm::distance(a[0], b[0]) + glm::distance(a[1], b[1]) + glm::distance(a[2], b[2]) < kSame;
-        });
-        if (same == classes.end())
-            classes.push_back({copy});
-        else
-            same->push_back(copy);
+        std::array<std::int64_t, 9> rotation;
+        for (int i = 0; i < 9; ++i)
+            rotation[static_cast<std::size_t>(i)] = std::llround(kSteps * placement_.transforms[copy][i / 3][i % 3]);
+        classes[rotation].push_back(copy);
     }
     listsOfTriangles_.emplace_back(representation.triangles.size(), Placement::kNowhere);
-    for (std::vector<std::uint32_t>& copies : classes) {
+    for (auto& [rotation, copies] : classes) {
         addMeshes(placement_.transforms[copies.front()], classes.size());
         const std::uint32_t own = classes.size() == 1 ? list : lists_.add(std::move(copies));
         listsOfTriangles_.emplace_back(representation.triangles.size(), own);
