@@ -1,6 +1,7 @@
 #include "engine/occlusion/mesh_heights.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 namespace nacre::occlusion {
 
@@ -14,7 +15,10 @@ void MeshHeights::draw(const OccluderMesh& mesh, std::size_t first, std::size_t 
         corners_[i] = {middle + (x.x * p.x + x.y * p.y + x.z * p.z + x.w),
                        middle + (y.x * p.x + y.y * p.y + y.z * p.z + y.w), z.x * p.x + z.y * p.y + z.z * p.z + z.w, 0};
     }
-    triangleLanes().back().draw(corners_.data(), mesh.triangles.data() + first, end - first, mesh.closed, map);
+    // Mirrored copies turn front faces around: all are drawn.
+    const bool mirrored = glm::dot(glm::cross(glm::vec3(rows[0]), glm::vec3(rows[1])), glm::vec3(rows[2])) < 0;
+    triangleLanes().back().draw(corners_.data(), mesh.triangles.data() + first, end - first, mesh.closed && !mirrored,
+                                map);
 }
 
 }  // namespace nacre::occlusion

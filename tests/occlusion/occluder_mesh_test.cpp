@@ -160,6 +160,11 @@ TEST(MeshHeights, DrawsOnItsMapAlone) {
     square.closed = true;
     drawn.draw(square, 0, square.triangles.size(), rows, {heights.data(), kPitch, kPixels, 1});
     EXPECT_EQ(heights, before);
+    // A mirror image of what is turned away faces the map.
+    std::vector<float> mirrored = before;
+    const glm::vec4 mirror[] = {{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    drawn.draw(square, 0, square.triangles.size(), mirror, {mirrored.data(), kPitch, kPixels, 1});
+    EXPECT_NE(mirrored, before);
     square.closed = false;
     drawn.draw(square, 0, square.triangles.size(), rows, {heights.data(), kPitch, kPixels, 1});
     EXPECT_NE(heights, before);
