@@ -65,12 +65,12 @@ struct Patches {
 };
 
 /// Whether a bake is better off with the next coarser patches: if these leave memory for a whole batch of maps, and the
-/// finer ones do not. With 4 maps per batch a texel takes 1.6 times as long as with 16, with one 3 times: 1AON with 9
-/// texels and 4 maps 3.9 s of CPU time, with 8 and 16 maps 2.2.
+/// finer ones do not. The first picture of 1AON takes 4.2 s of CPU time with 9 texels and 4 maps, 2.8 with 8 and 16.
 /// @param patchTexels  open texels of patches
 bool givesWay(const OcclusionLayout& layout, const OcclusionLayout& coarser, std::uint64_t patchTexels,
               std::uint64_t roomBesideBatch) {
     constexpr double kLargestStep = 1.5;  // of texels
+    if (coarser.patchTexels() == 0) return false;
     const auto bytes = [&](const OcclusionLayout& l, double texels) {
         return bakeBytes(l, static_cast<std::uint64_t>(texels) + 2 * std::uint64_t{l.vertexCount}, l.texelCount() / 4);
     };
@@ -147,8 +147,9 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
                         " spheres in its copies, more than a bake can tell apart (render with --occlusion off)");
     const std::uint64_t budget = options.budgetBytes;
     const std::uint64_t ofVertices = representation.meshVertices.size() * kBytesPerVertex;
-    // One map may take half of the memory that vertices leave. Patches are the finest that fit beside it; more maps per
-    // batch use the rest. The map shrinks if not even the coarsest patches fit.
+    // One map may take half of the memory that vertices leave. Patches are the finest that fit beside it, or one step
+    // coarser for a larger batch (givesWay()); more maps per batch use the rest. The map shrinks if not even the
+    // coarsest patches fit.
     const std::uint64_t half = (budget - std::min(ofVertices, budget)) / 2;
     const PrimitiveTree tree(representation);
     BakePreparation result;
@@ -164,9 +165,11 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
         patches = finestPatches(caps, representation, options, tree, rooms, pixel, stop);
     };
     choose(half, options.detail);
-    // Narrow patches do with coarser maps, which leave memory for more of them at once, or for finer patches.
+    // Narrow patches do with coarser maps, which leave memory for more of them at once, or for finer patches. Vertices
+    // of meshes do not.
     const std::uint32_t edge = patches.layout.sphereEdge;
-    if (patches.fit && edge < DepthMapSizes::kFullDetail && edge < options.detail && !stop.stop_requested())
+    if (patches.fit && edge < std::min<double>(DepthMapSizes::kFullDetail, options.detail) &&
+        representation.meshVertices.empty() && !stop.stop_requested())
         choose(half, edge);
     for (std::uint32_t before = 0; !patches.fit && pixels != before && !stop.stop_requested();) {
         before = pixels;

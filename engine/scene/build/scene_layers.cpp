@@ -155,7 +155,9 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
     const Molecule& molecule = facts.molecule();
     Appearance appearance = appearanceOfLayer(facts, layer);
     appearance.sizes.probability = options.sizes.probability;
-    if (options.ellipsoids == EllipsoidForm::octants) appearance.viewer = options.viewer;
+    // Copies share the meshes of a layer: none of them faces the viewer as another does.
+    if (options.ellipsoids == EllipsoidForm::octants && molecule.guide->transforms.empty())
+        appearance.viewer = options.viewer;
     const AtomEllipsoids ellipsoids(molecule, options.sizes.probability, appearance.viewer);
     Representation part;
     part.center = center;
