@@ -198,6 +198,26 @@ TEST(MirroredCopy, ShowsTheFrontsOfItsMeshes) {
     }
 }
 
+/// Every path cuts a molecule and its mirror image alike, in the samples of edges, too.
+TEST(MirroredCopy, IsCutBesideTheMoleculeOnEveryPath) {
+    Molecule m = sampleMolecule("glucose");
+    m.subchains = {"A"};
+    m.assemblies = {{"1",
+                     "",
+                     {{{glm::mat4x3({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}),
+                        glm::mat4x3({-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {7, 0, 0})},
+                       {0}}}}};
+    RepresentationOptions look{.style = Style::surface};
+    look.assembly = "1";
+    const Representation both = represent(m, drawnAtoms(m), look);
+    ASSERT_EQ(both.copies.transforms.size(), 2u);
+    RenderSettings s = settings(both, 90, Projection::orthographic, {10, 20, 30});
+    s.effects.clip.near = 0;
+    s.supersample = RenderSettings::kEdges;
+    PathRenderers renderers;
+    sameOnEveryPath(renderers, both, s);
+}
+
 class CopyColors : public SharedRenderers<Style> {};
 
 TEST_P(CopyColors, EachCopyHasItsColourOnEveryPath) {
