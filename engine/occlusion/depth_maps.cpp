@@ -185,12 +185,12 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
             perBatch = batch;
     bytes = countBytes(perBatch);
     mostPrimitives = std::uint64_t{1} << 31;
-    if (!lists || listed == 0) return;
-    // A map whose lists take more than the room is drawn in parts.
+    if (!lists) return;
     const std::uint64_t ofHeights = listedBytes(pixels, perBatch, 0);
     bytes = std::min(bytes, std::max(room, 2 * ofHeights));
-    const std::uint64_t fit = (bytes - ofHeights) / TileMaps::kBytesPerPrimitive;
-    mostPrimitives = std::clamp<std::uint64_t>(fit, 1, kMostPrimitives) * drawn / listed;  // lists hold no triangles
+    const std::uint64_t fit = std::min((bytes - ofHeights) / TileMaps::kBytesPerPrimitive, kMostPrimitives);
+    // A map whose lists take more than the room is drawn in parts. Lists hold no triangles, but a part may have none.
+    if (listed * perBatch > fit) mostPrimitives = std::max<std::uint64_t>(fit, 1);
 }
 
 DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
