@@ -72,7 +72,8 @@ def commands(run):
 
 def effects(run):
     for row, plain in EFFECTS.items():
-        picture = run.words(f"nacre render 4hhb.cif.gz --style spacefill --size 1024x1024 -o {run.folder}/a.png")
+        style = "" if "--style" in row else "--style spacefill"
+        picture = run.words(f"nacre render 4hhb.cif.gz {style} --size 1024x1024 -o {run.folder}/a.png")
         base = picture + run.words(plain)
         if row == "plain":
             best = least([run.timed(*base) for _ in range(4)])
