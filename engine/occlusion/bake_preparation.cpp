@@ -85,9 +85,10 @@ struct PatchRoom {
     std::uint64_t besideMap = 0, besideBatch = 0;
 };
 
-/// @param pixel  of the depth maps, Å
+/// @param pixel  of the depth maps, Å @param least  patches narrower than this are only estimated: they do not fit
 Patches finestPatches(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
-                      const PrimitiveTree& tree, const PatchRoom& rooms, double pixel, const std::stop_token& stop) {
+                      const PrimitiveTree& tree, const PatchRoom& rooms, double pixel, double least,
+                      const std::stop_token& stop) {
     const std::uint64_t room = rooms.besideMap;
     const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
     Patches result;
@@ -118,10 +119,11 @@ Patches finestPatches(const gpu::Caps& caps, const Representation& representatio
             (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders, options.directions)))
             continue;
         if (i + 1 < layouts.size() && givesWay(layout, layouts[i + 1], guess, rooms.besideBatch)) continue;
+        result.layout = layout;
+        if (layout.sphereEdge < least) return result;
         if (!few) result.open = openTexels(layout, representation, tree, stop);
         result.bytes = bakeBytes(layout, result.open.texels.size(), result.open.words.size());
         if (result.bytes > room) continue;
-        result.layout = layout;
         result.fit = true;
         return result;
     }
@@ -156,20 +158,20 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
     Patches patches;
     std::uint32_t pixels = 0;
     double pixel = 0;
-    const auto choose = [&](std::uint64_t room, std::uint32_t detail) {
+    const auto choose = [&](std::uint64_t room, std::uint32_t detail, double least = 0) {
         pixels = DepthMapSizes::pixelsFor(representation, room, detail);
         pixel = 2 * representation.radius / pixels;
         const std::uint64_t ofMap = DepthMapSizes::mostBytes(pixels),
                             ofBatch = DepthMapSizes::batchBytes(representation, pixels, half);
         const PatchRoom rooms{budget - std::min(ofMap, budget), ofBatch > 0 ? budget - ofBatch : 0};
-        patches = finestPatches(caps, representation, options, tree, rooms, pixel, stop);
+        patches = finestPatches(caps, representation, options, tree, rooms, pixel, least, stop);
     };
-    choose(half, options.detail);
     // Narrow patches do with coarser maps, which leave memory for more of them at once, or for finer patches. Vertices
     // of meshes do not.
-    const std::uint32_t edge = patches.layout.sphereEdge;
-    if (patches.fit && edge < std::min<double>(DepthMapSizes::kFullDetail, options.detail) &&
-        representation.meshVertices.empty() && !stop.stop_requested())
+    const bool mayShrink = representation.meshVertices.empty();
+    const double narrow = mayShrink ? std::min<double>(DepthMapSizes::kFullDetail, options.detail) : 0;
+    choose(half, options.detail, narrow);
+    if (const std::uint32_t edge = patches.layout.sphereEdge; !patches.fit && edge > 0 && edge < narrow)
         choose(half, edge);
     for (std::uint32_t before = 0; !patches.fit && pixels != before && !stop.stop_requested();) {
         before = pixels;

@@ -189,7 +189,7 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
     const std::uint64_t ofHeights = listedBytes(pixels, perBatch, 0);
     bytes = std::min(bytes, std::max(room, 2 * ofHeights));
     const std::uint64_t fit = std::min((bytes - ofHeights) / TileMaps::kBytesPerPrimitive, kMostPrimitives);
-    // A map whose lists take more than the room is drawn in parts. Lists hold no triangles, but a part may have none.
+    // A map whose lists take more than the room is drawn in parts. A part may be listed primitives alone.
     if (listed * perBatch > fit) mostPrimitives = std::max<std::uint64_t>(fit, 1);
 }
 

@@ -9,24 +9,11 @@
 #include "app/drawing/drawing.h"
 #include "app/picture/options.h"
 #include "engine/molecule/displacement.h"
-#include "engine/molecule/element.h"
-#include "engine/molecule/read.h"
 #include "engine/scene/build/atom_ellipsoids.h"
+#include "tests/reference/displacements.h"
 
 namespace nacre::app {
 namespace {
-
-Molecule tensorGlucose() {
-    Molecule m = sampleMolecule("glucose");
-    m.displacements.resize(m.atoms.size());
-    for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
-        const float turn = 0.002f * static_cast<float>(i % 7);
-        const auto along = [i](std::uint32_t k) { return 0.02f + 0.015f * static_cast<float>((i + k) % 3); };
-        if (!isHydrogen(m.atoms[i].element))
-            m.displacements[i] = {along(0), along(1), along(2), turn - 0.006f, 0.004f, -turn / 2};
-    }
-    return m;
-}
 
 class OctantsTest : public testing::Test {
 protected:
@@ -63,7 +50,7 @@ protected:
         return static_cast<std::size_t>(std::ranges::count(open, true));
     }
 
-    const Molecule molecule = tensorGlucose();
+    const Molecule molecule = test::glucoseWithTensors();
     PictureDescription picture;
     Drawing drawing;
     static constexpr std::size_t kEllipsoids = 12;
@@ -91,7 +78,7 @@ TEST_F(OctantsTest, FaceTheViewerOfEveryKindOfView) {
         EXPECT_EQ(whole.settings.view.rotation, drawing.settings.view.rotation);
         EXPECT_EQ(whole.settings.view.pixelsPerAngstrom, drawing.settings.view.pixelsPerAngstrom);
         EXPECT_EQ(whole.scene().radius, drawing.scene().radius);
-        if (picture.aim.zoomTo) continue;  // what hides its target is left out
+        if (picture.aim.zoomTo) continue;  // the scene lacks what hides the target
         EXPECT_EQ(openToViewer(whole.scene(), drawing.settings.view), 0u);
     }
 }

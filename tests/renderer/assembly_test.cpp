@@ -198,7 +198,7 @@ TEST(MirroredCopy, ShowsTheFrontsOfItsMeshes) {
     }
 }
 
-/// Every path cuts a molecule and its mirror image alike, in the samples of edges, too.
+/// A clipped molecule beside its mirror image: every path draws the same caps, also at edges.
 TEST(MirroredCopy, IsCutBesideTheMoleculeOnEveryPath) {
     Molecule m = sampleMolecule("glucose");
     m.subchains = {"A"};

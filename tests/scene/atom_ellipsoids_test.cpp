@@ -20,6 +20,7 @@
 #include "engine/scene/build/representation.h"
 #include "engine/scene/color/colors.h"
 #include "engine/scene/view/camera.h"
+#include "tests/reference/displacements.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {
@@ -152,18 +153,6 @@ TEST(AtomEllipsoids, OtherAtomsAreSpheres) {
     for (const Cylinder& stick : r.cylinders) EXPECT_NEAR(stick.radius, 0.06, 1e-6);
 }
 
-/// Glucose of which each atom but hydrogens has a tensor of its own, seen from a viewer.
-Molecule glucoseWithTensors() {
-    Molecule m = sampleMolecule("glucose");
-    m.displacements.resize(m.atoms.size());
-    for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
-        const float turn = 0.002f * static_cast<float>(i % 7);
-        const auto along = [i](std::uint32_t k) { return 0.02f + 0.015f * static_cast<float>((i + k) % 3); };
-        if (!isHydrogen(m.atoms[i].element))
-            m.displacements[i] = {along(0), along(1), along(2), turn - 0.006f, 0.004f, -turn / 2};
-    }
-    return m;
-}
 Representation seenFrom(const Molecule& m, const glm::dvec4& viewer) {
     return represent(m, drawnAtoms(m),
                      {.style = Style::ellipsoids, .ellipsoids = EllipsoidForm::octants, .viewer = viewer});
@@ -190,7 +179,7 @@ std::array<double, 8> areasTowards(const Representation& r, const Molecule& m, s
 }
 
 TEST(CutEllipsoids, LackTheOctantWithTheLargestAreaTowardsTheViewer) {
-    const Molecule m = glucoseWithTensors();
+    const Molecule m = test::glucoseWithTensors();
     const Representation whole = ellipsoidScene(m);
     for (const glm::dvec4& viewer :
          {glm::dvec4(0, 0, 1, 0), glm::dvec4(-0.6, 0.7, 0.2, 0), glm::dvec4(whole.center + glm::dvec3(3, -6, 4), 1)}) {
@@ -227,7 +216,7 @@ TEST(CutEllipsoids, LackTheOctantWithTheLargestAreaTowardsTheViewer) {
 }
 
 TEST(CutEllipsoids, ShowNeitherBallsNorEndsOfBonds) {
-    const Molecule m = glucoseWithTensors();
+    const Molecule m = test::glucoseWithTensors();
     const glm::dvec4 viewer(0.3, -0.5, 0.8, 0);
     const Representation whole = ellipsoidScene(m), r = seenFrom(m, viewer);
     for (std::size_t i = 0; i < r.spheres.size(); ++i) {
@@ -266,7 +255,7 @@ TEST(CutEllipsoids, ShowNeitherBallsNorEndsOfBonds) {
 
 /// Copies by a threefold screw axis, an inversion and a translation, each seen from its own side.
 TEST(CutEllipsoids, OfCopiesFaceTheViewerInEachCopy) {
-    Molecule m = glucoseWithTensors();
+    Molecule m = test::glucoseWithTensors();
     m.subchains = {"A"};
     m.assemblies = {{"1", "", {{{}, {0}}}}};
     for (const glm::vec3& shift : {glm::vec3(0), glm::vec3(30, 0, 0)})
@@ -317,7 +306,7 @@ TEST(CutEllipsoids, OfCopiesFaceTheViewerInEachCopy) {
 }
 
 TEST(CutEllipsoids, NeedAViewer) {
-    const Molecule m = glucoseWithTensors();
+    const Molecule m = test::glucoseWithTensors();
     RepresentationOptions look{.style = Style::ellipsoids, .ellipsoids = EllipsoidForm::octants};
     EXPECT_EQ(represent(m, drawnAtoms(m), look).triangles.size(), ellipsoidScene(m).triangles.size());
     EXPECT_TRUE(drawsOctants(look));

@@ -17,7 +17,7 @@ struct MapContour {
     double level = 0;
     bool above = true;  ///< encloses higher values; false: lower ones
     MapStyle style = MapStyle::mesh;
-    std::uint32_t color = 0;                           ///< as SphereLook has it
+    std::uint32_t color = 0;                           ///< packed as in colors.h
     double opacity = 1;                                ///< of surfaces
     double width = 1.5;                                ///< of lines and dots, pixels
     const ValueColoring* values = nullptr;             ///< colours the contour by values of another map; null: `color`
