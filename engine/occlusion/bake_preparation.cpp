@@ -65,7 +65,7 @@ struct Patches {
 };
 
 /// Whether a bake is better off with the next coarser patches: if these leave memory for a whole batch of maps, and the
-/// finer ones do not. The first picture of 1AON takes 4.2 s of CPU time with 9 texels and 4 maps, 2.8 with 8 and 16.
+/// finer ones do not. The first picture of 1AON takes 3.9 s of CPU time with 9 texels and 4 maps, 2.5 with 8 and 16.
 /// @param patchTexels  open texels of patches
 bool givesWay(const OcclusionLayout& layout, const OcclusionLayout& coarser, std::uint64_t patchTexels,
               std::uint64_t roomBesideBatch) {
