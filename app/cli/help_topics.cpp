@@ -189,7 +189,7 @@ std::string referenceEntry(const Option& option) {
     const PictureDescription plain;
     std::string text = option.positional ? "**`INPUT`**" : "**`--" + std::string(option.key);
     if (!option.positional) text += (option.syntax.empty() ? "" : " " + option.syntax) + "`**";
-    const std::string standard = option.standard == "=" ? option.print(plain) : option.standard;
+    const std::string standard = option.standard == "=" ? option.value.print(plain) : option.standard;
     if (!standard.empty()) text += " (default: " + standard + ")";
     std::string help = option.help;
     std::replace(help.begin(), help.end(), '\n', ' ');
@@ -204,7 +204,7 @@ bool takesAny(const Option& option, std::initializer_list<const char*> texts) {
     return std::ranges::any_of(texts, [&](const char* text) {
         try {
             PictureDescription tried;
-            option.parse(text, tried);
+            option.value.parse(text, tried);
             return true;
         } catch (const std::invalid_argument&) {
             return false;

@@ -54,7 +54,7 @@ void addPicture(CommandSpec& command, PictureDescription& picture, Topics topics
     for (const Option& option : options()) {
         if (!has(topics, option.topic)) continue;
         OptionSpec& spec = command.add(
-            {writtenName(option), option.syntax, option.standard == "=" ? option.print(picture) : option.standard,
+            {writtenName(option), option.syntax, option.standard == "=" ? option.value.print(picture) : option.standard,
              option.help, [&row = option, &picture, given, topics](const std::string& text) {
                  const bool view = row.positional && has(topics, Topic::view) && isViewFile(text);
                  const Option& set = view ? nacre::app::option("view") : row;
@@ -119,7 +119,7 @@ void addLooks(CommandSpec& command, LooksOptions& options) {
     addPicture(command, picture,
                kContent | Topic::camera | Topic::aim | Topic::occlusion | Topic::size | Topic::samples | kDevice);
     OptionSpec output{"-o,--output", "FILE", "", option("output").help,
-                      [&](const std::string& text) { option("output").parse(text, picture); }};
+                      [&](const std::string& text) { option("output").value.parse(text, picture); }};
     command.add(output);
     command.value("--columns", "N", "4", "Looks per row of the sheet, 1 to 16",
                   [&](const std::string& text) { options.columns = static_cast<int>(parseInteger(text, 1, 16)); });
@@ -167,7 +167,7 @@ void addFigure(CommandSpec& command, FigureOptions& options) {
     command
         .value("-o,--output", "FILE", "", option("output").help,
                [&](const std::string& text) {
-                   option("output").parse(text, batch.tried);
+                   option("output").value.parse(text, batch.tried);
                    options.output = text;
                })
         .required = true;

@@ -205,7 +205,7 @@ std::vector<std::string> idleOptions(const PictureDescription& options, const Re
     for (const std::string& key : options.given) {
         const std::string needs(option(key).needs);
         if (needs.empty()) continue;
-        if (const std::string on = option(needs).print(drawn); on.empty() || on == "off")
+        if (const std::string on = option(needs).value.print(drawn); on.empty() || on == "off")
             said.push_back("--" + key + " changes nothing without --" + needs);
     }
     if (const AnyPalette& palette = options.look.palette;

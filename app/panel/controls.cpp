@@ -74,13 +74,13 @@ double inHundredths(float value) { return std::round(static_cast<double>(value) 
 bool slideOption(PanelFrame& f, std::string_view key, bool byRatio) {
     const Option& row = option(key);
     const Option::Control& control = row.control;
-    const std::string text = row.print(f.look), off = std::string(control.label) + ": off";
+    const std::string text = row.value.print(f.look), off = std::string(control.label) + ": off";
     auto at = static_cast<float>(text == "off" ? 0 : std::strtod(text.c_str(), nullptr));
     if (f.ui.slide(control.label, at, static_cast<float>(control.low), static_cast<float>(control.high),
                    text == "off" ? off.c_str() : control.shown, byRatio)) {
         const double value = inHundredths(at);
         const bool canBeOff = row.syntax.ends_with("|off");
-        row.parse(canBeOff && value < 0.1 ? "off" : numberText(value), f.look);
+        row.value.parse(canBeOff && value < 0.1 ? "off" : numberText(value), f.look);
     }
     return text != "off";
 }
@@ -94,8 +94,8 @@ bool toggleOption(PanelFrame& f, std::string_view key) {
 
 void chooseOption(PanelFrame& f, std::string_view key) {
     const Option& row = option(key);
-    std::string value = row.print(f.look);
-    if (chooseValue(f.ui, row.control.label, key, value)) row.parse(value, f.look);
+    std::string value = row.value.print(f.look);
+    if (chooseValue(f.ui, row.control.label, key, value)) row.value.parse(value, f.look);
 }
 
 bool chooseValue(Widgets& ui, const char* name, std::string_view key, std::string& value) {

@@ -46,7 +46,7 @@ void drawStyles(PanelFrame& f) {
     for (std::size_t i = 0; i < choices.size(); ++i) {
         if (i % 2 && !narrow) ImGui::SameLine();
         if (f.ui.button(Icon::none, choices[i].label, half, chosen(row, f.look) == i))
-            row.parse(choices[i].value, f.look);
+            row.value.parse(choices[i].value, f.look);
         f.ui.controls.back().role = "choice";
         f.ui.controls.back().value = chosen(row, f.look) == i ? "on" : "off";
     }

@@ -30,7 +30,7 @@ Row makeRow(const Binding& binding) {
 Row makeRow(const Option& option, const Option::Control::Choice& choice) {
     return {std::string(option.control.label ? option.control.label : option.key) + ": " + choice.label,
             "--" + std::string(option.key) + " " + choice.value, option.help + " " + choice.meaning,
-            [&option, &choice](PanelFrame& f) { option.parse(choice.value, f.look); }};
+            [&option, &choice](PanelFrame& f) { option.value.parse(choice.value, f.look); }};
 }
 
 std::string controlLabel(const Option& option) {
@@ -43,16 +43,16 @@ std::string controlLabel(const Option& option) {
 
 /// Whether the option of a shown picture accepts a typed value.
 bool takesTypedValue(const Option& option) {
-    if (!option.parse || option.kind == Option::Kind::list) return false;
-    if (option.topic == Topic::look) return !option.syntax.empty() && !option.print;  // a pocket, an interface
-    return has(kSettable, option.topic) && option.print;
+    if (!option.value.parse || option.kind == Option::Kind::list) return false;
+    if (option.topic == Topic::look) return !option.syntax.empty() && !option.value.print;  // a pocket, an interface
+    return has(kSettable, option.topic) && option.value.print;
 }
 
 /// A row that asks for the option's value.
 Row rowOfTyped(const Option& option) {
     return {controlLabel(option) + " ...", "--" + std::string(option.key) + " " + option.syntax, option.help,
             [&option](PanelFrame& f) {
-                f.s.palette = {true, option.print ? option.print(f.look) : "", 0, &option};
+                f.s.palette = {true, option.value.print ? option.value.print(f.look) : "", 0, &option};
                 f.s.opened();
             }};
 }
@@ -90,12 +90,12 @@ void addSettings(const std::string& typed, std::vector<Row>& rows) {
         const std::string value = typed.substr(what.size() + 1);
         PictureDescription tried;
         try {
-            option.parse(value, tried);
+            option.value.parse(value, tried);
         } catch (const std::exception&) {
             continue;
         }
         rows.push_back({label + ": " + value, "--" + std::string(option.key) + " " + value, "",
-                        [&option, value](PanelFrame& f) { option.parse(value, f.look); }});
+                        [&option, value](PanelFrame& f) { option.value.parse(value, f.look); }});
     }
 }
 
@@ -146,7 +146,7 @@ void drawValue(PanelFrame& f) {
     std::string error;
     try {
         PictureDescription tried = f.viewer.view();
-        if (!palette.sought.empty()) option.parse(palette.sought, tried);
+        if (!palette.sought.empty()) option.value.parse(palette.sought, tried);
     } catch (const std::exception& wrong) {
         error = wrong.what();
     }
@@ -164,7 +164,7 @@ void drawValue(PanelFrame& f) {
     if (!takes) return;
     run(f, [&](PanelFrame& frame) {
         if (option.topic == Topic::look) frame.look.look.rules.clear(), frame.look.words.labels.clear();
-        option.parse(value, frame.look);
+        option.value.parse(value, frame.look);
     });
 }
 

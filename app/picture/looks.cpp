@@ -112,8 +112,9 @@ Look readLook(const std::string& nameOrFile) {
 void applyLook(const Look& look, PictureDescription& view) {
     const PictureDescription plain;
     for (const Option& option : options())  // the style of cuts belongs to the cut
-        if (option.look && option.key != "color" && option.needs != "clip") option.parse(option.print(plain), view);
-    for (const auto& [key, value] : look.options) option(key).parse(value, view);
+        if (option.look && option.key != "color" && option.needs != "clip")
+            option.value.parse(option.value.print(plain), view);
+    for (const auto& [key, value] : look.options) option(key).value.parse(value, view);
 }
 
 std::string lookJson(const Look& look) { return toJsonText(look.options); }

@@ -50,7 +50,7 @@ std::optional<std::string> switchText(bool on, const Option& option) {
     // "dashed|off": the first word.
     const std::string word(option.syntax.substr(0, option.syntax.find('|')));
     if (std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; })) return word;
-    const std::string usual = option.standard == "=" ? option.print(PictureDescription{}) : option.standard;
+    const std::string usual = option.standard == "=" ? option.value.print(PictureDescription{}) : option.standard;
     const bool number = !usual.empty() && usual.front() >= '0' && usual.front() <= '9';
     return number ? std::optional(usual) : std::nullopt;
 }

@@ -66,7 +66,7 @@ std::string hintFor(const Option& option, std::string_view text, std::string_vie
 void setOption(const Option& option, std::string_view text, PictureDescription& description) {
     std::string said, hint;
     try {
-        option.parse(text, description);
+        option.value.parse(text, description);
     } catch (const std::invalid_argument& error) {
         said = error.what();
         if ((hint = hintFor(option, text, said)).empty()) throw;
@@ -80,7 +80,7 @@ void setOption(const Option& option, std::string_view text, PictureDescription& 
 
 std::size_t chosen(const Option& option, const PictureDescription& description) {
     const auto& choices = option.control.choices;
-    const std::string value = option.print(description);
+    const std::string value = option.value.print(description);
     const auto is = [&](const Option::Control::Choice& choice) { return choice.value == value; };
     return static_cast<std::size_t>(std::find_if(choices.begin(), choices.end(), is) - choices.begin());
 }
@@ -88,14 +88,14 @@ std::size_t chosen(const Option& option, const PictureDescription& description) 
 std::size_t stepOption(const Option& option, PictureDescription& description) {
     const std::size_t count = option.control.choices.size();
     const std::size_t at = (std::min(chosen(option, description), count - 1) + 1) % count;
-    option.parse(option.control.choices[at].value, description);
+    option.value.parse(option.control.choices[at].value, description);
     return at;
 }
 
 Facets difference(const PictureDescription& a, const PictureDescription& b) {
     Facets parts = 0;
     for (const Option& option : options())
-        if (option.print && !has(parts, option.facet) && option.print(a) != option.print(b))
+        if (option.value.print && !has(parts, option.facet) && option.value.print(a) != option.value.print(b))
             parts |= static_cast<Facets>(option.facet);
     return parts;
 }

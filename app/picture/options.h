@@ -3,6 +3,7 @@
 // completions, batch jobs, Python's arguments, saved views, looks, undo, redrawing, and docs/reference.md. The rows are
 // in rows_*.cpp, by subject.
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -97,11 +98,13 @@ struct Option {
     std::string help = {};      ///< '\n' is a possible line break
     Topic topic = Topic::saved;
     Facet facet = Facet::file;
-    /// Reads a value; adds one to a list, or clears the list for "". @throws std::invalid_argument with text that
-    /// continues "--key: ", or Error
-    void (*parse)(std::string_view text, PictureDescription&) = nullptr;
-    /// The text that parse() reads; lists have one line per value. Null: the option sets others.
-    std::string (*print)(const PictureDescription&) = nullptr;
+    struct Access {
+        /// Reads a value; adds one to a list, or clears the list for "". @throws std::invalid_argument with text that
+        /// continues "--key: ", or Error
+        std::function<void(std::string_view text, PictureDescription&)> parse = nullptr;
+        /// The text that parse() reads; lists have one line per value. Null: the option sets others.
+        std::function<std::string(const PictureDescription&)> print = nullptr;
+    } value = {};
 
     Kind kind = Kind::value;
     Save save = Save::never;

@@ -30,62 +30,79 @@ auto& at(auto& object) {
         return at<rest...>(object.*first);
 }
 
-/// An enumeration with these value names, in order.
-template <const auto& names, auto... members>
-void parseNamed(std::string_view text, PictureDescription& d) {
-    auto& value = at<members...>(d);
-    value = static_cast<std::remove_reference_t<decltype(value)>>(parseChoice(text, names));
+/// How an option parses and prints a member; an empty optional prints as "". @param print  numbers and text by default
+template <auto... members, typename Parse, typename Print>
+Option::Access valueOf(Parse parse, Print print) {
+    return {[parse](std::string_view text, PictureDescription& d) { at<members...>(d) = parse(text); },
+            [print](const PictureDescription& d) {
+                const auto& value = at<members...>(d);
+                if constexpr (requires { value.has_value(); })
+                    return value ? std::string(print(*value)) : std::string();
+                else
+                    return std::string(print(value));
+            }};
 }
+template <auto... members, typename Parse>
+Option::Access valueOf(Parse parse) {
+    return valueOf<members...>(parse, [](const auto& value) {
+        if constexpr (requires { std::to_string(value); })
+            return std::to_string(value);
+        else
+            return value;
+    });
+}
+
+/// An enumeration with these value names, in order; or a boolean, false first.
 template <const auto& names, auto... members>
-std::string printNamed(const PictureDescription& d) {
-    return std::string(names[static_cast<std::size_t>(at<members...>(d))]);
+Option::Access choiceOf() {
+    using Value = std::remove_reference_t<decltype(at<members...>(std::declval<PictureDescription&>()))>;
+    return valueOf<members...>([](std::string_view text) { return static_cast<Value>(parseChoice(text, names)); },
+                               [](Value value) { return names[static_cast<std::size_t>(value)]; });
 }
 
 /// A boolean as two words, the first for true.
 using Words2 = const char* const[2];
 inline constexpr Words2 kOnOff = {"on", "off"}, kShowHide = {"show", "hide"};
 template <const auto& words, auto... members>
-void parseSwitch(std::string_view text, PictureDescription& d) {
-    at<members...>(d) = parseChoice(text, words) == 0;
-}
-template <const auto& words, auto... members>
-std::string printSwitch(const PictureDescription& d) {
-    return words[at<members...>(d) ? 0 : 1];
+Option::Access switchOf() {
+    return valueOf<members...>([](std::string_view text) { return parseChoice(text, words) == 0; },
+                               [](bool value) { return words[value ? 0 : 1]; });
 }
 /// A flag: its name alone means "on".
 template <auto... members>
-void parseFlag(std::string_view text, PictureDescription& d) {
-    at<members...>(d) = text.empty() || parseChoice(text, kOnOff) == 0;
+Option::Access flagOf() {
+    return valueOf<members...>([](std::string_view text) { return text.empty() || parseChoice(text, kOnOff) == 0; },
+                               [](bool value) { return kOnOff[value ? 0 : 1]; });
 }
 
 template <auto... members>
-std::string printNumber(const PictureDescription& d) {
-    return numberText(at<members...>(d));
+Option::Access numberOf(double low, double high) {
+    return valueOf<members...>([=](std::string_view text) { return parseNumber(text, low, high); }, numberText);
 }
-/// All digits needed to parse to the same number.
+/// Prints all digits needed to parse to the same number.
 template <auto... members>
-std::string printExact(const PictureDescription& d) {
-    return exactText(at<members...>(d));
-}
-template <auto... members>
-std::string printText(const PictureDescription& d) {
-    return at<members...>(d);
-}
-
-template <auto... members>
-void parseSelected(std::string_view text, PictureDescription& d) {
-    at<members...>(d) = parseSelection(text);
+Option::Access exactOf(double low, double high) {
+    return valueOf<members...>([=](std::string_view text) { return parseNumber(text, low, high); }, exactText);
 }
 template <auto... members>
-std::string printSelected(const PictureDescription& d) {
-    const auto& selection = at<members...>(d);
-    return selection ? selection->text : std::string();
+Option::Access integerOf(std::int64_t low, std::int64_t high) {
+    return valueOf<members...>([=](std::string_view text) { return parseInteger(text, low, high); });
 }
-
-/// The name of a file. @throws std::invalid_argument if it is empty
 template <auto... members>
-void parseFile(std::string_view text, PictureDescription& d) {
-    at<members...>(d) = fileName(text);
+Option::Access textOf() {
+    return valueOf<members...>([](std::string_view text) { return text; });
+}
+/// The name of a file. Parsing throws std::invalid_argument if it is empty.
+template <auto... members>
+Option::Access fileOf() {
+    return valueOf<members...>(fileName);
+}
+template <auto... members>
+Option::Access selectionOf() {
+    return valueOf<members...>(parseSelection, [](const Selection& selection) { return selection.text; });
+}
+inline std::string opaqueText(const std::array<float, 3>& color) {
+    return backgroundText({color[0], color[1], color[2], 1});
 }
 
 /// Adds one to a list, or clears the list.
@@ -100,6 +117,11 @@ std::string lines(const std::vector<Value>& list, Text text) {
     std::string all;
     for (const Value& value : list) all += (all.empty() ? "" : "\n") + text(value);
     return all;
+}
+template <auto... members, typename Parse, typename Text>
+Option::Access listOf(std::size_t most, Parse parse, Text text) {
+    return {[=](std::string_view value, PictureDescription& d) { addTo(at<members...>(d), value, most, parse); },
+            [=](const PictureDescription& d) { return lines(at<members...>(d), text); }};
 }
 
 }  // namespace nacre::app

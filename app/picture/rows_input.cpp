@@ -44,8 +44,7 @@ std::vector<Option> positional() {
              ";\neach also compressed), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a "
              "download:\npdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT. Several form one picture: NAME=INPUT names one "
              "for\nselections, /NAME; without a name the file's name is used. A saved view is drawn as --view draws it",
-         .parse = [](T text, P& d) { addInput(d.input, std::string(text)); },
-         .print = printInputs,
+         .value = {[](T text, P& d) { addInput(d.input, std::string(text)); }, printInputs},
          .kind = list,
          .positional = true},
     };
@@ -60,13 +59,12 @@ std::vector<Option> severalAtOnce() {
          .help = "A saved view: camera and all visible settings; options override it. A file of --stats gives the\n"
                  "camera of its picture",
          .topic = Topic::view,
-         .parse = [](T text, P& d) { applySavedView(fileName(text), d); }},
+         .value = {[](T text, P& d) { applySavedView(fileName(text), d); }}},
         {.key = "allow-download",
          .help = "Download the molecules that a saved view names; otherwise only the cache is used",
          .topic = Topic::view,
          .facet = Facet::input,
-         .parse = parseFlag<&P::input, &InputOptions::allowDownload>,
-         .print = printSwitch<kOnOff, &P::input, &InputOptions::allowDownload>,
+         .value = flagOf<&P::input, &InputOptions::allowDownload>(),
          .kind = flag},
         {.key = "look",
          .syntax = "NAME|FILE",
@@ -74,7 +72,7 @@ std::vector<Option> severalAtOnce() {
          .help = "A named look (light, outlines, fog, colours), one of `nacre looks`, or a JSON file of such\n"
                  "options; options override it",
          .topic = Topic::look,
-         .parse = [](T text, P& d) { applyLook(readLook(std::string(text)), d); },
+         .value = {[](T text, P& d) { applyLook(readLook(std::string(text)), d); }},
          .choices = lookNames()},
         {.key = "thumbnail",
          .syntax = "N",
@@ -82,61 +80,49 @@ std::vector<Option> severalAtOnce() {
          .help = "A picture for lists of structures, N pixels per side, 16 to 4096: --size NxN --orient principal\n"
                  "--occlusion-detail 12 --occlusion 64; options override it, and so does the camera of --view",
          .topic = Topic::thumbnail,
-         .parse = takeThumbnail},
+         .value = {takeThumbnail}},
         {.key = "pocket",
          .syntax = "SEL",
          .standard = "none",
          .help = "A ligand in its pocket: it and the residues within 4 Å as sticks, interactions, labels, a faint "
                  "cartoon,\nseen from the open side; options override it",
          .topic = Topic::look,
-         .parse = applyPocket},
+         .value = {applyPocket}},
         {.key = "interface",
          .syntax = "A,B",
          .standard = "none",
          .help = "The interface of two chains or selections: residues within 4 Å of the other side as sticks,\n"
                  "interactions between them, faint cartoons, seen from the side; options override it",
          .topic = Topic::look,
-         .parse = applyInterface},
+         .value = {applyInterface}},
     };
 }
 
-void parseInputName(T text, P& d) {
-    if (!isInputName(std::string(text)))
-        throw std::invalid_argument("'" + std::string(text) + "' is not a valid name: use letters, digits, - and _");
-    d.input.name = text;
+std::string parseInputName(T text) {
+    std::string name(text);
+    if (!isInputName(name))
+        throw std::invalid_argument("'" + name + "' is not a valid name: use letters, digits, - and _");
+    return name;
 }
 
-template <auto list>
-std::string printFits(const P& d) {
-    return lines(d.input.*list, [](const FitOptions& fit) { return fit.moving.text + "\t" + fit.fixed.text; });
-}
+std::string fitText(const FitOptions& fit) { return fit.moving.text + "\t" + fit.fixed.text; }
 
-template <auto list>
-void parseFit(T text, P& d) {
-    addTo(d.input.*list, text, kMostInputs, [](T pair) {
-        const std::size_t end = pair.find('\n');
-        return FitOptions{parseSelection(pair.substr(0, end)), parseSelection(pair.substr(end + 1))};
-    });
+FitOptions parseFit(T pair) {
+    const std::size_t end = pair.find('\n');
+    return FitOptions{parseSelection(pair.substr(0, end)), parseSelection(pair.substr(end + 1))};
 }
 
 std::vector<Option> named() {
     std::vector<Option> rows{
-        {.key = "input",
-         .parse = parseFile<&P::input, &InputOptions::path>,
-         .print = printText<&P::input, &InputOptions::path>,
-         .save = differing},
-        {.key = "hash",
-         .parse = [](T text, P& d) { d.input.hash = text; },
-         .print = printText<&P::input, &InputOptions::hash>,
-         .save = differing},
-        {.key = "name", .parse = parseInputName, .print = printText<&P::input, &InputOptions::name>, .save = differing},
-        {.key = "further-inputs", .print = printInputs, .kind = inputs, .save = differing},
+        {.key = "input", .value = fileOf<&P::input, &InputOptions::path>(), .save = differing},
+        {.key = "hash", .value = textOf<&P::input, &InputOptions::hash>(), .save = differing},
+        {.key = "name", .value = valueOf<&P::input, &InputOptions::name>(parseInputName), .save = differing},
+        {.key = "further-inputs", .value = {{}, printInputs}, .kind = inputs, .save = differing},
         {.key = "conformations",
          .help = "Take the INPUTs after the first for its conformations: models of one molecule, superposed, of which\n"
                  "--model shows one and a movie all",
          .topic = Topic::fit,
-         .parse = parseFlag<&P::input, &InputOptions::conformations>,
-         .print = printSwitch<kOnOff, &P::input, &InputOptions::conformations>,
+         .value = flagOf<&P::input, &InputOptions::conformations>(),
          .kind = flag,
          .save = differing},
         {.key = "fit",
@@ -146,8 +132,7 @@ std::vector<Option> named() {
                  "paired by chain, sequence and name; polymers alone, if both have some; without the outliers beyond\n"
                  "twice the RMSD, which is reported with and without them; repeatable",
          .topic = Topic::fit,
-         .parse = parseFit<&InputOptions::fits>,
-         .print = printFits<&InputOptions::fits>,
+         .value = listOf<&P::input, &InputOptions::fits>(kMostInputs, parseFit, fitText),
          .kind = pair,
          .save = differing,
          .savedAs = "fits"},
@@ -157,8 +142,7 @@ std::vector<Option> named() {
          .help = "As --fit, by structure alone (TM-align), for chains whose sequences differ: the longest protein\n"
                  "chain of either selection. Reports the pairs, their RMSD and the TM-score; repeatable",
          .topic = Topic::fit,
-         .parse = parseFit<&InputOptions::alignments>,
-         .print = printFits<&InputOptions::alignments>,
+         .value = listOf<&P::input, &InputOptions::alignments>(kMostInputs, parseFit, fitText),
          .kind = pair,
          .save = differing,
          .savedAs = "alignments"},
@@ -166,78 +150,61 @@ std::vector<Option> named() {
     return under(Topic::input, Facet::input, std::move(rows));
 }
 
-void parseFormatName(T text, P& d) {
-    d.input.format = formatFromName(text);
-    if (!d.input.format) refuse(text, "one of " + formatNames(), allFormatNames());
+std::optional<Format> parseFormatName(T text) {
+    if (const std::optional<Format> format = formatFromName(text)) return format;
+    refuse(text, "one of " + formatNames(), allFormatNames());
 }
 
-std::string printModel(const P& d) { return d.input.model == kAllModels ? "all" : std::to_string(d.input.model); }
-
-void parseSceneMap(T text, P& d) {
-    addTo(d.input.sceneMaps, text, kMostInputs, [](T map) {
-        // An address may contain '=': the last one divides.
-        const std::size_t end = map.rfind('=');
-        if (end == T::npos || end == 0 || end + 1 == map.size())
-            throw std::invalid_argument("'" + std::string(map) + "' is no URL=PATH");
-        return SceneMap{std::string(map.substr(0, end)), std::string(map.substr(end + 1))};
-    });
+/// An address may contain '=': the last one divides.
+SceneMap parseSceneMap(T map) {
+    const std::size_t end = map.rfind('=');
+    if (end == T::npos || end == 0 || end + 1 == map.size())
+        throw std::invalid_argument("'" + std::string(map) + "' is no URL=PATH");
+    return {std::string(map.substr(0, end)), std::string(map.substr(end + 1))};
 }
-
 std::vector<Option> cache() {
     return {{.key = "cache",
              .syntax = "DIR|off",
              .standard = "NACRE_CACHE, else ~/.cache/nacre",
              .help = "Folder for downloads and ambient occlusion",
              .topic = Topic::reading,
-             .parse = [](T text, P& d) { d.input.cache = fileName(text); },
-             .print = [](const P& d) { return d.input.cache.value_or(""); }}};
+             .value = valueOf<&P::input, &InputOptions::cache>(fileName)}};
 }
 
 std::vector<Option> reading() {
     std::vector<Option> rows{
         {.key = "offline",
          .help = "Take downloads from the cache only",
-         .parse = parseFlag<&P::input, &InputOptions::offline>,
-         .print = printSwitch<kOnOff, &P::input, &InputOptions::offline>,
+         .value = flagOf<&P::input, &InputOptions::offline>(),
          .kind = flag},
         {.key = "memory",
          .syntax = "MB",
          .standard = "half of the machine's",
          .help = "Memory limit for the molecule, 1 to 1048576; a larger one is refused (700 bytes per atom, two per "
                  "byte of text)",
-         .parse = [](T text, P& d) { d.input.memoryMegabytes = parseInteger(text, 1, 1 << 20); },
-         .print =
-             [](const P& d) {
-                 return d.input.memoryMegabytes ? std::to_string(*d.input.memoryMegabytes) : std::string();
-             }},
+         .value = integerOf<&P::input, &InputOptions::memoryMegabytes>(1, 1 << 20)},
         {.key = "format",
          .syntax = "NAME",
          .standard = "by content",
          .help = "One of " + formatNames(),
-         .parse = parseFormatName,
-         .print = [](const P& d) { return std::string(d.input.format ? formatName(*d.input.format) : ""); },
+         .value = valueOf<&P::input, &InputOptions::format>(parseFormatName, formatName),
          .save = differing},
         {.key = "model",
          .syntax = "N|all",
          .standard = "1",
          .help = "Model, frame or record, counted from 1; all: superimposed",
          .facet = Facet::frame,
-         .parse = [](T text, P& d) { d.input.model = parseModel(text); },
-         .print = printModel,
+         .value = valueOf<&P::input, &InputOptions::model>(
+             parseModel, [](int model) { return model == kAllModels ? "all" : std::to_string(model); }),
          .save = always,
          .number = Option::Number::whole},
         {.key = "snapshot",
          .syntax = "N|all",
          .standard = "1",
          .help = "Snapshot of a MolViewSpec scene, counted from 1; all: a picture of each, or a movie of them",
-         .parse =
-             [](T text, P& d) {
-                 d.input.snapshot = text == "all" ? kAllSnapshots : static_cast<int>(parseInteger(text, 1, 10'000));
-             },
-         .print =
-             [](const P& d) {
-                 return d.input.snapshot == kAllSnapshots ? std::string("all") : std::to_string(d.input.snapshot);
-             },
+         .value = valueOf<&P::input, &InputOptions::snapshot>(
+             [](T text) { return text == "all" ? kAllSnapshots : static_cast<int>(parseInteger(text, 1, 10'000)); },
+             [](int snapshot) { return snapshot == kAllSnapshots ? "all" : std::to_string(snapshot); }),
          .save = differing,
          .number = Option::Number::whole},
         {.key = "mvs-map",
@@ -245,18 +212,14 @@ std::vector<Option> reading() {
          .standard = "none",
          .help = "Reads a local file or folder in place of an address in a MolViewSpec scene, or of all that begin "
                  "with it;\nrepeatable",
-         .parse = parseSceneMap,
-         .print =
-             [](const P& d) {
-                 return lines(d.input.sceneMaps, [](const SceneMap& map) { return map.url + "=" + map.path; });
-             },
+         .value = listOf<&P::input, &InputOptions::sceneMaps>(
+             kMostInputs, parseSceneMap, [](const SceneMap& map) { return map.url + "=" + map.path; }),
          .kind = list},
         {.key = "add-hydrogens",
          .syntax = "on|off",
          .standard = "=",
          .help = "Add the hydrogens that the file lacks, at neutral pH",
-         .parse = parseSwitch<kOnOff, &P::input, &InputOptions::addHydrogens>,
-         .print = printSwitch<kOnOff, &P::input, &InputOptions::addHydrogens>,
+         .value = switchOf<kOnOff, &P::input, &InputOptions::addHydrogens>(),
          .save = differing,
          .bare = "on"},
     };
@@ -277,26 +240,22 @@ std::vector<Option> moving() {
          .help = "Positions of INPUT's atoms, frame by frame: DCD, XTC, TRR, AMBER NetCDF, H5MD or any file of\n"
                  "several models",
          .facet = Facet::input,
-         .parse = parseTrajectory,
-         .print = printText<&P::input, &InputOptions::trajectory, &Q::path>,
+         .value = {parseTrajectory, [](const P& d) { return d.input.trajectory.path; }},
          .save = differing},
         {.key = "trajectory-hash",
          .facet = Facet::input,
-         .parse = [](T text, P& d) { d.input.trajectory.hash = text; },
-         .print = printText<&P::input, &InputOptions::trajectory, &Q::hash>,
+         .value = textOf<&P::input, &InputOptions::trajectory, &Q::hash>(),
          .save = differing},
         {.key = "frame",
          .syntax = "N",
          .standard = "1",
          .help = "Frame of --trajectory, counted from 1",
-         .parse = [](T text, P& d) { d.input.trajectory.frame = parseFrame(text); },
-         .print = [](const P& d) { return std::to_string(d.input.trajectory.frame); },
+         .value = valueOf<&P::input, &InputOptions::trajectory, &Q::frame>(parseFrame),
          .save = withTrajectory,
          .number = Option::Number::whole},
         {.key = "whole",
          .help = "Join molecules that the periodic box of --trajectory splits, along their bonds",
-         .parse = parseFlag<&P::input, &InputOptions::trajectory, &Q::whole>,
-         .print = printSwitch<kOnOff, &P::input, &InputOptions::trajectory, &Q::whole>,
+         .value = flagOf<&P::input, &InputOptions::trajectory, &Q::whole>(),
          .kind = flag,
          .save = differing},
         {.key = "fit-frames",
@@ -304,15 +263,13 @@ std::vector<Option> moving() {
          .standard = "none",
          .help = "Superpose each frame of --trajectory (and of a movie's --models) on the first by these atoms: "
                  "backbone, name CA",
-         .parse = parseSelected<&P::input, &InputOptions::trajectory, &Q::fit>,
-         .print = printSelected<&P::input, &InputOptions::trajectory, &Q::fit>,
+         .value = selectionOf<&P::input, &InputOptions::trajectory, &Q::fit>(),
          .save = differing},
         {.key = "smooth",
          .syntax = "N",
          .standard = "1",
          .help = "Average N frames of --trajectory (and of a movie's --models), odd, up to 101",
-         .parse = [](T text, P& d) { d.input.trajectory.smooth = parseSmoothing(text); },
-         .print = [](const P& d) { return std::to_string(d.input.trajectory.smooth); },
+         .value = valueOf<&P::input, &InputOptions::trajectory, &Q::smooth>(parseSmoothing),
          .save = differing,
          .number = Option::Number::whole},
     };

@@ -12,12 +12,10 @@ using T = std::string_view;
 using enum Option::Kind;
 using enum Option::Save;
 
-std::string mapFile(T text) { return fileName(text); }
-
 }  // namespace
 
 std::vector<Option> mapRows() {
-    const auto row = [](T key, const char* syntax, const char* standard, const char* help, auto parse, auto print,
+    const auto row = [](T key, const char* syntax, const char* standard, const char* help, Option::Access access,
                         Option::Kind kind = value) {
         return Option{.key = key,
                       .syntax = syntax,
@@ -25,71 +23,54 @@ std::vector<Option> mapRows() {
                       .help = help,
                       .topic = Topic::map,
                       .facet = Facet::map,
-                      .parse = parse,
-                      .print = print,
+                      .value = std::move(access),
                       .kind = kind,
                       .save = differing};
     };
     std::vector<Option> rows{
-        row(
-            "map", "FILE", "",
+        row("map", "FILE", "",
             "Density map: CCP4 or MRC, OpenDX, Gaussian cube, DSN6, BRIX or BinaryCIF of a density server; repeatable",
-            [](T text, P& d) {
-                addTo(d.maps.files, text, kMostMaps, mapFile);
-                d.mapsChanged();
-            },
-            [](const P& d) { return lines(d.maps.files, [](const std::string& file) { return file; }); }, list),
-        row(
-            "map-level", "LEVEL", "1.5sigma for crystals, 3sigma for difference maps, else top1%",
+            {[](T text, P& d) {
+                 addTo(d.maps.files, text, kMostMaps, fileName);
+                 d.mapsChanged();
+             },
+             [](const P& d) { return lines(d.maps.files, [](const std::string& file) { return file; }); }},
+            list),
+        row("map-level", "LEVEL", "1.5sigma for crystals, 3sigma for difference maps, else top1%",
             "Contour level: 1.5sigma (above the mean, RMS over the unit cell), 0.03 or top1%;\nrepeatable, in the "
             "order of --map",
-            [](T text, P& d) { addTo(d.maps.levels, text, kMostMaps, parseMapLevel); },
-            [](const P& d) { return lines(d.maps.levels, mapLevelText); }, list),
-        row(
-            "map-style", "STYLE", "mesh for crystals, else surface",
+            listOf<&P::maps, &M::levels>(kMostMaps, parseMapLevel, mapLevelText), list),
+        row("map-style", "STYLE", "mesh for crystals, else surface",
             "mesh, surface, dots or volume (one map at most); repeatable, in the order of --map",
-            [](T text, P& d) { addTo(d.maps.styles, text, kMostMaps, parseMapStyle); },
-            [](const P& d) { return lines(d.maps.styles, mapStyleText); }, list),
-        row(
-            "map-color", "COLOR[,COLOR]", "blue; green and red for difference maps; grey for cryo-EM maps",
+            listOf<&P::maps, &M::styles>(kMostMaps, parseMapStyle, mapStyleText), list),
+        row("map-color", "COLOR[,COLOR]", "blue; green and red for difference maps; grey for cryo-EM maps",
             "Colour; a second one is for a difference map's negative contour;\nrepeatable, in the order of --map",
-            [](T text, P& d) { addTo(d.maps.colors, text, kMostMaps, parseMapColors); },
-            [](const P& d) { return lines(d.maps.colors, mapColorsText); }, list),
-        row(
-            "map-color-from", "FILE", "none",
+            listOf<&P::maps, &M::colors>(kMostMaps, parseMapColors, mapColorsText), list),
+        row("map-color-from", "FILE", "none",
             "Colour the contour or slice by the values of a map, as local resolution; FILE:LOW..HIGH:PALETTE gives the "
             "range and\nthe palette; repeatable: the first is that of the first --map",
-            [](T text, P& d) { addTo(d.maps.values, text, kMostMaps, parseValueMap); },
-            [](const P& d) { return lines(d.maps.values, valueMapText); }, list),
-        row(
-            "map-slice", "AXIS", "none",
+            listOf<&P::maps, &M::values>(kMostMaps, parseValueMap, valueMapText), list),
+        row("map-slice", "AXIS", "none",
             "Draw a slice across a, b or c in place of the contour, in the colours of its values; AXIS,PLACE says "
             "where,\n0 to 1 (0.5); repeatable: the first is that of the first --map",
-            [](T text, P& d) { addTo(d.maps.slices, text, kMostMaps, parseMapSlice); },
-            [](const P& d) { return lines(d.maps.slices, mapSliceText); }, list),
-        row(
-            "map-transfer", "LEVEL=COLOR@OPACITY,...", "by level, colour and opacity of the map",
+            listOf<&P::maps, &M::slices>(kMostMaps, parseMapSlice, mapSliceText), list),
+        row("map-transfer", "LEVEL=COLOR@OPACITY,...", "by level, colour and opacity of the map",
             "Draw the map as a volume: what 2 to 8 levels look like, such as 1sigma=blue@0,4sigma=white@0.2;\nOPACITY "
             "is the share of light that 1 Å hides; repeatable: the first is that of the first --map",
-            [](T text, P& d) { addTo(d.maps.transfers, text, kMostMaps, parseMapTransfer); },
-            [](const P& d) { return lines(d.maps.transfers, mapTransferText); }, list),
-        row(
-            "map-opacity", "SHARE", "0.5 for surfaces and volumes, 1 for slices",
+            listOf<&P::maps, &M::transfers>(kMostMaps, parseMapTransfer, mapTransferText), list),
+        row("map-opacity", "SHARE", "0.5 for surfaces and volumes, 1 for slices",
             "Opacity of surfaces and slices, and of three voxels of a volume, 0.01 to 1;\nrepeatable: the first is "
             "that "
             "of "
             "the first --map",
-            [](T text, P& d) { addTo(d.maps.opacities, text, kMostMaps, parseMapOpacity); },
-            [](const P& d) { return lines(d.maps.opacities, mapOpacityText); }, list),
-        row(
-            "map-width", "PIXELS", "=", "Width of map lines and dots in pixels, 0.5 to 10",
-            [](T text, P& d) { d.maps.width = parseNumber(text, 0.5, kWidestWire); }, printNumber<&P::maps, &M::width>),
-        row(
-            "map-around", "SEL|focus[,RADIUS]",
+            listOf<&P::maps, &M::opacities>(kMostMaps, parseMapOpacity, mapOpacityText), list),
+        row("map-width", "PIXELS", "=", "Width of map lines and dots in pixels, 0.5 to 10",
+            numberOf<&P::maps, &M::width>(0.5, kWidestWire)),
+        row("map-around", "SEL|focus[,RADIUS]",
             "all drawn atoms, 4 Å, for crystals, or without atoms focus; else the whole map",
             "Draw maps within RADIUS (2 Å) of the atoms of a selection only; focus: within RADIUS (10 Å) of what the "
             "camera\nlooks at",
-            [](T text, P& d) { parseMapAround(text, d.maps); }, [](const P& d) { return mapAroundText(d.maps); }),
+            {[](T text, P& d) { parseMapAround(text, d.maps); }, [](const P& d) { return mapAroundText(d.maps); }}),
     };
     for (Option& option : rows)
         if (option.key != "map") option.needs = "map";
@@ -97,16 +78,15 @@ std::vector<Option> mapRows() {
         "surface-color-from", "FILE", "none",
         "Colour molecular surfaces by the values of a map, as an electrostatic potential; FILE:LOW..HIGH:PALETTE gives "
         "the\nrange and the palette",
-        [](T text, P& d) { d.maps.surface = parseValueMap(text); },
-        [](const P& d) { return d.maps.surface.file.empty() ? "" : valueMapText(d.maps.surface); }));
+        valueOf<&P::maps, &M::surface>(parseValueMap,
+                                       [](const ValueMap& map) { return map.file.empty() ? "" : valueMapText(map); })));
     rows.back().facet = Facet::scene;
-    rows.push_back(row(
-        "electrostatics", "on|LOW..HIGH|off", "=",
-        "Colour molecular surfaces by their electrostatic potential: on (-5..5 kT/e), or a range in kT/e. The "
-        "programs\n"
-        "pdb2pqr and apbs calculate it",
-        [](T text, P& d) { d.maps.surface = parseElectrostatics(text); },
-        [](const P& d) { return electrostaticsText(d.maps.surface); }));
+    rows.push_back(
+        row("electrostatics", "on|LOW..HIGH|off", "=",
+            "Colour molecular surfaces by their electrostatic potential: on (-5..5 kT/e), or a range in kT/e. The "
+            "programs\n"
+            "pdb2pqr and apbs calculate it",
+            valueOf<&P::maps, &M::surface>(parseElectrostatics, electrostaticsText)));
     rows.back().facet = Facet::scene;
     return rows;
 }
@@ -134,12 +114,8 @@ std::vector<Option> geometryRows() {
                  "the JSON itself; repeatable",
          .topic = Topic::geometry,
          .facet = Facet::map,
-         .parse = [](std::string_view text,
-                     PictureDescription& d) { addTo(d.primitives, text, kMostPrimitiveSources, parsePrimitiveSource); },
-         .print =
-             [](const PictureDescription& d) {
-                 return lines(d.primitives, [](const PrimitiveSource& source) { return source.text; });
-             },
+         .value = listOf<&P::primitives>(kMostPrimitiveSources, parsePrimitiveSource,
+                                         [](const PrimitiveSource& source) { return source.text; }),
          .kind = Option::Kind::list,
          .save = Option::Save::differing},
         {.key = "cell",
@@ -148,8 +124,7 @@ std::vector<Option> geometryRows() {
          .help = "Edges of the crystal's unit cell or the simulation's box, with a, b and c in red, green and blue",
          .topic = Topic::geometry,
          .facet = Facet::map,
-         .parse = parseSwitch<kOnOff, &PictureDescription::cell>,
-         .print = printSwitch<kOnOff, &PictureDescription::cell>,
+         .value = switchOf<kOnOff, &PictureDescription::cell>(),
          .save = Option::Save::differing,
          .control = {.label = "Unit cell", .choices = {{"off", "off"}, {"on", "on"}}}}};
 }

@@ -19,17 +19,18 @@ inline constexpr EncodedDepth kRungValues[] = {EncodedDepth::automatic,   Encode
                                                EncodedDepth::rgba16f,     EncodedDepth::rg16f,
                                                EncodedDepth::a2b10g10r10, EncodedDepth::rgba8};
 
-/// Maps between two lists of equal length: the name at a value's index.
-template <typename Value>
-std::string findName(Value value, const auto& values, const auto& names) {
-    return names[static_cast<std::size_t>(std::find(std::begin(values), std::end(values), value) - std::begin(values))];
+/// Maps between two lists of equal length: the value at a name's index.
+template <const auto& names, const auto& values, auto... members>
+Option::Access listed() {
+    return valueOf<members...>(
+        [](T text) { return values[parseChoice(text, names)]; },
+        [](auto value) { return names[static_cast<std::size_t>(std::ranges::find(values, value) - values)]; });
 }
 
-void parseOutput(T text, P& d) {
+T parseOutput(T text) {
     if (!isPictureName(std::string(text))) refuseEnding(text, pictureEndings());
-    d.output = text;
+    return text;
 }
-
 /// A file with one extension, or standard output.
 std::string parseEnding(T text, const char* ending) {
     const std::string path(text);
@@ -38,9 +39,7 @@ std::string parseEnding(T text, const char* ending) {
     return path;
 }
 
-std::string printLength(const std::optional<Length>& length) {
-    return length ? exactText(length->value) + (length->inches ? "in" : "px") : std::string();
-}
+std::string lengthText(const Length& length) { return exactText(length.value) + (length.inches ? "in" : "px"); }
 
 std::string debugNames() {
     std::string names;
@@ -48,10 +47,9 @@ std::string debugNames() {
     return names;
 }
 
-std::string printSamples(const P& d) {
-    return d.supersample == RenderSettings::kEdges ? std::string("auto") : std::to_string(d.supersample);
+std::string samplesText(std::uint32_t samples) {
+    return samples == RenderSettings::kEdges ? "auto" : std::to_string(samples);
 }
-
 std::vector<Option> sizeRows() {
     return {
         {.key = "occlusion-detail",
@@ -61,24 +59,23 @@ std::vector<Option> sizeRows() {
                  "take a quarter of the time",
          .topic = Topic::detail,
          .facet = Facet::occlusion,
-         .parse = [](T text, P& d) { d.occlusion.detail = static_cast<std::uint32_t>(parseInteger(text, 4, 32)); },
-         .print = [](const P& d) { return std::to_string(d.occlusion.detail); }},
+         .value = valueOf<&P::occlusion, &OcclusionOptions::detail>(
+             [](T text) { return static_cast<std::uint32_t>(parseInteger(text, 4, 32)); })},
         {.key = "size",
          .syntax = "WxH",
          .standard = "=",
          .help = "Pixels, each side 1 to 32768",
          .topic = Topic::size,
          .facet = Facet::view,
-         .parse = [](T text, P& d) { d.size = parseSize(text); },
-         .print = [](const P& d) { return std::to_string(d.size.width) + "x" + std::to_string(d.size.height); }},
+         .value = valueOf<&P::size>(
+             parseSize, [](Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); })},
         {.key = "supersample",
          .syntax = "auto|N",
          .standard = "=",
          .help = "N x N samples per pixel, 1 to 8; auto: 16 where a pixel shows an edge, one elsewhere",
          .topic = Topic::samples,
          .facet = Facet::shading,
-         .parse = [](T text, P& d) { d.supersample = parseSupersample(text); },
-         .print = printSamples},
+         .value = valueOf<&P::supersample>(parseSupersample, samplesText)},
         {.key = "mesh-error",
          .syntax = "SHARE",
          .standard = "=",
@@ -86,48 +83,42 @@ std::vector<Option> sizeRows() {
                  "auto a quarter of a pixel); small meshes then take fewer triangles; 0: always all",
          .topic = Topic::levels,
          .facet = Facet::shading,
-         .parse = [](T text, P& d) { d.meshError = parseNumber(text, 0, kLargestMeshError); },
-         .print = printNumber<&P::meshError>},
+         .value = numberOf<&P::meshError>(0, kLargestMeshError)},
         {.key = "width",
          .syntax = "LENGTH",
          .standard = "from --size",
          .help = "85mm, 8.5cm, 3.3in, at --dpi; or 1200px. Without --height, keeps the aspect ratio of --size",
          .topic = Topic::paper,
          .facet = Facet::view,
-         .parse = [](T text, P& d) { d.width = parseLength(text); },
-         .print = [](const P& d) { return printLength(d.width); }},
+         .value = valueOf<&P::width>(parseLength, lengthText)},
         {.key = "height",
          .syntax = "LENGTH",
          .standard = "from --size",
          .help = "Height, as --width",
          .topic = Topic::paper,
          .facet = Facet::view,
-         .parse = [](T text, P& d) { d.height = parseLength(text); },
-         .print = [](const P& d) { return printLength(d.height); }},
+         .value = valueOf<&P::height>(parseLength, lengthText)},
         {.key = "dpi",
          .syntax = "N",
          .standard = "300 with lengths on paper",
          .help = "Dots per inch, 1 to 10000; stored in PNG, TIFF and JPEG",
          .topic = Topic::paper,
          .facet = Facet::view,
-         .parse = [](T text, P& d) { d.dpi = parseNumber(text, 1, 10000); },
-         .print = [](const P& d) { return d.dpi ? exactText(*d.dpi) : std::string(); }},
+         .value = exactOf<&P::dpi>(1, 10000)},
         {.key = "depth",
          .syntax = "8|16",
          .standard = "=",
          .help = "Bits per channel, 16 in PNG and TIFF",
          .topic = Topic::paper,
-         .parse =
-             [](T text, P& d) {
-                 d.bits = parseChoice(text, {"8", "16"}) == 0 ? 8 : 16;
-             },
-         .print = [](const P& d) { return std::to_string(d.bits); }},
+         .value = valueOf<&P::bits>([](T text) {
+             return parseChoice(text, {"8", "16"}) == 0 ? 8 : 16;
+         })},
     };
 }
 
-void parseDevice(T text, P& d) {
+T parseDevice(T text) {
     if (text.empty()) throw std::invalid_argument("expected a device's number or part of its name");
-    d.device.device = text;
+    return text;
 }
 
 std::vector<Option> drawingRows() {
@@ -138,22 +129,20 @@ std::vector<Option> drawingRows() {
          .help = "Show an intermediate image of the frame instead: " + debugNames(),
          .topic = Topic::debug,
          .facet = Facet::shading,
-         .parse = [](T text, P& d) { d.debug = static_cast<DebugView>(parseChoice(text, debugViewNames())); },
-         .print = [](const P& d) { return std::string(debugViewNames()[static_cast<std::size_t>(d.debug)]); }},
+         .value = valueOf<&P::debug>([](T text) { return static_cast<DebugView>(parseChoice(text, debugViewNames())); },
+                                     [](DebugView view) { return debugViewNames()[static_cast<std::size_t>(view)]; })},
         {.key = "device",
          .syntax = "N|NAME",
          .standard = "the best one",
          .help = "Number or part of the name, as `nacre devices` lists them",
          .topic = Topic::device,
-         .parse = parseDevice,
-         .print = printText<&P::device, &DeviceOptions::device>},
+         .value = valueOf<&P::device, &DeviceOptions::device>(parseDevice)},
         {.key = "visibility",
          .syntax = "PATH",
          .standard = "auto",
          .help = "auto, encoded, fragdepth, deferred, raster-order or tiles",
          .topic = Topic::path,
-         .parse = [](T text, P& d) { d.device.visibility = kPathValues[parseChoice(text, kPaths)]; },
-         .print = [](const P& d) { return findName(d.device.visibility, kPathValues, kPaths); }},
+         .value = listed<kPaths, kPathValues, &P::device, &DeviceOptions::visibility>()},
         {.key = "msaa",
          .syntax = "auto|off|4",
          .standard = "auto",
@@ -161,44 +150,37 @@ std::vector<Option> drawingRows() {
                  "cheap;\n"
                  "4: also in pictures with --supersample 1. A window at rest always has 16",
          .topic = Topic::path,
-         .parse = [](T text, P& d) { d.device.multisampling = static_cast<Multisampling>(parseChoice(text, kMsaa)); },
-         .print = [](const P& d) { return std::string(kMsaa[static_cast<std::size_t>(d.device.multisampling)]); }},
+         .value = choiceOf<kMsaa, &P::device, &DeviceOptions::multisampling>()},
         {.key = "encoded-format",
          .syntax = "FORMAT",
          .standard = "auto",
          .help = "Format of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8",
          .topic = Topic::path,
-         .parse = [](T text, P& d) { d.device.encoded = kRungValues[parseChoice(text, kRungs)]; },
-         .print = [](const P& d) { return findName(d.device.encoded, kRungValues, kRungs); }},
+         .value = listed<kRungs, kRungValues, &P::device, &DeviceOptions::encoded>()},
         {.key = "prepass",
          .syntax = "on|off",
          .standard = "on",
          .help = "Opaque plates that reject hidden work; never changes the picture",
          .topic = Topic::frame,
-         .parse =
-             [](T text, P& d) {
-                 d.tuning.plates = parseChoice(text, kOnOff) == 0 ? PlateShape::automatic : PlateShape::none;
-             },
-         .print = [](const P& d) { return std::string(d.tuning.plates == PlateShape::none ? "off" : "on"); }},
+         .value = valueOf<&P::tuning, &FrameTuning::plates>(
+             [](T text) { return parseChoice(text, kOnOff) == 0 ? PlateShape::automatic : PlateShape::none; },
+             [](PlateShape shape) { return shape == PlateShape::none ? "off" : "on"; })},
         {.key = "transient",
          .syntax = "on|off",
          .standard = "on",
          .help = "off: every attachment has memory and is stored; never changes the picture",
          .topic = Topic::frame,
-         .parse = parseSwitch<kOnOff, &P::tuning, &FrameTuning::transient>,
-         .print = printSwitch<kOnOff, &P::tuning, &FrameTuning::transient>},
+         .value = switchOf<kOnOff, &P::tuning, &FrameTuning::transient>()},
         {.key = "merge",
          .syntax = "on|off",
          .standard = "on",
          .help = "Passes as subpasses of one render pass; never changes the picture",
          .topic = Topic::frame,
-         .parse = parseSwitch<kOnOff, &P::tuning, &FrameTuning::merge>,
-         .print = printSwitch<kOnOff, &P::tuning, &FrameTuning::merge>},
+         .value = switchOf<kOnOff, &P::tuning, &FrameTuning::merge>()},
         {.key = "validate",
          .help = "Run under the Vulkan validation layer; any message is an error",
          .topic = Topic::validation,
-         .parse = parseFlag<&P::device, &DeviceOptions::validate>,
-         .print = printSwitch<kOnOff, &P::device, &DeviceOptions::validate>,
+         .value = flagOf<&P::device, &DeviceOptions::validate>(),
          .kind = Option::Kind::flag},
     };
 }
@@ -210,39 +192,34 @@ std::vector<Option> fileRows() {
         {.key = "output",
          .syntax = "FILE",
          .help = "The picture: .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr; - is PNG to standard output",
-         .parse = parseOutput,
-         .print = printText<&P::output>,
+         .value = valueOf<&P::output>(parseOutput),
          .letter = "o",
          .required = true},
         {.key = "layers",
          .syntax = "FILE.exr",
          .standard = "none",
          .help = "Colour, depth, normal, atom and occlusion of every pixel; - for standard output",
-         .parse = [](T text, P& d) { d.layers = parseEnding(text, ".exr"); },
-         .print = printText<&P::layers>},
+         .value = valueOf<&P::layers>([](T text) { return parseEnding(text, ".exr"); })},
         {.key = "stats",
          .syntax = "FILE.json",
          .standard = "none",
          .help = "View, counts, times and memory as JSON; - for standard output",
-         .parse = parseFile<&P::stats>,
-         .print = printText<&P::stats>},
+         .value = fileOf<&P::stats>()},
         {.key = "save-view",
          .syntax = "FILE.json",
          .standard = "none",
          .help = "The picture's camera and all visible settings, for --view; - for standard output",
-         .parse = [](T text, P& d) { d.saveView = parseEnding(text, ".json"); },
-         .print = printText<&P::saveView>},
+         .value = valueOf<&P::saveView>([](T text) { return parseEnding(text, ".json"); })},
         {.key = "capture",
          .syntax = "FILE.rdc",
          .standard = "none",
          .help = "The frame and its occlusion bake for RenderDoc, which must be installed and listens on this machine "
                  "only;\n- for standard output",
-         .parse =
-             [](T text, P& d) {
-                 d.capture = parseEnding(text, ".rdc");
-                 d.device.capture = true;
-             },
-         .print = printText<&P::capture>},
+         .value = {[](T text, P& d) {
+                       d.capture = parseEnding(text, ".rdc");
+                       d.device.capture = true;
+                   },
+                   [](const P& d) { return d.capture; }}},
     };
     return under(Topic::files, Facet::file, std::move(rows));
 }

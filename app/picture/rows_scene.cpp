@@ -13,7 +13,7 @@ using T = std::string_view;
 using enum Option::Kind;
 using enum Option::Save;
 
-inline constexpr Words2 kModelAll = {"model", "all"}, kAllOwn = {"all", "own"};
+inline constexpr std::array<const char*, 2> kAllModel{"all", "model"}, kOwnAll{"own", "all"};
 inline constexpr std::array<const char*, 3> kBondOrders{"off", "ligands", "on"};
 inline constexpr std::array<const char*, 2> kAromaticForms{"dashes", "ring"};
 inline constexpr std::array<const char*, 3> kHelixForms{"ribbon", "tube", "cylinder"};
@@ -24,9 +24,9 @@ inline constexpr std::array<const char*, 3> kSurfaceForms{"solid", "mesh", "dots
 inline constexpr std::array<const char*, 2> kEllipsoidForms{"bands", "octants"};
 inline constexpr std::array<const char*, 3> kSurfaceKinds{"excluded", "accessible", "gaussian"};
 
-void parseAssembly(T text, P& d) {
+T parseAssembly(T text) {
     if (text.empty()) throw std::invalid_argument("expected an assembly's identifier");
-    d.look.assembly = text;
+    return text;
 }
 
 void parseAnyStyle(T text, P& d) {
@@ -40,36 +40,26 @@ std::vector<Option> whole() {
          .syntax = "all|model",
          .standard = "all",
          .help = "In a file with several models: one camera for all of them, or each model's own",
-         .parse =
-             [](T text, P& d) {
-                 d.look.ownFrame = parseChoice(text, {"all", "model"}) == 1;
-             },
-         .print = printSwitch<kModelAll, &P::look, &R::ownFrame>,
+         .value = choiceOf<kAllModel, &P::look, &R::ownFrame>(),
          .save = differing},
         {.key = "occlusion-models",
          .syntax = "own|all",
          .standard = "own",
          .help = "When models are drawn together: ambient occlusion within each model only, or by all models",
-         .parse =
-             [](T text, P& d) {
-                 d.look.modelsOcclude = parseChoice(text, {"own", "all"}) == 1;
-             },
-         .print = printSwitch<kAllOwn, &P::look, &R::modelsOcclude>,
+         .value = choiceOf<kOwnAll, &P::look, &R::modelsOcclude>(),
          .save = differing},
         {.key = "assembly",
          .syntax = "ID",
          .standard = "none: the file's atoms as they are; of a packed scene, all of it",
          .help = "Biological assembly or unit cell, one that `nacre info` lists",
-         .parse = parseAssembly,
-         .print = printText<&P::look, &R::assembly>,
+         .value = valueOf<&P::look, &R::assembly>(parseAssembly),
          .save = differing},
         {.key = "style",
          .syntax = "NAME",
          .standard = "cartoon for proteins, beside maps licorice; ball-and-stick under 100 atoms with bonds; spacefill",
          .help = "spacefill, ball-and-stick, licorice, line, cartoon or backbone (with ligands as licorice),\nsurface, "
                  "carbohydrate (symbols of sugars), ellipsoids (of displacements) or auto: the default",
-         .parse = parseAnyStyle,
-         .print = [](const P& d) { return std::string(d.look.style ? styleName(*d.look.style) : "auto"); },
+         .value = {parseAnyStyle, [](const P& d) { return d.look.style ? styleName(*d.look.style) : "auto"; }},
          .save = differing,
          .control = {.label = "Style",
                      .choices = {{"Automatic", "auto"},
@@ -88,15 +78,13 @@ std::vector<Option> whole() {
          .standard = "=",
          .help =
              "Double, triple and aromatic bonds as parallel sticks: of ligands and small molecules, of all, or none",
-         .parse = parseNamed<kBondOrders, &P::look, &R::bondOrders>,
-         .print = printNamed<kBondOrders, &P::look, &R::bondOrders>,
+         .value = choiceOf<kBondOrders, &P::look, &R::bondOrders>(),
          .save = differing},
         {.key = "aromatic-bonds",
          .syntax = "dashes|ring",
          .standard = "=",
          .help = "Inner line of aromatic rings: dashes along each bond, or a ring",
-         .parse = parseNamed<kAromaticForms, &P::look, &R::aromatic>,
-         .print = printNamed<kAromaticForms, &P::look, &R::aromatic>,
+         .value = choiceOf<kAromaticForms, &P::look, &R::aromatic>(),
          .save = differing},
     };
     return under(Topic::style, Facet::scene, std::move(rows));
@@ -110,8 +98,7 @@ std::vector<Option> colors() {
          .help = schemeNames() + ";\nor a colour as for --background; element:COLOR colours only the carbons;\n"
                                  "b-factor:10..60:viridis gives the range and the palette, chain:muted a palette,\n"
                                  "b-factor:white:red a ramp of these colours",
-         .parse = [](T text, P& d) { d.look.color = parseColoring(text); },
-         .print = [](const P& d) { return coloringText(d.look.color); },
+         .value = valueOf<&P::look, &R::color>(parseColoring, coloringText),
          .save = always,
          .look = true,
          .control =
@@ -154,8 +141,7 @@ std::vector<Option> colors() {
          .syntax = "FILE|TEXT",
          .help = "Colour the residues or atoms of a CSV or JSON table by its colours or values; :value=COLUMN,\n"
                  ":10..60 and :viridis after the name choose column, range and palette; repeatable",
-         .parse = [](T text, P& d) { addTo(d.look.colorFrom, text, kMostColorTables, parseColorSource); },
-         .print = [](const P& d) { return lines(d.look.colorFrom, colorSourceText); },
+         .value = listOf<&P::look, &R::colorFrom>(kMostColorTables, parseColorSource, colorSourceText),
          .kind = list,
          .save = differing},
         {.key = "palette",
@@ -163,40 +149,33 @@ std::vector<Option> colors() {
          .standard = "by the scheme",
          .help = "Colours of categories (chains, copies, entities): " + paletteNames(false) +
                  ";\nof numbers: " + paletteNames(true),
-         .parse = [](T text, P& d) { d.look.palette = parsePalette(text); },
-         .print = [](const P& d) { return paletteName(d.look.palette); },
+         .value = valueOf<&P::look, &R::palette>(parsePalette,
+                                                 [](const AnyPalette& palette) { return paletteName(palette); }),
          .save = differing},
     };
     return under(Topic::color, Facet::scene, std::move(rows));
 }
 
-void parseLineWidth(T text, P& d) {
-    d.linePoints = parsePoints(text);
-    if (!d.linePoints) d.look.lineWidth = parseNumber(text, 0.5, kWidestWire);
+/// A radius in Å, or a width in pixels; or a width in points, which the picture's scale converts to one.
+template <auto points, auto... members>
+Option::Access thickness(double low, double high) {
+    Option::Access access = numberOf<members...>(low, high);
+    access.parse = [inOwnUnit = access.parse](T text, P& d) {
+        d.*points = parsePoints(text);
+        if (!(d.*points)) inOwnUnit(text, d);
+    };
+    return access;
 }
 
-/// A radius in Å; or a width in points, which the picture's scale converts to one.
-template <auto size, auto points>
-void parseThickness(T text, P& d) {
-    d.*points = parsePoints(text);
-    if (!(d.*points)) d.look.sizes.*size = parseNumber(text, 0.01, 5);
-}
-
-void parseResolution(T text, P& d) {
-    d.look.surface.resolution = text == "auto" ? 0 : parseNumber(text, kFinestSurface, kCoarsestSurface);
-}
-std::string printResolution(const P& d) {
-    return d.look.surface.resolution > 0 ? numberText(d.look.surface.resolution) : "auto";
-}
-
+double parseResolution(T text) { return text == "auto" ? 0 : parseNumber(text, kFinestSurface, kCoarsestSurface); }
+std::string resolutionText(double resolution) { return resolution > 0 ? numberText(resolution) : "auto"; }
 template <auto share>
 Option opacity(T key, const char* help, Option::Control control) {
     return {.key = key,
             .syntax = "SHARE",
             .standard = "=",
             .help = help,
-            .parse = [](T text, P& d) { d.look.*share = parseNumber(text, kLeastOpacity, 1); },
-            .print = printNumber<&P::look, share>,
+            .value = numberOf<&P::look, share>(kLeastOpacity, 1),
             .save = differing,
             .control = std::move(control)};
 }
@@ -204,76 +183,62 @@ Option opacity(T key, const char* help, Option::Control control) {
 std::vector<Option> meshes() {
     using C = CartoonOptions;
     using S = SurfaceOptions;
-    const auto row = [](T key, const char* syntax, const char* help, auto parse, auto print,
+    const auto row = [](T key, const char* syntax, const char* help, Option::Access access,
                         Option::Control control = {}) {
         return Option{.key = key,
                       .syntax = syntax,
                       .standard = "=",
                       .help = help,
-                      .parse = parse,
-                      .print = print,
+                      .value = std::move(access),
                       .save = differing,
                       .control = std::move(control)};
     };
     std::vector<Option> rows{
         row("helices", "FORM", "Cartoon helices: ribbon, tube (follows the bends) or cylinder (straight)",
-            parseNamed<kHelixForms, &P::look, &R::cartoon, &C::helices>,
-            printNamed<kHelixForms, &P::look, &R::cartoon, &C::helices>,
+            choiceOf<kHelixForms, &P::look, &R::cartoon, &C::helices>(),
             {.label = "Helices", .choices = {{"Ribbons", "ribbon"}, {"Tubes", "tube"}, {"Cylinders", "cylinder"}}}),
         row("bases", "FORM",
             "Nucleic acid cartoons: plates of the bases, rings (plates of bases and sugars), ladder or none",
-            parseNamed<kBaseForms, &P::look, &R::cartoon, &C::bases>,
-            printNamed<kBaseForms, &P::look, &R::cartoon, &C::bases>,
+            choiceOf<kBaseForms, &P::look, &R::cartoon, &C::bases>(),
             {.label = "Nucleotides",
              .choices = {{"Plates", "plates"}, {"Filled rings", "rings"}, {"Ladder", "ladder"}, {"None", "none"}}}),
         row("putty", "on|off", "Cartoons as tubes that are wider where the B factor is larger",
-            parseSwitch<kOnOff, &P::look, &R::cartoon, &C::putty>,
-            printSwitch<kOnOff, &P::look, &R::cartoon, &C::putty>,
+            switchOf<kOnOff, &P::look, &R::cartoon, &C::putty>(),
             {.label = "Width by B factor (putty)", .choices = {{"off", "off"}, {"on", "on"}}}),
         row("carbohydrates", "on|off|icon",
             "Sugars beside a cartoon as symbols (SNFG): on, small within licorice, or off",
-            parseNamed<kCarbohydrates, &P::look, &R::carbohydrates>,
-            printNamed<kCarbohydrates, &P::look, &R::carbohydrates>),
-        row("line-width", "PIXELS|POINTSpt", "Width of lines, 0.5 to 10 pixels, or as 1pt at --dpi", parseLineWidth,
-            printNumber<&P::look, &R::lineWidth>),
+            choiceOf<kCarbohydrates, &P::look, &R::carbohydrates>()),
+        row("line-width", "PIXELS|POINTSpt", "Width of lines, 0.5 to 10 pixels, or as 1pt at --dpi",
+            thickness<&P::linePoints, &P::look, &R::lineWidth>(0.5, kWidestWire)),
         row("stick-radius", "A|POINTSpt", "Radius of licorice sticks; or their width on paper, with --scale",
-            parseThickness<&Sizes::stick, &P::stickPoints>, printNumber<&P::look, &R::sizes, &Sizes::stick>),
+            thickness<&P::stickPoints, &P::look, &R::sizes, &Sizes::stick>(0.01, 5)),
         row("bond-radius", "A|POINTSpt", "Radius of bonds in ball-and-stick, likewise",
-            parseThickness<&Sizes::bond, &P::bondPoints>, printNumber<&P::look, &R::sizes, &Sizes::bond>),
+            thickness<&P::bondPoints, &P::look, &R::sizes, &Sizes::bond>(0.01, 5)),
         row("tube-radius", "A|POINTSpt", "Radius of the tubes of --style backbone, likewise",
-            parseThickness<&Sizes::tube, &P::tubePoints>, printNumber<&P::look, &R::sizes, &Sizes::tube>),
-        row(
-            "ball-scale", "F", "Size of balls in ball-and-stick, of the van der Waals radius, 0.05 to 1",
-            [](T text, P& d) { d.look.sizes.ball = parseNumber(text, 0.05, 1); },
-            printNumber<&P::look, &R::sizes, &Sizes::ball>),
-        row(
-            "cartoon-scale", "F", "Factor of all widths and thicknesses of cartoons, 0.1 to 5",
-            [](T text, P& d) { d.look.cartoon.scale = parseNumber(text, 0.1, 5); },
-            printNumber<&P::look, &R::cartoon, &C::scale>),
+            thickness<&P::tubePoints, &P::look, &R::sizes, &Sizes::tube>(0.01, 5)),
+        row("ball-scale", "F", "Size of balls in ball-and-stick, of the van der Waals radius, 0.05 to 1",
+            numberOf<&P::look, &R::sizes, &Sizes::ball>(0.05, 1)),
+        row("cartoon-scale", "F", "Factor of all widths and thicknesses of cartoons, 0.1 to 5",
+            numberOf<&P::look, &R::cartoon, &C::scale>(0.1, 5)),
         row("gaps", "dashed|off", "Where the chain of a cartoon or backbone is broken: a dashed line, or nothing",
-            parseSwitch<kDashedOff, &P::look, &R::gaps>, printSwitch<kDashedOff, &P::look, &R::gaps>,
+            switchOf<kDashedOff, &P::look, &R::gaps>(),
             {.label = "Dashes at chain breaks", .choices = {{"off", "off"}, {"on", "dashed"}}}),
         row("surface-form", "FORM", "Surfaces as solid, mesh (lines of --line-width) or dots",
-            parseNamed<kSurfaceForms, &P::look, &R::surfaceForm>, printNamed<kSurfaceForms, &P::look, &R::surfaceForm>),
+            choiceOf<kSurfaceForms, &P::look, &R::surfaceForm>()),
         row("disulfides", "show|hide", "Disulfide bonds as sticks in cartoons",
-            parseSwitch<kShowHide, &P::look, &R::cartoon, &C::disulfides>,
-            printSwitch<kShowHide, &P::look, &R::cartoon, &C::disulfides>),
+            switchOf<kShowHide, &P::look, &R::cartoon, &C::disulfides>()),
         row("surface", "KIND",
             "Kind of --style surface: excluded (the region that a probe cannot enter), accessible (the surface of "
             "the probe's centre) or gaussian",
-            parseNamed<kSurfaceKinds, &P::look, &R::surface, &S::kind>,
-            printNamed<kSurfaceKinds, &P::look, &R::surface, &S::kind>),
-        row(
-            "probe", "RADIUS", "Probe radius of surfaces in Å, 0 to 10",
-            [](T text, P& d) { d.look.surface.probe = parseNumber(text, 0, kLargestProbe); },
-            printNumber<&P::look, &R::surface, &S::probe>),
+            choiceOf<kSurfaceKinds, &P::look, &R::surface, &S::kind>()),
+        row("probe", "RADIUS", "Probe radius of surfaces in Å, 0 to 10",
+            numberOf<&P::look, &R::surface, &S::probe>(0, kLargestProbe)),
         row("surface-resolution", "auto|CELL",
             "Edge of the grid cells of surfaces in Å, 0.1 to 1.2; auto: 0.4 (lines of a mesh 0.8),\nlarger for many "
             "atoms",
-            parseResolution, printResolution),
+            valueOf<&P::look, &R::surface, &S::resolution>(parseResolution, resolutionText)),
         row("cavities", "show|hide", "Surfaces of closed cavities",
-            parseSwitch<kShowHide, &P::look, &R::surface, &S::cavities>,
-            printSwitch<kShowHide, &P::look, &R::surface, &S::cavities>),
+            switchOf<kShowHide, &P::look, &R::surface, &S::cavities>()),
         opacity<&R::surfaceOpacity>("surface-opacity", "Opacity of surfaces, 0.01 to 1",
                                     {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"}),
         opacity<&R::cartoonOpacity>("cartoon-opacity", "Opacity of cartoons, 0.01 to 1",
@@ -283,13 +248,10 @@ std::vector<Option> meshes() {
         row("ellipsoids", "bands|octants",
             "Ellipsoids with bands along the principal ellipses, or also with the octant towards the viewer cut out\n"
             "and lines on its faces, as in ORTEP",
-            parseNamed<kEllipsoidForms, &P::look, &R::ellipsoids>,
-            printNamed<kEllipsoidForms, &P::look, &R::ellipsoids>,
+            choiceOf<kEllipsoidForms, &P::look, &R::ellipsoids>(),
             {.label = "Ellipsoid style", .choices = {{"Bands", "bands"}, {"Octants", "octants"}}}),
-        row(
-            "probability", "P", "Probability in % that an atom is inside its ellipsoid (--style ellipsoids), 1 to 99",
-            [](T text, P& d) { d.look.sizes.probability = parseNumber(text, 1, 99); },
-            printNumber<&P::look, &R::sizes, &Sizes::probability>),
+        row("probability", "P", "Probability in % that an atom is inside its ellipsoid (--style ellipsoids), 1 to 99",
+            numberOf<&P::look, &R::sizes, &Sizes::probability>(1, 99)),
     };
     rows.back().control = {"Probability of ellipsoids", 1, 99, "Probability of ellipsoids: %.0f %%"};
     return under(Topic::mesh, Facet::scene, std::move(rows));
@@ -303,27 +265,25 @@ std::vector<Option> interactions() {
          .help =
              "Hydrogen bonds, salt bridges and the like as dashed lines: between a selection and its surroundings,\n"
              "or between two selections; all: between all atoms",
-         .parse = [](T text, P& d) { parseInteractions(text, d.look.contacts); },
-         .print = [](const P& d) { return interactionsText(d.look.contacts); }},
+         .value = {[](T text, P& d) { parseInteractions(text, d.look.contacts); },
+                   [](const P& d) { return interactionsText(d.look.contacts); }}},
         {.key = "interaction-kinds",
          .syntax = "KIND[,KIND]|all",
          .standard = "=",
          .help = interactionKindNames(),
-         .parse = [](T text, P& d) { d.look.contacts.kinds = parseInteractionKinds(text); },
-         .print = [](const P& d) { return interactionKindsText(d.look.contacts.kinds); },
+         .value = valueOf<&P::look, &R::contacts, &ContactOptions::kinds>(parseInteractionKinds, interactionKindsText),
          .needs = "interactions"},
         {.key = "interaction-rules",
          .syntax = "NAME",
          .standard = "=",
          .help = "Definitions of interactions: molstar, plip, baker-hubbard or wernet-nilsson (docs/interactions.md)",
-         .parse = [](T text, P& d) { d.look.contacts.rules = parseInteractionRules(text); },
-         .print = [](const P& d) { return std::string(interactionRulesName(d.look.contacts.rules)); },
+         .value = valueOf<&P::look, &R::contacts, &ContactOptions::rules>(parseInteractionRules, interactionRulesName),
          .needs = "interactions"},
         {.key = "interaction-color",
          .syntax = "[KINDS=]COLOR",
          .help = "Colour of the dashes, of all interactions or of some kinds; repeatable",
-         .parse = [](T text, P& d) { parseInteractionColor(text, d.look.contacts); },
-         .print = [](const P& d) { return interactionColorsText(d.look.contacts); },
+         .value = {[](T text, P& d) { parseInteractionColor(text, d.look.contacts); },
+                   [](const P& d) { return interactionColorsText(d.look.contacts); }},
          .kind = list,
          .save = differing,
          .needs = "interactions"},
@@ -332,17 +292,11 @@ std::vector<Option> interactions() {
          .standard = "=",
          .help = "Thickness of the dashes of interactions in Å, 0.02 to 1",
          .topic = Topic::style,
-         .parse = [](T text, P& d) { d.look.contacts.width = parseNumber(text, 0.02, 1); },
-         .print = printNumber<&P::look, &R::contacts, &ContactOptions::width>,
+         .value = numberOf<&P::look, &R::contacts, &ContactOptions::width>(0.02, 1),
          .needs = "interactions"},
     };
     for (Option& row : rows) row.save = differing;
     return under(Topic::interactions, Facet::scene, std::move(rows));
-}
-
-template <Rule (*parse)(T)>
-void parseRule(T text, P& d) {
-    addTo(d.look.rules, text, kMostRules, parse);
 }
 
 std::string printRules(const P& d) {
@@ -352,56 +306,48 @@ std::string printRules(const P& d) {
     });
 }
 
-void parseAltlocs(T text, P& d) {
-    Altlocs& altlocs = d.drawn.altlocs;
-    if (text == "chosen" || text == "all")
-        altlocs = {text == "all" ? Altlocs::Mode::all : Altlocs::Mode::chosen, '\0'};
-    else if (text.size() == 1)
-        altlocs = {Altlocs::Mode::letter, text.front()};
-    else
-        refuse(text, "chosen, all, or a letter such as A", std::vector<std::string>{"chosen", "all"});
+Altlocs parseAltlocs(T text) {
+    if (text == "chosen" || text == "all") return {text == "all" ? Altlocs::Mode::all : Altlocs::Mode::chosen, '\0'};
+    if (text.size() == 1) return {Altlocs::Mode::letter, text.front()};
+    refuse(text, "chosen, all, or a letter such as A", std::vector<std::string>{"chosen", "all"});
 }
 
-std::string printAltlocs(const P& d) {
-    const Altlocs& altlocs = d.drawn.altlocs;
+std::string altlocsText(const Altlocs& altlocs) {
     if (altlocs.mode == Altlocs::Mode::letter) return std::string(1, altlocs.letter);
     return altlocs.mode == Altlocs::Mode::all ? "all" : "chosen";
 }
 
 std::vector<Option> chosen() {
-    const auto rule = [](T key, const char* syntax, const char* help, void (*parse)(T, P&)) {
+    const auto rule = [](T key, const char* syntax, const char* help, Rule (*parse)(T)) {
         return Option{.key = key,
                       .syntax = syntax,
                       .help = help,
                       .topic = Topic::rules,
                       .facet = Facet::scene,
-                      .parse = parse,
+                      .value = {[parse](T text, P& d) { addTo(d.look.rules, text, kMostRules, parse); }},
                       .kind = list};
     };
-    const auto shown = [](T key, const char* standard, const char* help, const char* label, auto parse, auto print) {
+    const auto shown = [](T key, const char* standard, const char* help, const char* label, Option::Access access) {
         return Option{.key = key,
                       .syntax = "show|hide",
                       .standard = standard,
                       .help = help,
                       .topic = Topic::atoms,
                       .facet = Facet::scene,
-                      .parse = parse,
-                      .print = print,
+                      .value = std::move(access),
                       .save = always,
                       .control = {.label = label, .choices = {{"hidden", "hide"}, {"shown", "show"}}}};
     };
     return {
-        rule("show", "SEL=STYLE", "Draw the atoms of a selection in a style; repeatable", parseRule<parseShow>),
-        rule("hide", "SEL", "Hide the atoms of a selection; repeatable", parseRule<parseHide>),
+        rule("show", "SEL=STYLE", "Draw the atoms of a selection in a style; repeatable", parseShow),
+        rule("hide", "SEL", "Hide the atoms of a selection; repeatable", parseHide),
         rule("color-by", "SEL=SCHEME|COLOR",
              "Colour the atoms of a selection; repeatable. These three apply in the given order, the last one wins",
-             parseRule<parseColorBy>),
-        {.key = "rules", .facet = Facet::scene, .print = printRules, .kind = rules, .save = always},
-        shown("water", "hide", "Water molecules", "Water", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>,
-              printSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>),
+             parseColorBy),
+        {.key = "rules", .facet = Facet::scene, .value = {{}, printRules}, .kind = rules, .save = always},
+        shown("water", "hide", "Water molecules", "Water", switchOf<kShowHide, &P::drawn, &DrawnAtomsOptions::water>()),
         shown("hydrogens", "show", "Hydrogen atoms", "Hydrogens",
-              parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>,
-              printSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>),
+              switchOf<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>()),
         {.key = "altlocs",
          .syntax = "chosen|all|LETTER",
          .standard = "chosen",
@@ -410,8 +356,7 @@ std::vector<Option> chosen() {
              "has it. A cartoon follows the chosen ones",
          .topic = Topic::atoms,
          .facet = Facet::scene,
-         .parse = parseAltlocs,
-         .print = printAltlocs,
+         .value = valueOf<&P::drawn, &DrawnAtomsOptions::altlocs>(parseAltlocs, altlocsText),
          .save = differing,
          .control = {.label = "Alternate locations", .choices = {{"chosen", "chosen"}, {"all", "all"}}}},
     };

@@ -25,8 +25,7 @@ std::vector<Option> lightRows() {
                  "(JPEG has no transparency: over white)",
          .topic = Topic::background,
          .facet = Facet::shading,
-         .parse = [](T text, P& d) { d.background = parseColor(text); },
-         .print = [](const P& d) { return backgroundText(d.background); },
+         .value = valueOf<&P::background>(parseColor, backgroundText),
          .save = always,
          .look = true,
          .control = {.label = "Background",
@@ -40,7 +39,7 @@ std::vector<Option> lightRows() {
          .help = "Same as --background transparent",
          .topic = Topic::background,
          .facet = Facet::shading,
-         .parse = [](T, P& d) { d.background = parseColor("transparent"); },
+         .value = {[](T, P& d) { d.background = parseColor("transparent"); }},
          .kind = Option::Kind::flag,
          .excludes = "background"},
         {.key = "lighting",
@@ -49,8 +48,7 @@ std::vector<Option> lightRows() {
          .help = "off: base colour times occlusion, without light or shadow",
          .topic = Topic::lighting,
          .facet = Facet::shading,
-         .parse = parseSwitch<kOnOff, &P::lighting>,
-         .print = printSwitch<kOnOff, &P::lighting>,
+         .value = switchOf<kOnOff, &P::lighting>(),
          .save = always,
          .look = true,
          .control = {.label = "Lighting", .choices = {{"off", "off"}, {"on", "on"}}}},
@@ -60,11 +58,8 @@ std::vector<Option> lightRows() {
          .help = "Ambient occlusion from K directions, 1 to 4096",
          .topic = Topic::occlusion,
          .facet = Facet::occlusion,
-         .parse = [](T text, P& d) { d.occlusion.directions = parseOcclusion(text); },
-         .print =
-             [](const P& d) {
-                 return d.occlusion.directions ? std::to_string(d.occlusion.directions) : std::string("off");
-             },
+         .value = valueOf<&P::occlusion, &OcclusionOptions::directions>(
+             parseOcclusion, [](int directions) { return directions ? std::to_string(directions) : "off"; }),
          .save = always,
          .number = Option::Number::whole,
          .look = true,
@@ -77,8 +72,7 @@ std::vector<Option> lightRows() {
                  "colours. Needs --occlusion",
          .topic = Topic::occlusion,
          .facet = Facet::occlusion,
-         .parse = parseSwitch<kOnOff, &P::occlusion, &OcclusionOptions::bounce>,
-         .print = printSwitch<kOnOff, &P::occlusion, &OcclusionOptions::bounce>,
+         .value = switchOf<kOnOff, &P::occlusion, &OcclusionOptions::bounce>(),
          .save = differing,
          .look = true,
          .control = {.label = "Bounced light", .choices = {{"off", "off"}, {"on", "on"}}}},
@@ -89,28 +83,27 @@ std::vector<Option> lightRows() {
                  "reported on standard error. The default grows for meshes of more than a million vertices",
          .topic = Topic::occlusion,
          .facet = Facet::occlusion,
-         .parse = [](T text, P& d) { d.occlusion.megabytes = parseInteger(text, 1, kMostOcclusionMegabytes); },
-         .print =
-             [](const P& d) { return d.occlusion.megabytes ? std::to_string(*d.occlusion.megabytes) : std::string(); }},
+         .value = integerOf<&P::occlusion, &OcclusionOptions::megabytes>(1, kMostOcclusionMegabytes)},
     };
 }
 
 /// An effect: part of a look, and saved if it differs.
-Option effect(T key, const char* syntax, const char* help, void (*parse)(T, P&), std::string (*print)(const P&),
-              T needs = {}, Option::Control control = {}) {
+Option effect(T key, const char* syntax, const char* help, Option::Access access, T needs = {},
+              Option::Control control = {}) {
     return {.key = key,
             .syntax = syntax,
             .standard = "=",
             .help = help,
             .topic = Topic::effects,
             .facet = Facet::shading,
-            .parse = parse,
-            .print = print,
+            .value = std::move(access),
             .save = differing,
             .look = true,
             .needs = needs,
             .control = control};
 }
+
+std::string offOr(double value) { return value > 0 ? numberText(value) : "off"; }
 
 /// A width in pixels; 0 is "off". @param given  set if it is in another unit; then the width is that for a default
 /// picture
@@ -127,62 +120,49 @@ void parseWidth(T text, double& width, std::optional<ScreenLength>& given) {
         width = parsePixels(text, kThinnestRim, kWidestRim);
     }
 }
-std::string offOr(double value) { return value > 0 ? numberText(value) : "off"; }
-std::string widthText(double width, const std::optional<ScreenLength>& given) {
-    return given ? screenLengthText(*given) : offOr(width);
+template <auto given, auto... members>
+Option::Access rimWidth() {
+    return {[](T text, P& d) { parseWidth(text, at<members...>(d), d.*given); },
+            [](const P& d) { return d.*given ? screenLengthText(*(d.*given)) : offOr(at<members...>(d)); }};
 }
-
 std::array<float, 3> parseOpaque(T text) {
     const auto [r, g, b, a] = parseColor(text);
     if (a < 1) throw std::invalid_argument("expected an opaque colour, not '" + std::string(text) + "'");
     return {r, g, b};
 }
-std::string opaqueText(const std::array<float, 3>& color) { return backgroundText({color[0], color[1], color[2], 1}); }
 
 std::vector<Option> lineRows() {
     return {
-        effect(
-            "contours", "WIDTH|off",
-            "Outlines where depth jumps, 0.1 to 64 pixels wide: 2, 1pt at --dpi, 0.3% of the shorter side, 0.2A",
-            [](T text, P& d) { parseWidth(text, d.effects.contours.width, d.contourWidth); },
-            [](const P& d) { return widthText(d.effects.contours.width, d.contourWidth); }, {},
-            {"Outlines", 0, 8, "Outlines: %.1f px"}),
+        effect("contours", "WIDTH|off",
+               "Outlines where depth jumps, 0.1 to 64 pixels wide: 2, 1pt at --dpi, 0.3% of the shorter side, 0.2A",
+               rimWidth<&P::contourWidth, &P::effects, &E::contours, &Contours::width>(), {},
+               {"Outlines", 0, 8, "Outlines: %.1f px"}),
         effect("contour-depth", "A", "Depth jump in Å from which there is an outline",
-               [](T text, P& d) { d.effects.contours.depth = parseNumber(text, 0.01, kDeepest); },
-               printNumber<&P::effects, &E::contours, &Contours::depth>, "contours",
+               numberOf<&P::effects, &E::contours, &Contours::depth>(0.01, kDeepest), "contours",
                {"Outline depth", 0.1, 20, "Outline depth: %.1f Å"}),
-        effect(
-            "contour-weights", "1|3",
-            "3: full width around chains, two thirds between residues more than 6 apart in a chain,\n"
-            "one third at other depth jumps. Paths other than tiles draw it as --visibility deferred",
-            [](T text, P& d) {
-                d.effects.contours.weights = parseChoice(text, {"1", "3"}) == 0 ? 1 : 3;
-            },
-            [](const P& d) { return std::to_string(d.effects.contours.weights); }, "contours",
-            {.label = "Wider between chains and residues", .choices = {{"off", "1"}, {"on", "3"}}}),
-        effect(
-            "contour-color", "COLOR", "An opaque colour as for --background",
-            [](T text, P& d) { d.effects.contours.color = parseOpaque(text); },
-            [](const P& d) { return opaqueText(d.effects.contours.color); }, "contours", {"Outline colour"}),
-        effect(
-            "halos", "WIDTH|off",
-            "Soft rims around foreground shapes, as wide as --contours may be, denser the farther the background\n"
-            "lies behind. Paths other than tiles draw it as --visibility deferred",
-            [](T text, P& d) { parseWidth(text, d.effects.halos.width, d.haloWidth); },
-            [](const P& d) { return widthText(d.effects.halos.width, d.haloWidth); }, {},
-            {"Halos", 0, 24, "Halos: %.1f px"}),
+        effect("contour-weights", "1|3",
+               "3: full width around chains, two thirds between residues more than 6 apart in a chain,\n"
+               "one third at other depth jumps. Paths other than tiles draw it as --visibility deferred",
+               valueOf<&P::effects, &E::contours, &Contours::weights>([](T text) {
+                   return parseChoice(text, {"1", "3"}) == 0 ? 1 : 3;
+               }),
+               "contours", {.label = "Wider between chains and residues", .choices = {{"off", "1"}, {"on", "3"}}}),
+        effect("contour-color", "COLOR", "An opaque colour as for --background",
+               valueOf<&P::effects, &E::contours, &Contours::color>(parseOpaque, opaqueText), "contours",
+               {"Outline colour"}),
+        effect("halos", "WIDTH|off",
+               "Soft rims around foreground shapes, as wide as --contours may be, denser the farther the background\n"
+               "lies behind. Paths other than tiles draw it as --visibility deferred",
+               rimWidth<&P::haloWidth, &P::effects, &E::halos, &Halos::width>(), {},
+               {"Halos", 0, 24, "Halos: %.1f px"}),
         effect("halo-depth", "A", "Distance behind in Å at which a halo is densest",
-               [](T text, P& d) { d.effects.halos.depth = parseNumber(text, 0.01, kDeepest); },
-               printNumber<&P::effects, &E::halos, &Halos::depth>, "halos",
+               numberOf<&P::effects, &E::halos, &Halos::depth>(0.01, kDeepest), "halos",
                {"Halo depth", 0.5, 60, "Halo depth: %.1f Å"}),
         effect("halo-strength", "F", "Largest opacity of halos, 0 to 1",
-               [](T text, P& d) { d.effects.halos.strength = parseNumber(text, 0, 1); },
-               printNumber<&P::effects, &E::halos, &Halos::strength>, "halos",
+               numberOf<&P::effects, &E::halos, &Halos::strength>(0, 1), "halos",
                {"Halo strength", 0, 1, "Halo strength: %.2f"}),
-        effect(
-            "halo-color", "COLOR", "An opaque colour as for --background",
-            [](T text, P& d) { d.effects.halos.color = parseOpaque(text); },
-            [](const P& d) { return opaqueText(d.effects.halos.color); }, "halos", {"Halo colour"}),
+        effect("halo-color", "COLOR", "An opaque colour as for --background",
+               valueOf<&P::effects, &E::halos, &Halos::color>(parseOpaque, opaqueText), "halos", {"Halo colour"}),
     };
 }
 
@@ -216,9 +196,7 @@ std::string printFog(const P& d) {
 
 template <double Light::*member>
 Option light(T key, const char* help, Option::Control control = {}) {
-    return effect(
-        key, "F", help, [](T text, P& d) { d.effects.light.*member = parseNumber(text, 0, kBrightest); },
-        printNumber<&P::effects, &E::light, member>, {}, control);
+    return effect(key, "F", help, numberOf<&P::effects, &E::light, member>(0, kBrightest), {}, control);
 }
 
 std::vector<Option> lightEffectRows() {
@@ -226,42 +204,36 @@ std::vector<Option> lightEffectRows() {
         effect("fog", "auto|START,END|off",
                "Fade into the background (white, if that is transparent) between two distances\nfrom the centre in Å, "
                "away from the viewer; auto: from the centre to the far end",
-               parseFog, printFog, {}, {"Fog", 0, 1, "Fog: %.2f"}),
-        effect(
-            "fog-strength", "F", "Strength of fog at its far end, 0 to 1",
-            [](T text, P& d) { d.effects.fog.strength = parseNumber(text, 0, 1); },
-            printNumber<&P::effects, &E::fog, &Fog::strength>, "fog"),
-        effect(
-            "shadow", "F|off", "Cast shadows that remove this fraction of the direct light, 0 to 1",
-            [](T text, P& d) { d.effects.shadow.strength = text == "off" ? 0 : parseNumber(text, 0, 1); },
-            [](const P& d) { return offOr(d.effects.shadow.strength); }, {}, {"Shadow", 0, 1, "Shadow: %.2f"}),
-        effect(
-            "depth-of-field", "PERCENT|off",
-            "Blur what lies before or behind the focus, 0.1 to 50: something 20 Å away from it looks\n"
-            "wider by 20 * PERCENT / 100 Å. Windows show it at rest",
-            [](T text, P& d) {
-                d.effects.depthOfField.strength = text == "off" ? 0 : parseNumber(text, 0.1, 50) / kPercent;
-            },
-            [](const P& d) { return offOr(d.effects.depthOfField.strength * kPercent); }, {},
-            {"Depth of field", 0, 20, "Depth of field: %.1f %%"}),
-        effect(
-            "focus-depth", "A|auto",
-            "Distance of the focus from the centre in Å, away from the viewer. auto: what the camera looks at,\n"
-            "which are the atoms of --zoom-to or --uncover, else the nearest atom in the picture's middle",
-            [](T text, P& d) {
-                std::optional<double>& focus = d.effects.depthOfField.focus;
-                text == "auto" ? focus.reset() : void(focus = parseNumber(text, -kFarthest, kFarthest));
-            },
-            [](const P& d) {
-                const std::optional<double>& focus = d.effects.depthOfField.focus;
-                return focus ? numberText(*focus) : "auto";
-            },
-            "depth-of-field"),
+               {parseFog, printFog}, {}, {"Fog", 0, 1, "Fog: %.2f"}),
+        effect("fog-strength", "F", "Strength of fog at its far end, 0 to 1",
+               numberOf<&P::effects, &E::fog, &Fog::strength>(0, 1), "fog"),
+        effect("shadow", "F|off", "Cast shadows that remove this fraction of the direct light, 0 to 1",
+               valueOf<&P::effects, &E::shadow, &Shadow::strength>(
+                   [](T text) { return text == "off" ? 0 : parseNumber(text, 0, 1); }, offOr),
+               {}, {"Shadow", 0, 1, "Shadow: %.2f"}),
+        effect("depth-of-field", "PERCENT|off",
+               "Blur what lies before or behind the focus, 0.1 to 50: something 20 Å away from it looks\n"
+               "wider by 20 * PERCENT / 100 Å. Windows show it at rest",
+               valueOf<&P::effects, &E::depthOfField, &DepthOfField::strength>(
+                   [](T text) { return text == "off" ? 0 : parseNumber(text, 0.1, 50) / kPercent; },
+                   [](double strength) { return offOr(strength * kPercent); }),
+               {}, {"Depth of field", 0, 20, "Depth of field: %.1f %%"}),
+        effect("focus-depth", "A|auto",
+               "Distance of the focus from the centre in Å, away from the viewer. auto: what the camera looks at,\n"
+               "which are the atoms of --zoom-to or --uncover, else the nearest atom in the picture's middle",
+               {[](T text, P& d) {
+                    std::optional<double>& focus = d.effects.depthOfField.focus;
+                    text == "auto" ? focus.reset() : void(focus = parseNumber(text, -kFarthest, kFarthest));
+                },
+                [](const P& d) {
+                    const std::optional<double>& focus = d.effects.depthOfField.focus;
+                    return focus ? numberText(*focus) : "auto";
+                }},
+               "depth-of-field"),
         effect("material", "matte|plastic|metal|glow",
                "Material of what is drawn: no highlight, a white one, a broad one in the own colour, or light of its\n"
                "own. --show SEL=STYLE:material=metal gives one to a part",
-               parseNamed<kMaterialNames, &P::effects, &E::light, &Light::material>,
-               printNamed<kMaterialNames, &P::effects, &E::light, &Light::material>, {},
+               choiceOf<kMaterialNames, &P::effects, &E::light, &Light::material>(), {},
                {.label = "Material",
                 .choices = {{"Material: matte", "matte"},
                             {"Material: plastic", "plastic"},
@@ -272,13 +244,10 @@ std::vector<Option> lightEffectRows() {
                               {"Direct light", 0, 2, "Direct light: %.2f"}),
         light<&Light::highlight>("highlight", "Brightness of the highlight, 0 to 10",
                                  {"Highlight", 0, 6, "Highlight: %.2f"}),
-        effect(
-            "gloss", "F", "Sharpness of the highlight, 1 to 2000",
-            [](T text, P& d) { d.effects.light.gloss = parseNumber(text, 1, kSharpest); },
-            printNumber<&P::effects, &E::light, &Light::gloss>),
+        effect("gloss", "F", "Sharpness of the highlight, 1 to 2000",
+               numberOf<&P::effects, &E::light, &Light::gloss>(1, kSharpest)),
         effect("occlusion-strength", "F", "Strength of ambient occlusion, 0 to 1",
-               [](T text, P& d) { d.effects.light.occlusion = parseNumber(text, 0, 1); },
-               printNumber<&P::effects, &E::light, &Light::occlusion>, {},
+               numberOf<&P::effects, &E::light, &Light::occlusion>(0, 1), {},
                {"Occlusion strength", 0, 1, "Occlusion strength: %.2f"}),
     };
 }
@@ -316,41 +285,35 @@ std::vector<Option> clipRows() {
                "Clipping planes: remove everything nearer than NEAR and farther than FAR, in Å away from the\n"
                "viewer, counted from the centre, or from the middle of the --zoom-to selection; 0 removes the\n"
                "front half; ,FAR: back plane only; SEL: a plane in front of a selection",
-               parseClip, [](const P& d) { return d.aim.clip ? d.aim.clip->text : clipText(d.effects.clip); });
+               {parseClip, [](const P& d) { return d.aim.clip ? d.aim.clip->text : clipText(d.effects.clip); }});
     clip.look = false;
-    return {
-        clip,
-        effect("cap", "plain|dark|hatched", "Style of the flat caps where the front plane cuts",
-               parseNamed<kCaps, &P::effects, &E::clip, &Clip::cap>,
-               printNamed<kCaps, &P::effects, &E::clip, &Clip::cap>, "clip",
-               {.label = "Cap style",
-                .choices = {{"Cap style: plain", "plain"},
-                            {"Cap style: dark", "dark"},
-                            {"Cap style: hatched", "hatched"}}}),
-        effect(
-            "cap-color", "COLOR", "Colour where the front plane cuts, an opaque colour as for --background",
-            [](T text, P& d) { d.effects.clip.capColor = parseOpaque(text); },
-            [](const P& d) { return d.effects.clip.capColor ? opaqueText(*d.effects.clip.capColor) : std::string(); },
-            "clip"),
-        {.key = "clip-spare",
-         .syntax = "SEL",
-         .standard = "none",
-         .help = "Atoms that clipping planes leave whole. Other atoms are kept or removed by their centres; only\n"
-                 "sticks and meshes are cut",
-         .topic = Topic::effects,
-         .facet = Facet::scene,
-         .parse = parseSelected<&P::aim, &Aim::spares>,
-         .print = printSelected<&P::aim, &Aim::spares>,
-         .save = differing,
-         .needs = "clip"},
-        {.key = "slab",
-         .syntax = "A",
-         .standard = "none",
-         .help = "Two clipping planes this far apart, with the centre in the middle",
-         .topic = Topic::effects,
-         .facet = Facet::shading,
-         .parse = parseSlab,
-         .excludes = "clip"}};
+    return {clip,
+            effect("cap", "plain|dark|hatched", "Style of the flat caps where the front plane cuts",
+                   choiceOf<kCaps, &P::effects, &E::clip, &Clip::cap>(), "clip",
+                   {.label = "Cap style",
+                    .choices = {{"Cap style: plain", "plain"},
+                                {"Cap style: dark", "dark"},
+                                {"Cap style: hatched", "hatched"}}}),
+            effect("cap-color", "COLOR", "Colour where the front plane cuts, an opaque colour as for --background",
+                   valueOf<&P::effects, &E::clip, &Clip::capColor>(parseOpaque, opaqueText), "clip"),
+            {.key = "clip-spare",
+             .syntax = "SEL",
+             .standard = "none",
+             .help = "Atoms that clipping planes leave whole. Other atoms are kept or removed by their centres; only\n"
+                     "sticks and meshes are cut",
+             .topic = Topic::effects,
+             .facet = Facet::scene,
+             .value = selectionOf<&P::aim, &Aim::spares>(),
+             .save = differing,
+             .needs = "clip"},
+            {.key = "slab",
+             .syntax = "A",
+             .standard = "none",
+             .help = "Two clipping planes this far apart, with the centre in the middle",
+             .topic = Topic::effects,
+             .facet = Facet::shading,
+             .value = {parseSlab},
+             .excludes = "clip"}};
 }
 
 }  // namespace

@@ -49,12 +49,12 @@ std::string printOrientation(const P& d) {
     return exactText(q.w) + "," + exactText(q.x) + "," + exactText(q.y) + "," + exactText(q.z);
 }
 
-void parsePan(T text, P& d) {
+glm::dvec2 parsePan(T text) {
     const auto pan = parseNumbers<2>(text);
-    d.camera.pan = {pan[0], pan[1]};
+    return {pan[0], pan[1]};
 }
-std::string printPan(const P& d) { return exactText(d.camera.pan.x) + "," + exactText(d.camera.pan.y); }
-
+std::string panText(const glm::dvec2& pan) { return exactText(pan.x) + "," + exactText(pan.y); }
+std::string dvec3Text(const glm::dvec3& v) { return exactText(v.x) + "," + exactText(v.y) + "," + exactText(v.z); }
 void parseZoom(T text, P& d) {
     d.aim.fits = text == "fit";
     d.camera.zoom = d.aim.fits ? 1 : parseNumber(text, kSmallestZoom, kLargestZoom);
@@ -91,29 +91,21 @@ void parseCenter(T text, P& d) {
     d.camera.center = {place[0], place[1], place[2]};
 }
 std::string printCenter(const P& d) {
-    if (!d.camera.center) return d.aim.center ? d.aim.center->text : "";
-    const glm::dvec3& c = *d.camera.center;
-    return exactText(c.x) + "," + exactText(c.y) + "," + exactText(c.z);
+    if (d.camera.center) return dvec3Text(*d.camera.center);
+    return d.aim.center ? d.aim.center->text : "";
 }
 /// A moved camera has an explicit scale.
 std::string printZoom(const P& d) {
     const bool moved = d.camera.zoom != 1 || d.camera.pan != glm::dvec2(0);
     return d.aim.fits && !moved ? "fit" : exactText(d.camera.zoom);
 }
-
-std::string printRotation(const P& d) {
-    const glm::dvec3& r = d.camera.rotationDegrees;
-    return exactText(r.x) + "," + exactText(r.y) + "," + exactText(r.z);
-}
-
 std::vector<Option> cameraRows() {
     std::vector<Option> rows{
         {.key = "projection",
          .syntax = "NAME",
          .standard = "=",
          .help = "ortho or perspective",
-         .parse = parseNamed<kProjections, &P::camera, &Camera::projection>,
-         .print = printNamed<kProjections, &P::camera, &Camera::projection>,
+         .value = choiceOf<kProjections, &P::camera, &Camera::projection>(),
          .save = always,
          .control = {.label = "Perspective", .choices = {{"off", "ortho"}, {"on", "perspective"}}}},
         {.key = "stereo",
@@ -121,8 +113,7 @@ std::vector<Option> cameraRows() {
          .standard = "=",
          .help = "Two eyes in one picture: side-by-side (each with half the width), cross-eyed (the same, exchanged),\n"
                  "top-bottom, anaglyph (red and cyan glasses); or one: left, right. Always in perspective",
-         .parse = parseNamed<Stereo::kNames, &P::stereo, &Stereo::mode>,
-         .print = printNamed<Stereo::kNames, &P::stereo, &Stereo::mode>,
+         .value = choiceOf<Stereo::kNames, &P::stereo, &Stereo::mode>(),
          .save = differing,
          .choices = {Stereo::kNames.begin(), Stereo::kNames.end()},
          .control = {.label = "Stereo",
@@ -137,8 +128,7 @@ std::vector<Option> cameraRows() {
          .syntax = "A",
          .standard = "1/30 of the screen distance",
          .help = "Å between the eyes of --stereo: more gives more depth",
-         .parse = [](T text, P& d) { d.stereo.eyeDistance = parseNumber(text, 0, kLargestLength); },
-         .print = [](const P& d) { return d.stereo.eyeDistance ? exactText(*d.stereo.eyeDistance) : ""; },
+         .value = exactOf<&P::stereo, &Stereo::eyeDistance>(0, kLargestLength),
          .save = differing,
          .number = Option::Number::real,
          .needs = "stereo"},
@@ -146,8 +136,7 @@ std::vector<Option> cameraRows() {
          .syntax = "A",
          .standard = "that of the picture's centre",
          .help = "Å from the eyes of --stereo to what appears at the screen; nearer parts appear in front of it",
-         .parse = [](T text, P& d) { d.stereo.screenDistance = parseNumber(text, 1e-3, kLargestLength); },
-         .print = [](const P& d) { return d.stereo.screenDistance ? exactText(*d.stereo.screenDistance) : ""; },
+         .value = exactOf<&P::stereo, &Stereo::screenDistance>(1e-3, kLargestLength),
          .save = differing,
          .number = Option::Number::real,
          .needs = "stereo"},
@@ -155,8 +144,7 @@ std::vector<Option> cameraRows() {
          .syntax = "DEGREES",
          .standard = "=",
          .help = "Perspective: field of view across the shorter side, 1 to 120",
-         .parse = [](T text, P& d) { d.camera.fovDegrees = parseNumber(text, kSmallestFov, kLargestFov); },
-         .print = printExact<&P::camera, &Camera::fovDegrees>,
+         .value = exactOf<&P::camera, &Camera::fovDegrees>(kSmallestFov, kLargestFov),
          .save = always,
          .number = Option::Number::real},
         {.key = "zoom",
@@ -164,8 +152,7 @@ std::vector<Option> cameraRows() {
          .standard = "=",
          .help = "fit: everything drawn fills the picture from this side; movies, models and frames share one scale.\n"
                  "F, 0.0001 to 10000: at 1 the molecule's sphere fills the picture, from any side",
-         .parse = parseZoom,
-         .print = printZoom,
+         .value = {parseZoom, printZoom},
          .save = always,
          .number = Option::Number::real},
         {.key = "scale",
@@ -173,8 +160,7 @@ std::vector<Option> cameraRows() {
          .standard = "none: --zoom",
          .help = "Pixels per Å; or Å across the picture's shorter side, 60A. Unlike a zoom it does not depend on what\n"
                  "is drawn; --zoom F multiplies it",
-         .parse = parseScale,
-         .print = printScale,
+         .value = {parseScale, printScale},
          .save = differing},
         {.key = "center",
          .syntax = "SEL|X,Y,Z",
@@ -182,38 +168,33 @@ std::vector<Option> cameraRows() {
          .help = "Point in the middle of the picture, about which it is rotated: the middle of a selection, or Å in\n"
                  "the file's frame",
          .facet = Facet::scene,
-         .parse = parseCenter,
-         .print = printCenter,
+         .value = {parseCenter, printCenter},
          .kind = numbers,
          .save = differing},
         {.key = "camera-distance",
          .facet = Facet::view,
-         .parse = [](T text, P& d) { d.camera.eyeDistance = parseNumber(text, 1e-3, kLargestLength); },
-         .print = [](const P& d) { return d.camera.eyeDistance ? exactText(*d.camera.eyeDistance) : ""; },
+         .value = exactOf<&P::camera, &Camera::eyeDistance>(1e-3, kLargestLength),
          .save = differing,
          .number = Option::Number::real},
         {.key = "orientation",
          .syntax = "W,X,Y,Z",
          .standard = "=",
          .help = "A quaternion that turns the molecule, before --rotate",
-         .parse = parseOrientation,
-         .print = printOrientation,
+         .value = {parseOrientation, printOrientation},
          .kind = numbers,
          .save = always},
         {.key = "pan",
          .syntax = "X,Y",
          .standard = "=",
          .help = "Moves the molecule in the picture, in Å to the right and up",
-         .parse = parsePan,
-         .print = printPan,
+         .value = valueOf<&P::camera, &Camera::pan>(parsePan, panText),
          .kind = numbers,
          .save = always},
         {.key = "rotate",
          .syntax = "X,Y,Z",
          .standard = "=",
          .help = "Degrees, right-handed, about the view axes, X first",
-         .parse = [](T text, P& d) { d.camera.rotationDegrees = parseRotation(text); },
-         .print = printRotation},
+         .value = valueOf<&P::camera, &Camera::rotationDegrees>(parseRotation, dvec3Text)},
     };
     return under(Topic::camera, Facet::view, std::move(rows));
 }
@@ -246,28 +227,24 @@ std::vector<Option> aimRows() {
              "principal: longest axis across the longer side, shortest towards the viewer (of a bilayer: upwards), as "
              "large as fits;\nSEL: the principal axes of a selection; file: axes as in the file. --rotate turns it "
              "further",
-         .parse = parseOrient,
-         .print = printOrient,
+         .value = {parseOrient, printOrient},
          .choices = {"principal", "file"}},
         {.key = "look-at",
          .syntax = "SEL",
          .standard = "none",
          .help = "Rotate to the side that shows most of a selection",
-         .parse = parseSelected<&P::aim, &Aim::lookAt>,
-         .print = printSelected<&P::aim, &Aim::lookAt>},
+         .value = selectionOf<&P::aim, &Aim::lookAt>()},
         {.key = "zoom-to",
          .syntax = "SEL",
          .standard = "none: the whole molecule",
          .help = "Close-up of a selection with a margin of 3 Å; removes what hides it, unless --clip or --uncover is\n"
                  "given; --zoom scales it",
-         .parse = parseSelected<&P::aim, &Aim::zoomTo>,
-         .print = printSelected<&P::aim, &Aim::zoomTo>},
+         .value = selectionOf<&P::aim, &Aim::zoomTo>()},
         {.key = "uncover",
          .syntax = "SEL|off",
          .standard = "the selection of --zoom-to",
          .help = "Remove what hides a selection in this view",
-         .parse = parseUncover,
-         .print = printUncover,
+         .value = {parseUncover, printUncover},
          .save = differing},
     };
     return under(Topic::aim, Facet::view, std::move(rows));

@@ -10,15 +10,13 @@ using T = std::string_view;
 using enum Option::Kind;
 using enum Option::Save;
 
-inline constexpr Words2 kSeenAll = {"seen", "all"}, kDistanceOff = {"distance", "off"};
+inline constexpr Words2 kDistanceOff = {"distance", "off"};
+inline constexpr std::array<const char*, 2> kAllSeen{"all", "seen"};
 
 void parseTextSize(T text, P& d) {
     d.words.size = parsePixels(text, 4, 2000);
     d.textPoints = parsePoints(text);
 }
-
-std::string inkText(const std::array<float, 3>& ink) { return backgroundText({ink[0], ink[1], ink[2], 1}); }
-std::string printTextColor(const P& d) { return d.words.color ? inkText(*d.words.color) : std::string(); }
 
 }  // namespace
 
@@ -29,20 +27,16 @@ std::vector<Option> wordRows() {
          .help =
              "Label a selection. Fields of TEXT, {residue}, {number}, {letter}, {chain}, {atom}, {element}, ..., give\n"
              "one label per residue, chain or atom; _ lowers, ^ raises, \\alpha is a letter; repeatable",
-         .parse = [](T text, P& d) { addTo(d.words.labels, text, kMostWordOptions, parseLabel); },
-         .print = [](const P& d) { return lines(d.words.labels, labelText); },
+         .value = listOf<&P::words, &Words::labels>(kMostWordOptions, parseLabel, labelText),
          .kind = list,
          .save = differing,
          .savedAs = "labels"},
         {.key = "label-color",
          .syntax = "SEL=COLOR",
          .help = "Colour of the labels of a selection's atoms; the last rule wins; repeatable",
-         .parse = [](T text, P& d) { addTo(d.words.labelColors, text, kMostWordOptions, parseLabelColor); },
-         .print =
-             [](const P& d) {
-                 return lines(d.words.labelColors,
-                              [](const LabelColor& rule) { return rule.selection.text + "=" + inkText(rule.color); });
-             },
+         .value = listOf<&P::words, &Words::labelColors>(
+             kMostWordOptions, parseLabelColor,
+             [](const LabelColor& rule) { return rule.selection.text + "=" + opaqueText(rule.color); }),
          .kind = list,
          .save = differing,
          .needs = "label"},
@@ -51,21 +45,19 @@ std::vector<Option> wordRows() {
          .help =
              "Fixed place of the labels of a selection's atoms: ems to the right of the atoms' middle, and above it;\n"
              "repeatable",
-         .parse = [](T text, P& d) { addTo(d.words.labelOffsets, text, kMostWordOptions, parseLabelOffset); },
-         .print =
-             [](const P& d) {
-                 return lines(d.words.labelOffsets, [](const LabelOffset& rule) {
-                     return rule.selection.text + "=" + exactText(rule.right) + "," + exactText(rule.up);
-                 });
-             },
+         .value = listOf<&P::words, &Words::labelOffsets>(kMostWordOptions, parseLabelOffset,
+                                                          [](const LabelOffset& rule) {
+                                                              return rule.selection.text + "=" + exactText(rule.right) +
+                                                                     "," + exactText(rule.up);
+                                                          }),
          .kind = list,
          .save = differing,
          .needs = "label"},
         {.key = "measure",
          .syntax = "A,B[,C[,D]]",
          .help = "Distance, angle or torsion of atoms, each a selection or an atom's number; repeatable",
-         .parse = [](T text, P& d) { addTo(d.words.measures, text, kMostWordOptions, parseMeasure); },
-         .print = [](const P& d) { return lines(d.words.measures, [](const Measure& m) { return m.text; }); },
+         .value = listOf<&P::words, &Words::measures>(kMostWordOptions, parseMeasure,
+                                                      [](const Measure& m) { return m.text; }),
          .kind = list,
          .save = differing,
          .savedAs = "measures"},
@@ -75,16 +67,14 @@ std::vector<Option> wordRows() {
          .help =
              "Above the molecule, with the markup of labels; {frame} is the number of the frame or model, {time} its\n"
              "time in the trajectory",
-         .parse = [](T text, P& d) { d.words.title = parseTitle(text); },
-         .print = printText<&P::words, &Words::title>,
+         .value = valueOf<&P::words, &Words::title>(parseTitle),
          .save = differing,
          .control = {"Title"}},
         {.key = "scale-bar",
          .syntax = "angstrom|nm|off",
          .standard = "=",
          .help = "A scale bar at the lower right; in perspective, for the plane of the molecule's centre",
-         .parse = [](T text, P& d) { d.words.scaleBar = parseScaleBar(text); },
-         .print = [](const P& d) { return std::string(scaleBarText(d.words.scaleBar)); },
+         .value = valueOf<&P::words, &Words::scaleBar>(parseScaleBar, scaleBarText),
          .save = differing,
          .control = {.label = "Scale bar",
                      .choices = {{"None", "off"}, {"In ångström", "angstrom"}, {"In nanometres", "nm"}}}},
@@ -92,8 +82,7 @@ std::vector<Option> wordRows() {
          .syntax = "on|off",
          .standard = "=",
          .help = "Colour legend at the upper right",
-         .parse = parseSwitch<kOnOff, &P::words, &Words::legend>,
-         .print = printSwitch<kOnOff, &P::words, &Words::legend>,
+         .value = switchOf<kOnOff, &P::words, &Words::legend>(),
          .save = differing,
          .bare = "on",
          .control = {.label = "Colour legend", .choices = {{"off", "off"}, {"on", "on"}}}},
@@ -101,16 +90,14 @@ std::vector<Option> wordRows() {
          .syntax = "TEXT",
          .standard = "by the scheme",
          .help = "Heading of the legend's first scale, else of its first part, with the markup of labels",
-         .parse = [](T text, P& d) { d.words.legendTitle = parseTitle(text); },
-         .print = printText<&P::words, &Words::legendTitle>,
+         .value = valueOf<&P::words, &Words::legendTitle>(parseTitle),
          .save = differing,
          .needs = "legend"},
         {.key = "axes",
          .syntax = "on|off",
          .standard = "=",
          .help = "The x, y and z axes at the lower left in red, green and blue; with --cell the cell's a, b and c",
-         .parse = parseSwitch<kOnOff, &P::words, &Words::axes>,
-         .print = printSwitch<kOnOff, &P::words, &Words::axes>,
+         .value = switchOf<kOnOff, &P::words, &Words::axes>(),
          .save = differing,
          .bare = "on",
          .control = {.label = "Axes", .choices = {{"off", "off"}, {"on", "on"}}}},
@@ -118,11 +105,7 @@ std::vector<Option> wordRows() {
          .syntax = "distance|off",
          .standard = "=",
          .help = "Distances of the drawn interactions, in Å",
-         .parse =
-             [](T text, P& d) {
-                 d.words.distances = parseChoice(text, {"distance", "off"}) == 0;
-             },
-         .print = printSwitch<kDistanceOff, &P::words, &Words::distances>,
+         .value = switchOf<kDistanceOff, &P::words, &Words::distances>(),
          .save = differing,
          .needs = "interactions",
          .bare = "distance"},
@@ -130,27 +113,21 @@ std::vector<Option> wordRows() {
          .syntax = "all|seen",
          .standard = "=",
          .help = "seen: no labels of atoms hidden by other residues (less than a quarter of their near side visible)",
-         .parse =
-             [](T text, P& d) {
-                 d.words.seenOnly = parseChoice(text, {"all", "seen"}) == 1;
-             },
-         .print = printSwitch<kSeenAll, &P::words, &Words::seenOnly>,
+         .value = choiceOf<kAllSeen, &P::words, &Words::seenOnly>(),
          .save = differing,
          .control = {.label = "Show hidden labels", .choices = {{"off", "seen"}, {"on", "all"}}}},
         {.key = "text-size",
          .syntax = "PIXELS|POINTSpt",
          .standard = "1/42 of the shorter side",
          .help = "Size of letters (an em), 4 to 2000 pixels, or as 8pt at --dpi",
-         .parse = parseTextSize,
-         .print = [](const P& d) { return d.words.size > 0 ? exactText(d.words.size) : std::string(); },
+         .value = {parseTextSize, [](const P& d) { return d.words.size > 0 ? exactText(d.words.size) : ""; }},
          .save = differing,
          .number = Option::Number::real},
         {.key = "text-color",
          .syntax = "COLOR",
          .standard = "dark or light, in contrast to the background",
          .help = "An opaque colour as for --background; a halo keeps it readable on atoms",
-         .parse = [](T text, P& d) { d.words.color = parseInk(text); },
-         .print = printTextColor,
+         .value = valueOf<&P::words, &Words::color>(parseInk, opaqueText),
          .save = differing},
     };
     return under(Topic::words, Facet::annotation, std::move(rows));

@@ -97,11 +97,11 @@ void readList(const Option& option, const Json& list, PictureDescription& view) 
     if (!list.is_array() || list.size() > kMostWordOptions)
         throw std::invalid_argument("expected a list of at most " + std::to_string(kMostWordOptions) +
                                     (option.kind == Kind::pair ? " pairs" : " texts"));
-    option.parse("", view);
+    option.value.parse("", view);
     for (const Json& one : list) {
         if (option.kind == Kind::pair && (!one.is_array() || one.size() != 2))
             throw std::invalid_argument("expected each as a pair");
-        option.parse(option.kind == Kind::pair ? toText(one[0]) + "\n" + toText(one[1]) : toText(one), view);
+        option.value.parse(option.kind == Kind::pair ? toText(one[0]) + "\n" + toText(one[1]) : toText(one), view);
     }
 }
 
@@ -124,10 +124,10 @@ void readOption(const Option& option, const Json& value, PictureDescription& vie
         case Kind::pair:
             return readList(option, value, view);
         case Kind::numbers:
-            return option.parse(value.is_array() ? joined(value) : value.is_string() ? toText(value) : "", view);
+            return option.value.parse(value.is_array() ? joined(value) : value.is_string() ? toText(value) : "", view);
         case Kind::value:
         case Kind::flag:
-            return option.parse(toText(value), view);
+            return option.value.parse(toText(value), view);
     }
 }
 
@@ -152,7 +152,7 @@ std::vector<std::string> divided(const std::string& text, char sign) {
 OrderedJson toJson(const Option& option, const PictureDescription& view) {
     if (option.kind == Kind::rules) return rulesJson(view.look.rules);
     if (option.kind == Kind::inputs) return inputsJson(view.input.further);
-    const std::string text = option.print(view);
+    const std::string text = option.value.print(view);
     if (option.kind == Kind::value || option.kind == Kind::flag) return numberJson(text, option.number);
     const auto isNumber = [](const std::string& one) { return !numberJson(one, Option::Number::real).is_string(); };
     if (option.kind == Kind::numbers && !std::ranges::all_of(divided(text, ','), isNumber)) return text;
@@ -175,7 +175,7 @@ bool isSaved(const Option& option, const PictureDescription& view) {
             return !view.input.trajectory.path.empty();
         case Option::Save::differing:
             return option.kind == Kind::inputs ? !view.input.further.empty()
-                                               : option.print(view) != option.print(kStandard);
+                                               : option.value.print(view) != option.value.print(kStandard);
     }
     return false;
 }
@@ -236,12 +236,12 @@ void readStatistics(const Json& view, const std::string& name, PictureDescriptio
     camera.center = {center[0], center[1], center[2]};
     camera.pan = {pan[0], pan[1]};
     try {
-        option("projection").parse(text("projection", "ortho"), d);
+        option("projection").value.parse(text("projection", "ortho"), d);
         const glm::dquat orientation(q[0], q[1], q[2], q[3]);
         if (glm::length(orientation) < 1e-9) throw std::invalid_argument("\"orientation\": expected a quaternion");
         camera.orientation = glm::normalize(orientation);
-        option("scale").parse(exactText(across) + "A", d);
-        option("clip").parse(text("clip", "off"), d);
+        option("scale").value.parse(exactText(across) + "A", d);
+        option("clip").value.parse(text("clip", "off"), d);
         if (camera.projection == Projection::perspective) camera.eyeDistance = numbers("eye_distance", 1)[0];
     } catch (const std::invalid_argument& error) {
         throw Error("cannot read view", name, error.what());
@@ -350,7 +350,7 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     view.input.fits.clear(), view.input.alignments.clear();
     for (auto clear : {"primitives", "color-from", "map", "map-level", "map-style", "map-color", "map-color-from",
                        "map-slice", "map-opacity"})
-        option(clear).parse("", view);
+        option(clear).value.parse("", view);
     readView(readViewText(path), path, view);
     placeBeside(path, view);
     append(view.look.rules, description.look.rules);

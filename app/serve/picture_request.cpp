@@ -116,10 +116,10 @@ void takeView(const std::string& text, const std::string& name, PictureDescripti
 std::string printed(const PictureDescription& description, bool reading) {
     std::ostringstream text;
     for (const Option& row : options())
-        if (row.print && row.facet != Facet::device && row.key != "output" && row.key != "input" &&
+        if (row.value.print && row.facet != Facet::device && row.key != "output" && row.key != "input" &&
             row.key != "further-inputs" && row.key != "cache" &&
             (!reading || row.facet == Facet::input || row.facet == Facet::frame))
-            text << row.key << '=' << row.print(description) << '\n';
+            text << row.key << '=' << row.value.print(description) << '\n';
     return text.str();
 }
 

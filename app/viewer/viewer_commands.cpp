@@ -58,7 +58,7 @@ bool Viewer::changeLook(ViewerCommand command, PictureDescription& look, double 
         if (of.command != command) continue;
         const Option& row = option(of.key);
         if (of.value)
-            row.parse(of.value, look);
+            row.value.parse(of.value, look);
         else
             said = std::string(row.control.label) + ": " + row.control.choices[stepOption(row, look)].label;
         if (!said.empty()) stage_.messages.say(said, now);

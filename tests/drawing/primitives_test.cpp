@@ -101,7 +101,7 @@ TEST(PrimitivesOption, TakesAFileOrJsonOnOneLine) {
     PictureDescription d;
     setOption(option("primitives"), "scene.json", d);
     setOption(option("primitives"), "[ {\"kind\":\n \"sphere\"} ]", d);
-    EXPECT_EQ(option("primitives").print(d), "scene.json\n[{\"kind\":\"sphere\"}]");
+    EXPECT_EQ(option("primitives").value.print(d), "scene.json\n[{\"kind\":\"sphere\"}]");
     EXPECT_THROW(setOption(option("primitives"), "[oops", d), std::invalid_argument);
 }
 
@@ -131,7 +131,7 @@ TEST(PrimitivesOption, DrawsBesideAMoleculeAndWithoutOne) {
 
     Drawing alone;
     PictureDescription empty = d;
-    option("primitives").parse("", empty);
+    option("primitives").value.parse("", empty);
     setOption(option("primitives"), R"([{"kind":"sphere","center":[100,0,0],"radius":5}])", empty);
     alone.prepare(Molecule(), empty);
     EXPECT_NEAR(alone.settings.view.radius, 5, 1e-9);

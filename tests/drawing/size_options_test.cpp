@@ -72,7 +72,7 @@ TEST(Sizes, RimsFollowThePictureTheCameraOrThePaper) {
     EXPECT_DOUBLE_EQ(close.effects.halos.width, close.view.pixelsPerAngstrom / 4);
     for (const char* text : {"0.5%", "0.2A", "1pt", "2", "off"}) {
         PictureDescription picture = sizedPicture({{"contours", "3%"}, {"contours", text}});
-        EXPECT_EQ(option("contours").print(picture), text);
+        EXPECT_EQ(option("contours").value.print(picture), text);
     }
     for (const char* text : {"0%", "nan%", "200A", "-1pt", "%", "1e"}) EXPECT_ANY_THROW(outline(text, "64x64")) << text;
 }

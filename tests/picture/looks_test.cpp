@@ -91,13 +91,14 @@ TEST(EffectOptions, WhatEachSaysIsWhatItReads) {
     for (const auto& [key, value] : cases) {
         met.insert(key);
         PictureDescription view;
-        option(key).parse(value, view);
-        EXPECT_EQ(option(key).print(view), value) << key;
+        option(key).value.parse(value, view);
+        EXPECT_EQ(option(key).value.print(view), value) << key;
         EXPECT_NE(view.effects, plain.effects) << key;
         EXPECT_EQ(parseSavedView(savedViewJson(view), "test").effects, view.effects) << key;
     }
     for (const Option& option : options())
-        if (option.topic == Topic::effects && option.print && option.key != "clip-spare") {  // atoms, not an effect
+        if (option.topic == Topic::effects && option.value.print &&
+            option.key != "clip-spare") {  // atoms, not an effect
             EXPECT_TRUE(met.contains(option.key)) << option.key;
         }
 }
@@ -127,7 +128,7 @@ TEST(EffectOptions, NonsenseIsRefused) {
                                                          {"occlusion-strength", "2"}};
     for (const auto& [name, value] : cases) {
         PictureDescription d;
-        EXPECT_THROW(option(name).parse(value, d), std::exception) << name << " " << value;
+        EXPECT_THROW(option(name).value.parse(value, d), std::exception) << name << " " << value;
         EXPECT_EQ(d.effects.contours, Contours{}) << "nothing half-set";
     }
 }

@@ -88,15 +88,15 @@ TEST(MapOptions, ElectrostaticsIsNoFile) {
     PictureDescription d;
     setOption(option("electrostatics"), "on", d);
     EXPECT_TRUE(mapFiles(d.maps).empty());
-    EXPECT_EQ(option("electrostatics").print(d), "on");
-    EXPECT_EQ(option("surface-color-from").print(d), "none");
+    EXPECT_EQ(option("electrostatics").value.print(d), "on");
+    EXPECT_EQ(option("surface-color-from").value.print(d), "none");
     changeMapFiles(d.maps, [](const std::string& file) { return "x/" + file; });
-    EXPECT_EQ(option("electrostatics").print(d), "on");
+    EXPECT_EQ(option("electrostatics").value.print(d), "on");
     setOption(option("electrostatics"), "-10..10", d);
-    EXPECT_EQ(option("electrostatics").print(d), "-10..10");
+    EXPECT_EQ(option("electrostatics").value.print(d), "-10..10");
     EXPECT_EQ(d.maps.surface.range->last, 10);
     setOption(option("surface-color-from"), "a.dx", d);
-    EXPECT_EQ(option("electrostatics").print(d), "off");
+    EXPECT_EQ(option("electrostatics").value.print(d), "off");
     EXPECT_THROW(setOption(option("electrostatics"), "strong", d), std::invalid_argument);
 }
 

@@ -78,11 +78,11 @@ std::string otherValue(const Option& option) {
                                "on",    "off",  "#203040", "ligand", "pdb",      "model", "muted",   "plates",
                                "tiles", "r32f", "tube",    "ladder", "gaussian", "plip",  "surface", ""})
         values.emplace_back(common);
-    const std::string standard = option.print(PictureDescription());
+    const std::string standard = option.value.print(PictureDescription());
     for (const std::string& value : values) try {
             PictureDescription other;
-            option.parse(value, other);
-            if (option.print(other) != standard) return value;
+            option.value.parse(value, other);
+            if (option.value.print(other) != standard) return value;
         } catch (const std::exception&) {
             // not one of its values
         }
@@ -104,18 +104,18 @@ TEST(Options, EachHasAKeyOfItsOwnAndAHelp) {
 TEST(Options, WhatEachPrintsIsWhatItReads) {
     const PictureDescription plain;
     for (const Option& option : options()) {
-        if (!option.print || !option.parse) continue;
+        if (!option.value.print || !option.value.parse) continue;
         SCOPED_TRACE(option.key);
         PictureDescription other;
-        EXPECT_NO_THROW(option.parse(otherValue(option), other));
-        const std::string text = option.print(other);
-        EXPECT_NE(text, option.print(plain)) << option.key;
+        EXPECT_NO_THROW(option.value.parse(otherValue(option), other));
+        const std::string text = option.value.print(other);
+        EXPECT_NE(text, option.value.print(plain)) << option.key;
         EXPECT_EQ(difference(plain, other) & static_cast<Facets>(option.facet), static_cast<Facets>(option.facet))
             << option.key;
         if (option.kind == Option::Kind::pair || option.positional) continue;  // print for people, divided otherwise
         PictureDescription again;
-        option.parse(text, again);
-        EXPECT_EQ(option.print(again), text) << option.key;
+        option.value.parse(text, again);
+        EXPECT_EQ(option.value.print(again), text) << option.key;
         EXPECT_EQ(difference(again, other), 0u) << option.key;
     }
 }
@@ -124,9 +124,9 @@ TEST(Options, ASavedViewKeepsEachThatIsSaved) {
     const PictureDescription plain;
     PictureDescription all;
     for (const Option& option : options())
-        if (option.save != Option::Save::never && option.parse) option.parse(otherValue(option), all);
-    option("show").parse("ligand=spacefill", all);
-    option("hide").parse("water", all);
+        if (option.save != Option::Save::never && option.value.parse) option.value.parse(otherValue(option), all);
+    option("show").value.parse("ligand=spacefill", all);
+    option("hide").value.parse("water", all);
     all.look.rules.back().on = false;
     all.input.further.push_back({"drug", "b.sdf", "3-ef"});
     const std::string json = savedViewJson(all);
@@ -134,7 +134,7 @@ TEST(Options, ASavedViewKeepsEachThatIsSaved) {
     EXPECT_EQ(savedViewJson(read), json);
     for (const Option& option : options())
         if (option.save != Option::Save::never) {
-            EXPECT_EQ(option.print(read), option.print(all)) << option.key;
+            EXPECT_EQ(option.value.print(read), option.value.print(all)) << option.key;
         }
     EXPECT_EQ(difference(plain, parseSavedView(savedViewJson(plain), "test")), 0u);
 }
@@ -143,7 +143,7 @@ TEST(Options, DifferenceIsInThePartsThatDiffer) {
     const PictureDescription plain;
     const auto changed = [&](std::string_view key, const std::string& value) {
         PictureDescription other;
-        option(key).parse(value, other);
+        option(key).value.parse(value, other);
         return difference(plain, other);
     };
     EXPECT_EQ(difference(plain, plain), 0u);
@@ -186,8 +186,8 @@ TEST(Options, ChoicesOfControlsAreTheirValues) {
         if (choices.empty()) continue;
         PictureDescription picture;
         for (std::size_t i = 0; i < choices.size(); ++i) {
-            option.parse(choices[i].value, picture);
-            EXPECT_EQ(option.print(picture), choices[i].value) << option.key;
+            option.value.parse(choices[i].value, picture);
+            EXPECT_EQ(option.value.print(picture), choices[i].value) << option.key;
             EXPECT_EQ(chosen(option, picture), i) << option.key;
         }
         EXPECT_EQ(stepOption(option, picture), 0u) << option.key << ": from the last to the first";

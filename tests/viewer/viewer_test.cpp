@@ -371,7 +371,7 @@ TEST(Viewer, ViewShadingAndWordsBuildNoSceneAndNoBake) {
         setOption(option(key), value, look);
         viewer.setLook(look, now);
         rest();
-        EXPECT_EQ(option(key).print(viewer.view()), option(key).print(look)) << key;
+        EXPECT_EQ(option(key).value.print(viewer.view()), option(key).value.print(look)) << key;
         EXPECT_EQ(counts(), before) << key;
     }
     for (const auto& [key, value] : kChanges) {
