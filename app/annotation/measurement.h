@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "engine/molecule/chemistry/interactions.h"
 #include "engine/molecule/molecule.h"
@@ -21,6 +22,9 @@ std::string measurementText(std::span<const glm::dvec3> places);
 
 /// Only the value: "3.21 Å".
 std::string measuredValue(std::span<const glm::dvec3> places);
+
+/// IUPAC's name, "Oxygen"; "Atom" for an unknown element.
+std::string_view elementName(Element element);
 
 /// Element, name, residue, chain and number: "Oxygen O6, residue DG 4, chain A, atom 78"; after the residue its full
 /// name, if the file has one: "(amprenavir)".

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "app/annotation/element_names.h"
 #include "engine/molecule/read.h"
 
 namespace nacre::app {

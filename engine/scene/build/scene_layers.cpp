@@ -12,7 +12,6 @@
 #include "engine/scene/build/carbohydrates.h"
 #include "engine/scene/build/crowd.h"
 #include "engine/scene/build/gaps.h"
-#include "engine/scene/build/join_parts.h"
 #include "engine/scene/build/line_drawing.h"
 #include "engine/scene/build/mesh_scene.h"
 #include "engine/scene/color/colors.h"
@@ -21,6 +20,45 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t kMostWires = 10'000'000;
+
+template <typename T>
+void appendTo(std::vector<T>& list, const std::vector<T>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+}
+
+void appendShifted(std::vector<Triangle>& list, const std::vector<Triangle>& more, std::uint32_t firstVertex) {
+    for (Triangle t : more) {
+        t.a += firstVertex, t.b += firstVertex, t.c += firstVertex;
+        list.push_back(t);
+    }
+}
+
+/// Adds the primitives of a part to a whole; copies, legends and bounds stay those of the whole.
+void appendPart(Representation& whole, const Representation& part) {
+    appendTo(whole.spheres, part.spheres);
+    appendTo(whole.sphereLooks, part.sphereLooks);
+    appendTo(whole.cylinders, part.cylinders);
+    appendTo(whole.cylinderLooks, part.cylinderLooks);
+    appendTo(whole.wires, part.wires);
+    appendTo(whole.wireLooks, part.wireLooks);
+    const auto vertices = static_cast<std::uint32_t>(whole.meshVertices.size()),
+               looks = static_cast<std::uint32_t>(whole.meshLooks.size()),
+               triangles = static_cast<std::uint32_t>(whole.triangles.size()),
+               coarse = static_cast<std::uint32_t>(whole.coarseTriangles.size());
+    for (MeshVertex v : part.meshVertices) {
+        v.look += looks;
+        whole.meshVertices.push_back(v);
+    }
+    appendTo(whole.meshLooks, part.meshLooks);
+    appendShifted(whole.triangles, part.triangles, vertices);
+    appendShifted(whole.coarseTriangles, part.coarseTriangles, vertices);
+    for (MeshRun run : part.meshes) {
+        run.first += triangles;
+        run.firstVertex += vertices, run.endVertex += vertices;
+        for (MeshRun::Level& level : run.levels) level.first += coarse, level.endVertex += vertices;
+        whole.meshes.push_back(std::move(run));
+    }
+}
 
 /// Keeps the atoms of a layer for which `wanted(slot)` is true.
 template <typename Wanted>
