@@ -311,27 +311,5 @@ TEST(CommandLine, AFailedRunKeepsTheOldPicture) {
     EXPECT_EQ(folder.count(), 1u);
 }
 
-TEST(CommandLine, AFileThatDoesNotFitIsAnErrorAndLeavesNothing) {
-    const TemporaryFolder folder;
-    const TemporaryFolder logs;  // elsewhere, so that the limit meets the picture alone
-    const std::string command = "ulimit -f 1; cd '" + folder.path() +
-                                "' && '" NACRE_PROGRAM
-                                "' render sample:dna -o a.tif --size 64x64 --background "
-                                "transparent --occlusion 4 2>'" +
-                                (logs / "err") + "'";
-    const int status = std::system(command.c_str());
-    ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 1);
-    EXPECT_NE(test::readContents(logs / "err").find("cannot write file: a.tif"), std::string::npos);
-    EXPECT_EQ(folder.count(), 0u);
-}
-
-TEST(CommandLine, TheInputIsNeverOverwritten) {
-    const TemporaryFolder folder;
-    std::ofstream(folder / "in.json") << "{}";
-    EXPECT_EQ(nacreIn(folder, "render in.json -o a.png --stats ./in.json").code, 2);
-    EXPECT_EQ(test::readContents(folder / "in.json"), "{}");
-}
-
 }  // namespace
 }  // namespace nacre

@@ -30,15 +30,6 @@ Json toJson(const PlanOptions& options) { return Json::parse(planJson(planReport
 
 constexpr std::uint64_t kPixels = 1170ull * 2532;
 
-TEST(Plan, MaliIsDrawnInRasterOrder) {
-    const Json json = toJson(phone("mali"));
-    EXPECT_EQ(json["visibility"], "raster-order");
-    ASSERT_EQ(json["render_passes"].size(), 1u);
-    EXPECT_EQ(json["memory_bytes"]["loaded"], 0);
-    EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * 4);
-    EXPECT_EQ(json["tile_bytes_per_pixel"], 8);
-}
-
 TEST(Plan, TellsWhatSamplesInMotionCost) {
     EXPECT_EQ(toJson(phone("mali"))["motion"]["samples"], 1);
     const Json suggested = toJson(phone("apple-moltenvk"));
@@ -180,20 +171,6 @@ TEST(Plan, TellsHowVertexOutputsFitMalisMemory) {
     EXPECT_TRUE(late["vertex_bytes"]["most"].is_null());
 }
 
-TEST(Plan, AShadowIsAMapThatLeavesTheTileAndNothingElseDoes) {
-    PlanOptions options = encodedOn("mali");
-    options.picture.effects.shadow.strength = 0.5;
-    const Json json = toJson(options);
-    ASSERT_EQ(json["render_passes"].size(), 2u);
-    EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["writes"], Json({"shadow map"}));
-    EXPECT_EQ(json["render_passes"][1]["subpasses"][2]["reads"],
-              Json({"depth", "encoded depth", "occlusion atlas", "shadow map"}));
-    constexpr std::uint64_t kMap = 1024 * 1024 * 4;
-    EXPECT_EQ(json["memory_bytes"]["loaded"], kMap);
-    EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * 4 + kMap);
-    EXPECT_EQ(json["tile_bytes_per_pixel"], 8);  // encoded depth as R32F, written in raster order
-}
-
 TEST(Plan, LinesAndHalosStayOnTheTileWhateverThePath) {
     for (const char* caps : {"mali", "adreno", "powervr"}) {
         PlanOptions options = phone(caps);
@@ -294,28 +271,6 @@ TEST(Plan, TranslucentLayersLeaveTheTileAndTheOpaqueFrameStaysOnIt) {
     EXPECT_EQ(countTriangles(json, "translucent layer 1"), countTriangles(opaque, "impostor colour"));
     EXPECT_EQ(countTriangles(json, "impostor colour"), 0u);
     EXPECT_EQ(countTriangles(json, "translucent colour 1"), 0u);
-}
-
-TEST(Plan, OfAppleIsOneSubpassWithoutInputAttachment) {
-    const Json json = toJson(phone("apple-moltenvk"));
-    ASSERT_EQ(json["render_passes"].size(), 1u);
-    ASSERT_EQ(json["render_passes"][0]["subpasses"].size(), 1u);
-    EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["input_attachments"], Json::array());
-    EXPECT_EQ(json["visibility"], "fragdepth");
-    for (const Json& a : json["render_passes"][0]["attachments"]) EXPECT_EQ(a["transient"], a["name"] == "depth");
-    EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * 4);
-}
-
-TEST(Plan, EncodedOnAppleLeavesTheTileOnce) {
-    PlanOptions options = phone("apple-moltenvk");
-    options.picture.device.visibility = Visibility::encoded;
-    const Json json = toJson(options);
-    ASSERT_EQ(json["render_passes"].size(), 2u);
-    for (const Json& pass : json["render_passes"]) {
-        EXPECT_EQ(pass["subpasses"].size(), 1u);
-        EXPECT_EQ(pass["subpasses"][0]["input_attachments"], Json::array());
-    }
-    EXPECT_EQ(json["memory_bytes"]["loaded"], kPixels * 8);  // depth, and R32F encoded depth as a texture
 }
 
 TEST(Plan, UnmergedPrintsThePlanThatMergedIsComparedWith) {

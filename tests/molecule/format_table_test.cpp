@@ -29,6 +29,7 @@ TEST(FormatTable, HasARowForEveryFormat) {
         for (const std::string& ending : splitAllWords(row.endings)) ++all, endings.insert(ending);
     }
     EXPECT_EQ(endings.size(), all) << "an ending of two formats";
+    for (const char* none : {"cif", ""}) EXPECT_FALSE(formatFromName(none)) << none;
     const std::string header = sourceFile("engine/molecule/read.h");
     const std::string list = header.substr(header.find("enum class Format {"));
     EXPECT_EQ(std::count(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(list.find('}')), ',') + 1,

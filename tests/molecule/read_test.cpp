@@ -17,23 +17,6 @@ namespace {
 
 const std::string kWater = "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
 
-TEST(Read, NamesOfFormats) {
-    EXPECT_EQ(formatFromName("pdb"), Format::pdb);
-    EXPECT_EQ(formatFromName("mmcif"), Format::mmcif);
-    EXPECT_EQ(formatFromName("mmjson"), Format::mmjson);
-    EXPECT_EQ(formatFromName("sdf"), Format::sdf);
-    EXPECT_EQ(formatFromName("xyz"), Format::xyz);
-    EXPECT_EQ(formatFromName("mol2"), Format::mol2);
-    EXPECT_EQ(formatFromName("pqr"), Format::pqr);
-    EXPECT_EQ(formatFromName("gro"), Format::gro);
-    EXPECT_EQ(formatFromName("pdbqt"), Format::pdbqt);
-    EXPECT_EQ(formatFromName("cml"), Format::cml);
-    EXPECT_EQ(formatFromName("bcif"), Format::bcif);
-    EXPECT_EQ(formatFromName("mmtf"), Format::mmtf);
-    EXPECT_FALSE(formatFromName("cif"));
-    EXPECT_FALSE(formatFromName(""));
-}
-
 TEST(Read, TheContentWinsOverTheName) {
     EXPECT_EQ(detectFormat("a.pdb", kWater), Format::xyz);
     EXPECT_EQ(detectFormat("a.xyz", "data_x\nloop_\n"), Format::mmcif);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/picture/appearance_values.h"
+#include "engine/scene/color/palettes.h"
 #include "tests/support/error_text.h"
 
 namespace nacre::app {
@@ -46,6 +47,11 @@ TEST(Synonyms, OfOtherProgramsAreTaken) {
     EXPECT_EQ(parseColoring("spectrum"), ColorScheme::rainbow);
     EXPECT_EQ(parseColoring("structure"), ColorScheme::secondaryStructure);
     EXPECT_EQ(parseColoring("b"), ColorScheme::bFactor);
+    EXPECT_EQ(parseColoring("ss"), ColorScheme::secondaryStructure);
+    const Coloring carbons = parseColoring("CPK:Orange");
+    EXPECT_EQ(carbons, Coloring::elementWithCarbons(packedColor(0xffa500)));
+    EXPECT_EQ(parseColoring(coloringText(carbons)), carbons);
+    EXPECT_EQ(parseColoring("Orange"), Coloring::uniform(packedColor(0xffa500)));
     EXPECT_NE(reason([] { parseStyle("Putty"); }).find("--putty on"), std::string::npos);
     EXPECT_EQ(parseShow("ligand=sticks").style, Style::licorice);
 }

@@ -12,7 +12,6 @@
 #include "app/picture/option_text.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/color/palettes.h"
-#include "tests/support/error_text.h"
 #include "tests/support/run_program.h"
 
 namespace nacre::app {
@@ -44,36 +43,6 @@ TEST(AppearanceOptions, KeepTheOrderOfTheCommandLine) {
     EXPECT_EQ(rules[4].coloring.scheme, ColorScheme::uniform);
     EXPECT_EQ(rules[4].coloring.color, packedColor(0x00ff88));
     EXPECT_EQ(rules[5].selection, parseSelection("ion"));
-}
-
-TEST(AppearanceOptions, ColorTakesSchemesAndColours) {
-    EXPECT_EQ(parsed({"x", "-o", "a.png"}).look.color.scheme, ColorScheme::element);
-    EXPECT_EQ(parsed({"x", "-o", "a.png", "--color", "plddt"}).look.color.scheme, ColorScheme::plddt);
-    EXPECT_EQ(parsed({"x", "-o", "a.png", "--color", "ss"}).look.color.scheme, ColorScheme::secondaryStructure);
-    const Coloring orange = parsed({"x", "-o", "a.png", "--color", "Orange"}).look.color;
-    EXPECT_EQ(orange.scheme, ColorScheme::uniform);
-    EXPECT_EQ(orange.color, packedColor(0xffa500));
-    EXPECT_FALSE(parsed({"x", "-o", "a.png"}).look.style);
-    const Coloring carbons = parsed({"x", "-o", "a.png", "--color", "CPK:Orange"}).look.color;
-    EXPECT_EQ(carbons, Coloring::elementWithCarbons(packedColor(0xffa500)));
-    EXPECT_EQ(parsed({"x", "-o", "a.png", "--color", coloringText(carbons).c_str()}).look.color, carbons);
-}
-
-TEST(AppearanceOptions, FaultsSayWhere) {
-    const auto fault = [](const char* option, const char* text) {
-        return test::errorText<UsageError>([&] { parsed({"x", "-o", "a.png", option, text}); });
-    };
-    EXPECT_NE(fault("--hide", "chain A and resi x").find("--hide"), std::string::npos);
-    EXPECT_NE(fault("--hide", "chain A and resi x").find("column 18: expected a residue number, found 'x'"),
-              std::string::npos);
-    EXPECT_NE(fault("--show", "chain A").find("SELECTION=STYLE"), std::string::npos);
-    EXPECT_NE(fault("--show", "chain A=hologram").find("hologram"), std::string::npos);
-    EXPECT_NE(fault("--color-by", "all=").find("rainbow"), std::string::npos);
-    EXPECT_NE(fault("--color-by", "all=#12345").find("#rrggbb"), std::string::npos);
-    EXPECT_NE(fault("--color", "element:oragne").find("'orange'?"), std::string::npos);
-    EXPECT_NE(fault("--color", "element:#ff000080").find("transparent"), std::string::npos);
-    EXPECT_NE(fault("--color", "chain:orange").find("one of distinct"), std::string::npos);
-    EXPECT_NE(fault("--color", "#ff000080").find("transparent"), std::string::npos);
 }
 
 /// Pixels of each atom in a file of layers.
@@ -213,17 +182,6 @@ TEST(AppearanceOptions, ColoursAndLegendReachPictureAndStats) {
     EXPECT_GT(red, 100);
     EXPECT_GT(blue, 100);
     EXPECT_EQ(other, 0);
-}
-
-TEST(AppearanceOptions, TheHelpExamplesOfRulesParse) {
-    EXPECT_EQ(parsed({"4hhb.pdb", "-o", "haem.png", "--color", "chain", "--show", "ligand=ball-and-stick", "--color-by",
-                      "ligand=element:orange"})
-                  .look.rules.size(),
-              2u);
-    EXPECT_EQ(parsed({"1hpv.pdb", "-o", "pocket.png", "--style", "licorice", "--show", "ligand=ball-and-stick",
-                      "--hide", "not byres (within 5 of (ligand))"})
-                  .look.rules.size(),
-              2u);
 }
 
 }  // namespace

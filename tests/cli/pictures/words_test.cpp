@@ -128,29 +128,6 @@ TEST(WordOptions, LayersAndDebugViewsHaveNoWords) {
     EXPECT_TRUE(test::readContents(folder / "a.exr") == test::readContents(folder / "b.exr"));
 }
 
-TEST(WordOptions, FaultsAreOneLine) {
-    const TemporaryFolder folder;
-    const auto fault = [&](const std::string& options) {
-        const Outcome outcome = nacreIn(folder, std::string(kBase) + "-o a.png " + options);
-        EXPECT_NE(outcome.code, 0) << options;
-        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-        return outcome.err;
-    };
-    EXPECT_NE(fault("--label 'all={foo}'").find("not '{foo}'"), std::string::npos);
-    EXPECT_NE(fault("--label 'resn XYZ=x'").find("cannot label: resn XYZ: the molecule has no such atoms"),
-              std::string::npos);
-    EXPECT_NE(fault("--measure 1,99").find("the molecule has no such atoms"), std::string::npos);
-    EXPECT_NE(fault("--measure 1").find("two atoms"), std::string::npos);
-    EXPECT_NE(fault("--title '\\alpa'").find("'alpha'"), std::string::npos);
-    EXPECT_NE(fault("--color b-factor:5").find("10..60"), std::string::npos);
-    EXPECT_NE(fault("--color b-factor:5..5").find("two different numbers"), std::string::npos);
-    EXPECT_NE(fault("--color chain:1..2").find("takes no range"), std::string::npos);
-    EXPECT_NE(fault("--color chain:viridis").find("for numbers"), std::string::npos);
-    EXPECT_NE(fault("--color b-factor:muted").find("for categories"), std::string::npos);
-    EXPECT_NE(fault("--color charge:muted").find("takes no palette"), std::string::npos);
-    EXPECT_NE(fault("--palette mutd").find("'muted'?"), std::string::npos);
-}
-
 TEST(WordOptions, ALegendNeedsNoValueAndLeavesTheInputAlone) {
     const TemporaryFolder folder;
     const auto drawn = [&](const std::string& words) {
