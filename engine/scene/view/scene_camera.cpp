@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <numeric>
 
+#include "engine/mesh/unit_vectors.h"
 #include "engine/scene/build/mesh_streams.h"
 #include "engine/scene/instances/write_out_copies.h"
 #include "engine/scene/view/orientation.h"
@@ -18,14 +19,9 @@ namespace {
 // a fraction of it, so that all of them are in front of the eye.
 constexpr double kNearestPlane = 5, kRoomShare = 0.8;
 
-glm::dvec3 normalizedOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
-    const double length = glm::length(v);
-    return length > 1e-9 && std::isfinite(length) ? v / length : otherwise;
-}
-
 /// Rows are the axes of the picture: right, up, to the viewer.
 glm::dmat3 makeRotation(const SceneCamera& camera) {
-    const glm::dvec3 back = normalizedOr(-camera.direction, {0, 0, 1});
+    const glm::dvec3 back = unitOr(-camera.direction, {0, 0, 1});
     glm::dvec3 right = glm::cross(camera.up, back);
     if (glm::length(right) < 1e-9)
         right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), back);
