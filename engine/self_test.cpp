@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
-#include <vector>
 
 #include "engine/error.h"
 #include "engine/frame/choose.h"

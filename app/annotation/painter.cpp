@@ -14,7 +14,6 @@
 #include FT_STROKER_H
 
 #include "app/annotation/shaping.h"
-#include "app/annotation/system_font.h"
 #include "engine/error.h"
 #include "engine/molecule/text.h"
 #include "engine/srgb.h"

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <glm/geometric.hpp>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "app/annotation/measurement.h"

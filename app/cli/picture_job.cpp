@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <utility>
-#include <vector>
 
 #include "app/annotation/painter.h"
 #include "app/cli/banded_picture.h"

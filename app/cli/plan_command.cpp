@@ -1,7 +1,6 @@
 #include "app/cli/plan_command.h"
 
 #include <algorithm>
-#include <optional>
 #include <ostream>
 
 #include "app/cli/commands.h"

@@ -4,7 +4,6 @@
 #include <optional>
 #include <sstream>
 #include <string_view>
-#include <vector>
 
 #include "app/desktop/portal.h"
 #include "app/desktop/processes.h"

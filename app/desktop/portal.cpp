@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 namespace nacre::app {
 namespace {

@@ -9,7 +9,6 @@
 
 #include "app/desktop/end_signals.h"
 #include "app/desktop/processes.h"
-#include "app/desktop/state_files.h"
 #include "app/download/database_id.h"
 #include "app/download/molecule_sources.h"
 #include "app/files/cache_folder.h"

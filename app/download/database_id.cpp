@@ -7,7 +7,6 @@
 
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
-#include "engine/molecule/read.h"
 #include "engine/molecule/text.h"
 
 namespace nacre::app {

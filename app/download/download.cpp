@@ -3,7 +3,6 @@
 #include <charconv>
 #include <exception>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <utility>
 #include <vector>
 

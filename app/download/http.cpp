@@ -9,7 +9,6 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
-#include <string_view>
 #include <system_error>
 
 #include "app/download/allowed_hosts.h"

@@ -3,13 +3,11 @@
 #include <filesystem>
 
 #include "app/download/download.h"
-#include "app/download/load_scene.h"
 #include "app/files/cache_folder.h"
 #include "app/files/messages.h"
 #include "app/input/input_files.h"
 #include "app/input/read_input.h"
 #include "app/mvs/scene_file.h"
-#include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
 
 namespace nacre::app {

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <set>
 
 #include "app/download/allowed_hosts.h"

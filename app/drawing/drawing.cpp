@@ -7,7 +7,6 @@
 #include "app/drawing/aim.h"
 #include "app/drawing/complete.h"
 #include "app/drawing/focus.h"
-#include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
 #include "app/files/cache_folder.h"
 #include "app/files/messages.h"

@@ -16,7 +16,6 @@
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/scene/build/map_scene.h"
-#include "engine/scene/build/scene_guide.h"
 #include "engine/scene/build/volume.h"
 #include "engine/scene/color/colors.h"
 

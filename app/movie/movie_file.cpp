@@ -10,7 +10,6 @@
 #include <filesystem>
 
 #include "app/files/messages.h"
-#include "app/files/output_file.h"
 #include "app/images/image_file.h"
 #include "engine/error.h"
 

@@ -8,7 +8,6 @@
 #include <map>
 #include <string_view>
 
-#include "app/annotation/system_font.h"
 #include "app/files/code_points.h"
 #include "app/panel/theme.h"
 

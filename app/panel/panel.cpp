@@ -6,7 +6,6 @@
 #include <cfloat>
 #include <cmath>
 #include <ranges>
-#include <utility>
 
 #include "app/panel/panel_state.h"
 

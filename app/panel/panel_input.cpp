@@ -4,7 +4,6 @@
 #include <cfloat>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
 
 #include "app/panel/panel_state.h"
 

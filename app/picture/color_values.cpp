@@ -1,8 +1,6 @@
 #include "app/picture/color_values.h"
 
 #include <charconv>
-#include <string>
-#include <vector>
 
 #include "app/picture/option_values.h"
 #include "engine/molecule/text.h"

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <deque>
-#include <mutex>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <tuple>
 
 #include "app/download/load_map.h"

@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <optional>
 
 #include "app/download/database_id.h"
 #include "app/download/load_molecule.h"

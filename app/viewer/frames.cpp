@@ -1,9 +1,7 @@
 #include "app/viewer/frames.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <utility>
 
 #include "app/drawing/focus.h"

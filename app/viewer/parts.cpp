@@ -6,7 +6,6 @@
 #include <set>
 #include <tuple>
 
-#include "engine/molecule/residue_facts.h"
 #include "engine/molecule/text.h"
 
 namespace nacre::app {

@@ -1,7 +1,6 @@
 #include "app/viewer/picking.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "app/annotation/measurement.h"
 #include "app/picture/input_names.h"

@@ -15,7 +15,6 @@
 #include "app/picture/options.h"
 #include "app/viewer/explanation.h"
 #include "app/viewer/file_kind.h"
-#include "app/viewer/picture_words.h"
 #include "engine/error.h"
 
 namespace nacre::app {

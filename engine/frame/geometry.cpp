@@ -7,7 +7,6 @@
 #include "engine/frame/effects/translucency/translucency.h"
 #include "engine/frame/level_scenes.h"
 #include "engine/frame/paths/paths.h"
-#include "engine/passes/placed_copies.h"
 #include "engine/passes/select_opacity.h"
 #include "engine/scene/instances/mesh_levels.h"
 

@@ -1,13 +1,11 @@
 #include "engine/frame/picture_frames.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "engine/error.h"
 #include "engine/frame/effects/lens/lens.h"
 #include "engine/frame/geometry.h"
 #include "engine/milliseconds.h"
-#include "engine/passes/read_back.h"
 
 namespace nacre {
 namespace {

@@ -3,7 +3,6 @@
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
-#include <string>
 #include <system_error>
 
 #include "engine/storage/own_folder.h"

@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <utility>
 
 #include "engine/devices.h"
-#include "engine/error.h"
 #include "engine/gpu/dynamic_rendering.h"
 #include "engine/gpu/frame_boundary.h"
 #include "engine/gpu/instance.h"

@@ -1,7 +1,6 @@
 #include "engine/mesh/probe_places.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <compare>

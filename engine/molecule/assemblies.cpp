@@ -1,8 +1,6 @@
 #include "engine/molecule/assemblies.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "engine/molecule/text.h"
 

@@ -9,7 +9,6 @@
 #include <span>
 #include <string_view>
 #include <tuple>
-#include <utility>
 
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"

@@ -1,7 +1,6 @@
 #include "engine/molecule/other_models.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "engine/molecule/assemblies.h"

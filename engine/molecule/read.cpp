@@ -5,7 +5,6 @@
 #include <limits>
 #include <new>
 #include <utility>
-#include <vector>
 
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"

@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/drawn_atoms.h"

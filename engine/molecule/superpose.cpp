@@ -5,7 +5,6 @@
 #include <gemmi/qcp.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <vector>
 
 namespace nacre {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "engine/error.h"
 #include "engine/occlusion/bounced_light.h"
-#include "engine/occlusion/depth_maps.h"
 #include "engine/occlusion/primitive_tree.h"
 #include "engine/scene/build/translucency.h"
 #include "engine/scene/instances/sphere_levels.h"

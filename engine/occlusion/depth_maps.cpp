@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "engine/occlusion/pipelines.h"
 #include "engine/passes/geometry_passes.h"
 #include "engine/passes/select_opacity.h"
 #include "engine/passes/vertex_costs.h"

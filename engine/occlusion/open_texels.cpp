@@ -8,7 +8,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
-#include <span>
 
 #include "engine/occlusion/open_patch.h"
 #include "engine/occlusion/patch_coordinates.h"

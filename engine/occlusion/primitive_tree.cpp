@@ -1,10 +1,7 @@
 #include "engine/occlusion/primitive_tree.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <limits>
 #include <numeric>
 
 namespace nacre {

@@ -1,7 +1,6 @@
 #include "engine/molecule/chemistry/interactions.h"
 
 #include <algorithm>
-#include <glm/mat4x3.hpp>
 #include <glm/vec4.hpp>
 #include <tuple>
 

@@ -1,6 +1,5 @@
 #include "engine/molecule/formats/pdb_conect.h"
 
-#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <set>

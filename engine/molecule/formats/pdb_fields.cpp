@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <string>
 
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/element.h"

@@ -1,6 +1,5 @@
 #include "engine/molecule/formats/pdb_header.h"
 
-#include <array>
 #include <functional>
 
 #include "engine/molecule/formats/pdb_fields.h"

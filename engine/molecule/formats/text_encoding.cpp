@@ -1,7 +1,6 @@
 #include "engine/molecule/formats/text_encoding.h"
 
 #include <cstddef>
-#include <cstdint>
 
 #include "engine/molecule/text.h"
 

@@ -1,7 +1,6 @@
 #include "engine/molecule/selection/selection_text.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
-#include <string>
 
 #include "engine/error.h"
 #include "engine/molecule/superpose.h"

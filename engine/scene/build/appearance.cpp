@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"

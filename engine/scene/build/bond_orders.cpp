@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/molecule/chemistry/chemistry.h"
 #include "engine/molecule/drawn_atoms.h"
 
 namespace nacre {

@@ -4,7 +4,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
-#include <optional>
 #include <string>
 #include <unordered_set>
 
@@ -12,14 +11,12 @@
 #include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/atom_groups.h"
 #include "engine/scene/build/bond_drawing.h"
-#include "engine/scene/build/contact_lines.h"
 #include "engine/scene/build/crowd.h"
 #include "engine/scene/build/gaps.h"
 #include "engine/scene/build/line_drawing.h"
 #include "engine/scene/build/mesh_scene.h"
 #include "engine/scene/color/colors.h"
 #include "engine/scene/instances/assembly_scene.h"
-#include "engine/scene/view/bounds.h"
 
 namespace nacre {
 namespace {

@@ -6,7 +6,6 @@
 #include <glm/vec4.hpp>
 #include <limits>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "engine/molecule/residue_distances.h"
@@ -15,7 +14,6 @@
 #include "engine/scene/color/color_classes.h"
 #include "engine/scene/color/color_table.h"
 #include "engine/scene/color/colors.h"
-#include "engine/scene/color/palettes.h"
 
 namespace nacre {
 namespace {

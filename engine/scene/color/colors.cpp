@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "engine/scene/color/palettes.h"
-
 namespace nacre {
 namespace {
 

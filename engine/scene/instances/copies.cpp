@@ -5,16 +5,13 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <glm/vec3.hpp>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
-#include <utility>
 
 #include "engine/error.h"
 #include "engine/molecule/assemblies.h"
-#include "engine/scene/view/bounds.h"
 
 namespace nacre {
 namespace {

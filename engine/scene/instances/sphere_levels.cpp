@@ -1,14 +1,12 @@
 #include "engine/scene/instances/sphere_levels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
 #include <numeric>
 
-#include "engine/scene/build/representation.h"
 #include "engine/scene/color/colors.h"
 #include "engine/threads.h"
 
