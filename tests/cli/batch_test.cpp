@@ -178,15 +178,6 @@ TEST(Batch, ResumesWhereFilesAreMissing) {
     for (const auto& [line, told] : parseReport(second.out)) EXPECT_EQ(told["status"], "skipped") << line;
 }
 
-TEST(Batch, RefusesASecondJobOfTheSameOutput) {
-    const TemporaryFolder folder;
-    writeJobs(folder, {job("sample:glucose", "a.png"), job("sample:dna", "a.png")});
-    const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 1") + kSmall);
-    EXPECT_EQ(batch.code, 1);
-    EXPECT_EQ(parseReport(batch.out).at(1)["status"], "done");
-    EXPECT_EQ(parseReport(batch.out).at(2)["status"], "failed");
-}
-
 TEST(Batch, RefusesASecondJobOfTheSameFileByWhateverName) {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "there");

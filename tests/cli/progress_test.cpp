@@ -112,18 +112,5 @@ TEST(Progress, AnErrorOnATerminalIsOneLineByItself) {
     EXPECT_EQ(run.err.rfind("nacre: error: ", 0), 0u) << run.err;
 }
 
-TEST(Threads, HowManyThereAreChangesNoByte) {
-    const TemporaryFolder folder;
-    for (const char* threads : {"1", "2"}) {
-        const MeasuredRun run =
-            test::runMeasured({"render", "sample:dna", "-o", folder / (std::string(threads) + ".png"), "--layers",
-                               folder / (std::string(threads) + ".exr"), "--size", "160x120", "--occlusion", "32"},
-                              test::RunOptions{.environment = {{"LP_NUM_THREADS", threads}}});
-        ASSERT_EQ(run.code, 0) << run.err;
-    }
-    EXPECT_EQ(test::readContents(folder / "1.png"), test::readContents(folder / "2.png"));
-    EXPECT_EQ(test::readContents(folder / "1.exr"), test::readContents(folder / "2.exr"));
-}
-
 }  // namespace
 }  // namespace nacre

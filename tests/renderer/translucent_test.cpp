@@ -21,18 +21,21 @@ namespace {
 
 constexpr std::uint32_t kOuter = 0, kInner = 1, kBall = 2;  // atoms, from 0
 
+SphereLook makeLook(std::uint32_t atom, double opacity) {
+    SphereLook look = testLook(atom);
+    look.color = withOpacity(look.color, opacity);
+    return look;
+}
+
 /// A ball in a shell of triangles in a larger shell, and a stick that comes out of all of them.
 Representation shells(double outer, double inner) {
     Representation r;
-    const auto makeLook = [&](double opacity) {
-        return [=](std::uint32_t atom) {
-            SphereLook look = testLook(atom);
-            look.color = withOpacity(look.color, opacity);
-            return look;
-        };
+    const auto addShell = [&](const Mesh& mesh, double opacity) {
+        const auto look = [=](std::uint32_t atom) { return makeLook(atom, opacity); };
+        appendMesh(mesh, glm::dvec3(0), look, r);
     };
-    appendMesh(icosphere({0.2f, 0, 0}, 6, 3, kOuter), glm::dvec3(0), makeLook(outer), r);
-    appendMesh(icosphere({-1, 0.5f, 0.3f}, 3.5f, 3, kInner), glm::dvec3(0), makeLook(inner), r);
+    addShell(icosphere({0.2f, 0, 0}, 6, 3, kOuter), outer);
+    addShell(icosphere({-1, 0.5f, 0.3f}, 3.5f, 3, kInner), inner);
     r.spheres = {{{-0.5f, 0, 0}, 1.8f}};
     r.sphereLooks = {testLook(kBall)};
     r.cylinders = {{{0, -1, -1}, 0.4f, {5, 6, 5}, 0}};
@@ -40,12 +43,6 @@ Representation shells(double outer, double inner) {
     r.radius = 9;
     r.drawnAtoms = 5;
     return r;
-}
-
-SphereLook makeLook(std::uint32_t atom, double opacity) {
-    SphereLook look = testLook(atom);
-    look.color = withOpacity(look.color, opacity);
-    return look;
 }
 
 /// Overlapping translucent balls and sticks around an opaque ball and an opaque stick, and a sheet through them.
@@ -121,7 +118,7 @@ TEST_P(TranslucentPicture, IsTheSameOnEveryPath) {
         s.effects.fog.range = Fog::Range::automatic;
         s.effects.shadow.strength = 0.7;
     }
-    std::vector<float> picture, layered;
+    std::vector<float> picture;
     LayerPicture layers;
     for (const Visibility visibility : devicePaths()) {
         ValidatedRenderer& renderer = sharedRenderer(visibility, r);
