@@ -6,9 +6,11 @@
 #include "app/mvs/animation.h"
 #include "app/mvs/camera_nodes.h"
 #include "app/mvs/clip_nodes.h"
+#include "app/mvs/instance_ids.h"
 #include "app/mvs/scene_parts.h"
 #include "app/mvs/scene_primitives.h"
 #include "app/mvs/scene_volumes.h"
+#include "app/mvs/split_copies.h"
 #include "engine/error.h"
 #include "engine/molecule/displacement.h"
 #include "engine/molecule/join_models.h"
@@ -50,7 +52,7 @@ void addLabelBalls(const std::vector<Primitives::Label>& labels, std::vector<glm
 
 /// Whether a copy shows an atom.
 bool isPlaced(const Structure& s, std::uint32_t atom) {
-    return listOfCopies(s, s.molecule->residues[s.molecule->atoms[atom].residue]) != UINT32_MAX;
+    return listOfCopies(s, s.molecule->atoms[atom].residue) != UINT32_MAX;
 }
 
 bool isStill(const glm::dmat4x3& motion) { return motion == glm::dmat4x3(1.0); }
@@ -64,6 +66,7 @@ public:
     Molecule build(const Snapshot& snapshot) {
         guide_ = std::make_shared<SceneGuide>();
         for (const Node& node : snapshot.root.children) findCoordinates(node);
+        instanceIds_ = namedInstances(snapshot.root, files_);
         for (const Node& node : snapshot.root.children) root(node, snapshot.root);
         guide_->title = snapshot.title;
         return joined();
@@ -136,6 +139,7 @@ private:
         checkCount(node);
         const std::size_t own = structures_.size();
         structures_.push_back(readStructure(parse, node, url, files_, warnings_));
+        splitInstances(node, instanceIds_, structures_[own], files_);
         takeMotions(node, structures_[own], structures_[own].atoms->all());
         const std::vector<bool> all(structures_[own].molecule->atoms.size(), true);
         for (const Node& child : node.children) {
@@ -157,14 +161,11 @@ private:
     std::size_t structureOf(const Node& node, std::size_t whole, const std::vector<std::uint32_t>& atoms) {
         const auto moves = [](const Node& child) { return child.kind == "transform" || child.kind == "instance"; };
         if (atoms.empty() || std::ranges::none_of(node.children, moves)) return whole;
-        if (!structures_[whole].instances.empty()) {
-            warnings_.add(node, "its structure has instances: it does not move by itself");
-            return whole;
-        }
         checkCount(node);
         files_.countCopied(node, structures_[whole].molecule->atoms.size());
         Structure own = structures_[whole].copied();
         own.ref = node.ref;
+        foldInstances(node, own);
         takeMotions(node, own, atoms);
         structures_.push_back(std::move(own));
         return structures_.size() - 1;
@@ -230,8 +231,7 @@ private:
     bool single() const {
         return std::all_of(structures_.begin(), structures_.end(), [](const Structure& s) {
             return s.transforms.size() + s.instances.size() <= 1 &&
-                   std::none_of(s.listOfSubchain.begin(), s.listOfSubchain.end(),
-                                [](std::uint32_t list) { return list == UINT32_MAX; });
+                   std::ranges::find(s.listOfResidue, UINT32_MAX) == s.listOfResidue.end();
         });
     }
 
@@ -272,8 +272,8 @@ private:
             for (const std::uint32_t copy : list) copies.push_back(s.transforms[copy]);
             places.push_back(add(copies));
         }
-        for (const Residue& residue : s.molecule->residues) {
-            const std::uint32_t list = listOfCopies(s, residue);
+        for (std::uint32_t i = 0; i < s.molecule->residues.size(); ++i) {
+            const std::uint32_t list = listOfCopies(s, i);
             guide_->listOfResidue.push_back(list == UINT32_MAX ? UINT32_MAX : places[list]);
         }
     }
@@ -352,6 +352,7 @@ private:
         std::vector<Molecule> molecules;
         std::vector<std::uint32_t> firsts;
         std::uint32_t atoms = 0;
+        std::size_t models = 0;
         for (std::size_t i = 0; i < structures_.size(); ++i) {
             files_.step();
             Structure& s = structures_[i];
@@ -366,16 +367,17 @@ private:
             firsts.push_back(atoms);
             atoms += static_cast<std::uint32_t>(s.molecule->atoms.size());
             s.atoms.reset();
+            const std::size_t groups = s.instanceIds.size();
+            for (Chain& chain : s.molecule->chains)  // a number for each group of copies
+                chain.model = static_cast<int>(models + 1) + (groups > 1 ? chain.model : 0);
+            models += groups;
             molecules.push_back(std::move(*s.molecule));
         }
-        if (molecules.size() > 1)
-            for (std::size_t i = 0; i < molecules.size(); ++i)
-                for (Chain& chain : molecules[i].chains) chain.model = static_cast<int>(i + 1);
         const std::size_t count = molecules.size();
         const FileSummary file = molecules.front().file;
         Molecule whole = count == 1 ? std::move(molecules.front())
                                     : joinModels(name_, std::move(molecules), files_.sources().reading.maxAtoms);
-        if (count > 1) {
+        if (models > 1) {
             whole.modelsAreInputs = true;
             whole.assemblies.clear();
             whole.serials.clear();
@@ -384,7 +386,6 @@ private:
         return whole;
     }
 
-    static constexpr std::size_t kMostCopies = 20'000;
     const std::string& name_;
     SceneFiles files_;
     SceneWarnings warnings_;
@@ -397,7 +398,8 @@ private:
         std::vector<std::size_t> focuses;
     };
     static constexpr std::size_t kNoStructure = SIZE_MAX;
-    std::vector<Group> groups_;  ///< of primitives
+    std::vector<Group> groups_;          ///< of primitives
+    std::set<std::string> instanceIds_;  ///< that selectors name
     std::size_t layers_ = 0;
 };
 

@@ -22,6 +22,7 @@ struct SceneSources {
 constexpr std::size_t kMostFiles = 1000;  ///< named in a scene
 constexpr std::size_t kMostStructures = 1000;
 constexpr std::size_t kMostLayers = 10'000;
+constexpr std::size_t kMostCopies = 20'000;
 /// Maximum of atoms in all representations together, and of parsed text, as multiples of the limits for one file.
 constexpr std::size_t kMostTimes = 16;
 

@@ -31,7 +31,7 @@ constexpr TextField kTexts[] = {
     {"auth_asym_id", &Expression::authChain},      {"pdbx_PDB_ins_code", &Expression::insertion},
     {"label_atom_id", &Expression::labelAtom},     {"auth_atom_id", &Expression::authAtom},
     {"type_symbol", &Expression::element},         {"label_comp_id", &Expression::component},
-    {"auth_comp_id", &Expression::component}};
+    {"auth_comp_id", &Expression::component},      {"instance_id", &Expression::instance}};
 constexpr NumberField kNumbers[] = {
     {"label_seq_id", &Expression::label},         {"auth_seq_id", &Expression::auth},
     {"beg_label_seq_id", &Expression::fromLabel}, {"end_label_seq_id", &Expression::toLabel},
@@ -97,13 +97,16 @@ const std::vector<std::string_view>* fieldsOfSchema(std::string_view schema) {
         {"all_atomic",
          {"label_entity_id", "label_asym_id", "auth_asym_id", "label_seq_id", "auth_seq_id", "pdbx_PDB_ins_code",
           "beg_label_seq_id", "end_label_seq_id", "beg_auth_seq_id", "end_auth_seq_id", "residue_index",
-          "label_comp_id", "auth_comp_id", "label_atom_id", "auth_atom_id", "type_symbol", "atom_id", "atom_index"}}};
+          "label_comp_id", "auth_comp_id", "label_atom_id", "auth_atom_id", "type_symbol", "atom_id", "atom_index",
+          "instance_id"}}};
     const auto found = kSchemas.find(schema);
     return found == kSchemas.end() ? nullptr : &found->second;
 }
 
-StructureAtoms::StructureAtoms(const Molecule& molecule)
-    : facts_(molecule), drawn_(drawnAtoms(molecule, {.water = true, .hydrogens = true})) {
+StructureAtoms::StructureAtoms(const Molecule& molecule, std::vector<std::set<std::string>> instances)
+    : facts_(molecule),
+      instances_(std::move(instances)),
+      drawn_(drawnAtoms(molecule, {.water = true, .hydrogens = true})) {
     for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) {
         const Residue& residue = molecule.residues[i];
         ofAuthChain_[molecule.chains[residue.chain].name].push_back(i);
@@ -114,6 +117,8 @@ StructureAtoms::StructureAtoms(const Molecule& molecule)
 
 bool StructureAtoms::fits(const Expression& e, const Residue& residue, std::uint32_t index) const {
     const Molecule& m = molecule();
+    const std::size_t ofGroup = m.residues.size() / instances_.size();
+    if (e.instance && !instances_[index / ofGroup].contains(*e.instance)) return false;
     if (e.labelChain && e.authChain && m.chains[residue.chain].name != *e.authChain) return false;
     if (e.labelEntity && (residue.entity == 0 || m.entities[residue.entity - 1] != *e.labelEntity)) return false;
     if (e.component && residue.name.view() != *e.component) return false;
@@ -127,7 +132,7 @@ bool StructureAtoms::fits(const Expression& e, const Residue& residue, std::uint
     if (!equal(e.auth, residue.number) || !within(e.fromAuth, e.toAuth, residue.number)) return false;
     if (e.insertion && *e.insertion != (residue.insertionCode ? std::string(1, residue.insertionCode) : ""))
         return false;
-    return equal(e.residueIndex, index);
+    return equal(e.residueIndex, static_cast<std::int64_t>(index % ofGroup));
 }
 
 bool StructureAtoms::fits(const Expression& e, std::uint32_t index) const {
@@ -135,10 +140,11 @@ bool StructureAtoms::fits(const Expression& e, std::uint32_t index) const {
     if (e.labelAtom && atom.name.view() != *e.labelAtom) return false;
     if (e.authAtom && atom.name.view() != *e.authAtom) return false;
     if (e.element && upperCase(elementSymbol(atom.element)) != upperCase(*e.element)) return false;
-    if (!equal(e.atomIndex, index)) return false;
+    const std::size_t inFile = index % (molecule().atoms.size() / instances_.size());
+    if (!equal(e.atomIndex, static_cast<std::int64_t>(inFile))) return false;
     if (!e.atomId) return true;
     const std::vector<std::int32_t>& serials = molecule().serials;
-    return *e.atomId == (serials.empty() ? std::int64_t{index} + 1 : serials[index]);
+    return *e.atomId == (serials.empty() ? static_cast<std::int64_t>(inFile) + 1 : serials[inFile]);
 }
 
 void StructureAtoms::add(const Expression& e, std::vector<bool>& atoms) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,8 @@ namespace nacre::app::mvs {
 
 /// A component expression: all given fields must match. Numbers are inclusive bounds.
 struct Expression {
-    std::optional<std::string> labelEntity, labelChain, authChain, insertion, labelAtom, authAtom, element, component;
+    std::optional<std::string> labelEntity, labelChain, authChain, insertion, labelAtom, authAtom, element, component,
+        instance;
     std::optional<std::int64_t> label, auth, fromLabel, toLabel, fromAuth, toAuth, residueIndex, atomId, atomIndex;
 
     bool empty() const;
@@ -32,8 +34,9 @@ const std::vector<std::string_view>* fieldsOfSchema(std::string_view schema);
 /// The atoms of one structure, by their names.
 class StructureAtoms {
 public:
-    /// @param molecule  outlives this
-    explicit StructureAtoms(const Molecule& molecule);
+    /// @param molecule  outlives this @param instances  ids of the copies of each group of copies: the molecule has the
+    /// atoms of all groups, one group after the other
+    explicit StructureAtoms(const Molecule& molecule, std::vector<std::set<std::string>> instances = {{}});
 
     /// Indices of the structure's drawn atoms (one conformer, with waters), ascending.
     const std::vector<std::uint32_t>& all() const { return drawn_; }
@@ -52,6 +55,7 @@ private:
     void addBonded(bool toLigand, std::vector<bool>& atoms) const;
 
     ResidueFacts facts_;
+    std::vector<std::set<std::string>> instances_;
     std::vector<std::uint32_t> drawn_;
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> ofLabelChain_, ofAuthChain_;  ///< residues
     std::uint64_t visits_ = 0;

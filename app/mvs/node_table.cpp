@@ -31,7 +31,7 @@ constexpr NodeRow kRows[] = {
      "block_index and block_header: of CIF and SDF; with coordinates_ref, model_index is the frame"},
     {"transform", kMovedParents, "rotation translation rotation_center matrix", "", "rigid motions"},
     {"instance", kMovedParents, "rotation translation rotation_center matrix", "", "rigid motions"},
-    {"component", "structure", "selector", "", ""},
+    {"component", "structure", "selector", "", "selector: all fields; instance_id gives a copy atoms of its own"},
     {"component_from_uri", "structure", NACRE_URI " field_values", "", ""},
     {"component_from_source", "structure", NACRE_SOURCE " field_values", "", ""},
     {"representation", kLookParents, "type", "", "types: the rows below"},

@@ -83,7 +83,8 @@ void addAssembly(const Node& node, Structure& s, SceneWarnings& warnings) {
     Placement placement = placeAssembly(molecule, id);
     s.transforms = std::move(placement.transforms);
     s.lists = std::move(placement.lists);
-    s.listOfSubchain = std::move(placement.listOfSubchain);
+    for (const Residue& residue : molecule.residues)
+        s.listOfResidue.push_back(placement.listOfSubchain[residue.subchain]);
 }
 
 void placeCopies(std::vector<glm::dmat4x3> copies, Structure& s) {
@@ -91,7 +92,6 @@ void placeCopies(std::vector<glm::dmat4x3> copies, Structure& s) {
     std::vector<std::uint32_t> all(s.transforms.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
     s.lists = {all};
-    s.listOfSubchain.assign(std::max<std::size_t>(s.molecule->subchains.size(), 1), 0);
 }
 
 std::vector<double> readNumbers(const Node& node, const char* name, std::size_t count) {
@@ -212,9 +212,9 @@ Structure Structure::copied() const {
     Structure s;
     s.uri = uri;
     s.molecule = std::make_unique<Molecule>(*molecule);
-    s.atoms = std::make_unique<StructureAtoms>(*s.molecule);
-    s.transforms = transforms, s.lists = lists, s.listOfSubchain = listOfSubchain;
-    s.moved = moved;
+    s.atoms = std::make_unique<StructureAtoms>(*s.molecule, instanceIds);
+    s.transforms = transforms, s.lists = lists, s.listOfResidue = listOfResidue, s.instanceIds = instanceIds;
+    s.moved = moved, s.instances = instances;
     s.representation = representation;
     return s;
 }
@@ -344,8 +344,8 @@ glm::dmat4x3 findFirstMotion(const Structure& s) {
     return listMotions(s, s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front()).front();
 }
 
-std::uint32_t listOfCopies(const Structure& s, const Residue& residue) {
-    return residue.subchain < s.listOfSubchain.size() ? s.listOfSubchain[residue.subchain] : 0;
+std::uint32_t listOfCopies(const Structure& s, std::uint32_t residue) {
+    return s.listOfResidue.empty() ? 0 : s.listOfResidue[residue];
 }
 
 std::vector<glm::dvec4> placedBalls(const Structure& s, const std::vector<std::uint32_t>& atoms, double scale) {
@@ -358,8 +358,8 @@ std::vector<glm::dvec4> placedBalls(const Structure& s, const std::vector<std::u
     std::map<std::uint32_t, std::vector<glm::dvec4>> still;  // by list of copies
     for (const std::uint32_t index : atoms) {
         const Atom& atom = s.molecule->atoms[index];
-        still[listOfCopies(s, s.molecule->residues[atom.residue])].emplace_back(
-            glm::dvec3(atom.position), scale * static_cast<double>(molstarRadius(atom.element)));
+        still[listOfCopies(s, atom.residue)].emplace_back(glm::dvec3(atom.position),
+                                                          scale * static_cast<double>(molstarRadius(atom.element)));
     }
     std::vector<glm::dvec4> placed;
     const auto place = [&](const std::vector<glm::dvec4>& balls, const glm::dmat4x3& copy) {
@@ -381,7 +381,7 @@ std::vector<glm::dvec4> placedBalls(const Structure& s, const std::vector<std::u
 namespace {
 
 std::size_t countCopies(const Structure& s, std::uint32_t atom) {
-    const std::uint32_t list = listOfCopies(s, s.molecule->residues[s.molecule->atoms[atom].residue]);
+    const std::uint32_t list = listOfCopies(s, s.molecule->atoms[atom].residue);
     const std::size_t placed = s.transforms.empty() ? 1 : list == UINT32_MAX ? 0 : s.lists[list].size();
     return placed * std::max<std::size_t>(s.instances.size(), 1);
 }

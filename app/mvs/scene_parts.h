@@ -83,11 +83,13 @@ struct Structure {
     std::unique_ptr<StructureAtoms> atoms;
     std::vector<glm::dmat4x3> transforms;           ///< of copies; empty: it stays in place
     std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms
-    std::vector<std::uint32_t> listOfSubchain;      ///< by subchain; UINT32_MAX: not shown
-    glm::dmat4x3 moved{1.0};                        ///< by transform nodes, after `transforms`
-    std::vector<glm::dmat4x3> instances;            ///< from instance nodes, applied after `moved`
-    std::vector<SceneLayer> layers;                 ///< of its own atoms
-    std::vector<SceneLayer> framed;                 ///< for the camera: before clips and opacity, without colours
+    std::vector<std::uint32_t> listOfResidue;       ///< UINT32_MAX: not shown; empty: all residues have the first list
+    /// Ids of copies, by group of copies: each group has atoms of its own, one group after the other (split_copies.h).
+    std::vector<std::set<std::string>> instanceIds = std::vector<std::set<std::string>>(1);
+    glm::dmat4x3 moved{1.0};              ///< by transform nodes, after `transforms`
+    std::vector<glm::dmat4x3> instances;  ///< from instance nodes, applied after `moved`
+    std::vector<SceneLayer> layers;       ///< of its own atoms
+    std::vector<SceneLayer> framed;       ///< for the camera: before clips and opacity, without colours
     struct Text {
         std::vector<std::uint32_t> atoms;  ///< ascending
         std::string text;
@@ -170,7 +172,7 @@ std::vector<glm::dmat4x3> listMotions(const Structure& structure, const glm::dma
 glm::dmat4x3 findFirstMotion(const Structure& structure);
 
 /// The copies that show a residue: an index into Structure::lists; UINT32_MAX: none.
-std::uint32_t listOfCopies(const Structure& structure, const Residue& residue);
+std::uint32_t listOfCopies(const Structure& structure, std::uint32_t residue);
 
 /// Balls around atoms, in all copies; around their extreme points if there are many.
 /// @param scale  of their van der Waals radii

@@ -20,6 +20,7 @@ namespace {
 
 struct Crystal {
     gemmi::UnitCell cell;
+    gemmi::GroupOps group;
     std::vector<gemmi::Op> operations;
     glm::dvec3 middle{};   ///< of the atoms, Å
     gemmi::Fractional at;  ///< the same in fractional coordinates
@@ -57,23 +58,24 @@ Crystal makeCrystal(const Molecule& molecule) {
         crystal.cell.set(c[0], c[1], c[2], c[3], c[4], c[5]);
     }
     if (!(crystal.cell.volume > 1e-6 && std::isfinite(crystal.cell.volume))) fail("the unit cell has no volume");
-    for (const gemmi::Op operation : group->operations()) crystal.operations.push_back(operation);
+    crystal.group = group->operations();
+    for (const gemmi::Op operation : crystal.group) crystal.operations.push_back(operation);
     crystal.middle = findMiddle(molecule);
     crystal.at = crystal.cell.fractionalize({crystal.middle.x, crystal.middle.y, crystal.middle.z});
     return crystal;
 }
 
-/// An operation as a motion in space, into the cell of the middle, shifted by some cells.
-glm::dmat4x3 makeMotion(const Crystal& crystal, const gemmi::Op& operation, const std::array<int, 3>& cells) {
+/// An operation on fractional coordinates, shifted by some cells.
+gemmi::Transform shifted(const gemmi::Op& operation, const std::array<int, 3>& cells) {
     gemmi::Transform fractional;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) fractional.mat[i][j] = double(operation.rot[i][j]) / gemmi::Op::DEN;
-        fractional.vec.at(i) = double(operation.tran[i]) / gemmi::Op::DEN;
+        fractional.vec.at(i) = double(operation.tran[i]) / gemmi::Op::DEN + cells[static_cast<std::size_t>(i)];
     }
-    const gemmi::Vec3 moved = fractional.apply(crystal.at);
-    for (int i = 0; i < 3; ++i)
-        fractional.vec.at(i) +=
-            std::floor(crystal.at.at(i)) - std::floor(moved.at(i)) + cells[static_cast<std::size_t>(i)];
+    return fractional;
+}
+
+glm::dmat4x3 inSpace(const Crystal& crystal, const gemmi::Transform& fractional) {
     const gemmi::Transform whole = crystal.cell.orth.combine(fractional).combine(crystal.cell.frac);
     glm::dmat4x3 motion(1.0);
     for (int i = 0; i < 3; ++i) {
@@ -81,6 +83,44 @@ glm::dmat4x3 makeMotion(const Crystal& crystal, const gemmi::Op& operation, cons
         motion[3][i] = whole.vec.at(i);
     }
     return motion;
+}
+
+/// An operation as a motion in space, into the cell of the middle, shifted by some cells.
+glm::dmat4x3 makeMotion(const Crystal& crystal, const gemmi::Op& operation, const std::array<int, 3>& cells) {
+    gemmi::Transform fractional = shifted(operation, cells);
+    const gemmi::Vec3 moved = shifted(operation, {}).apply(crystal.at);
+    for (int i = 0; i < 3; ++i) fractional.vec.at(i) += std::floor(crystal.at.at(i)) - std::floor(moved.at(i));
+    return inSpace(crystal, fractional);
+}
+
+/// The operations in the order of the International Tables: powers of each generator times those before it.
+std::vector<gemmi::Op> orderedOperations(const gemmi::GroupOps& group) {
+    constexpr const char* kGenerators[] = {"-y,x-y,z", "-x,-y,z", "-y,x,z",   "-x,y,-z", "x,-y,-z",
+                                           "z,x,y",    "y,x,-z",  "-y,-x,-z", "-x,-y,-z"};
+    const auto find = [](const std::vector<gemmi::Op>& list, const gemmi::Op::Rot& rotation) {
+        return std::ranges::find_if(list, [&](const gemmi::Op& one) { return one.rot == rotation; });
+    };
+    const bool centric = group.is_centrosymmetric();
+    const bool cubic = find(group.sym_ops, gemmi::parse_triplet("z,x,y").rot) != group.sym_ops.end();
+    std::vector<gemmi::Op> all{gemmi::Op::identity()};
+    for (const char* text : kGenerators) {
+        const gemmi::Op generator = gemmi::parse_triplet(text);
+        if (cubic && text == kGenerators[2]) continue;  // the fourfold axis follows from the diagonal ones
+        for (const bool negated : {false, true}) {
+            if (negated && centric) continue;
+            const gemmi::Op::Rot rotation = negated ? generator.negated_rot() : generator.rot;
+            const auto own = find(group.sym_ops, rotation);
+            if (own == group.sym_ops.end() || find(all, rotation) != all.end()) continue;
+            const std::size_t before = all.size();
+            for (gemmi::Op power = *own; find(all, power.rot) == all.end(); power = power * *own)
+                for (std::size_t i = 0; i < before; ++i) all.push_back(power * all[i]);
+            break;
+        }
+    }
+    std::vector<gemmi::Op> centred;
+    for (const gemmi::Op::Tran& shift : group.cen_ops)
+        for (const gemmi::Op& one : all) centred.push_back(one.add_centering(shift));
+    return centred;
 }
 
 bool isIdentity(const glm::dmat4x3& motion) {
@@ -165,6 +205,14 @@ std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::arr
                     if (!isIdentity(motion)) copies.push_back(motion);
                 }
     return copies;
+}
+
+std::optional<glm::dmat4x3> crystalMotion(const Molecule& molecule, std::size_t number,
+                                          const std::array<int, 3>& cells) {
+    const Crystal crystal = makeCrystal(molecule);
+    const std::vector<gemmi::Op> operations = orderedOperations(crystal.group);
+    if (number == 0 || number > operations.size()) return std::nullopt;
+    return inSpace(crystal, shifted(operations[number - 1], cells));
 }
 
 std::vector<glm::dmat4x3> crystalMates(const Molecule& molecule, double distance) {

@@ -30,4 +30,10 @@ std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::arr
 /// The copies that have an atom within a distance (Å) of an atom of the molecule, itself first. @throws Error as above
 std::vector<glm::dmat4x3> crystalMates(const Molecule& molecule, double distance);
 
+/// The motion of one operation of the space group, shifted by whole cells: "3_655" is operation 3, cells 1, 0, 0.
+/// Empty: there is no such operation. @param number  from 1, in the order of the International Tables: products of the
+/// group's generators, then the centring @throws Error as above
+std::optional<glm::dmat4x3> crystalMotion(const Molecule& molecule, std::size_t number,
+                                          const std::array<int, 3>& cells);
+
 }  // namespace nacre

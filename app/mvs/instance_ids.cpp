@@ -1,0 +1,182 @@
+#include "app/mvs/instance_ids.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <map>
+#include <optional>
+
+#include "app/mvs/cif_rows.h"
+#include "app/mvs/split_copies.h"
+#include "engine/error.h"
+#include "engine/molecule/assemblies.h"
+#include "engine/molecule/crystal.h"
+#include "engine/molecule/text.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+constexpr const char* kField = "instance_id";
+constexpr std::size_t kMostInstanceIds = 1000;
+
+void addNamed(const Json& value, std::set<std::string>& ids) {
+    if (value.is_object()) {
+        const auto id = value.find(kField);
+        if (id != value.end() && id->is_string()) ids.insert(id->get<std::string>());
+    }
+    if (!value.is_structured()) return;
+    for (const Json& inner : value) addNamed(inner, ids);
+}
+
+/// Adds the ids in the file that a node names. Faults are told where the node is drawn.
+void addFromFile(const Node& node, const std::string& uri, SceneFiles& files, std::set<std::string>& ids) try {
+    const std::string& bytes = files.bytes(uri);
+    const bool primitives = node.kind == "primitives_from_uri";
+    const std::string column = primitives ? kField : findColumn(node, kField);
+    if (column.empty() || bytes.find(column) == std::string::npos) return;
+    if (primitives) {
+        for (const Node& child : parseNode(bytes, uri).children) addNamed(child.params, ids);
+        return;
+    }
+    Structure ofFile;
+    ofFile.uri = uri;
+    for (const AnnotationRow& row : readRows(node, kField, ofFile, files))
+        if (row.expression.instance) ids.insert(*row.expression.instance);
+} catch (const Error&) {
+}
+
+/// @param url  of the download above
+void addNamed(const Node& node, const std::string& url, SceneFiles& files, std::set<std::string>& ids) {
+    addNamed(node.params, ids);
+    if (node.kind.ends_with("_from_uri")) addFromFile(node, nodeText(node, "uri"), files, ids);
+    if (node.kind.ends_with("_from_source")) addFromFile(node, url, files, ids);
+    for (const Node& child : node.children)
+        addNamed(child, node.kind == "download" ? nodeText(node, "url") : url, files, ids);
+}
+
+TransformsById cifOperators(const std::string& uri, const std::string& bytes, const TablePlace& place) {
+    static const std::vector<std::string_view> kColumns{
+        "id",           "matrix[1][1]", "matrix[1][2]", "matrix[1][3]", "vector[1]",    "matrix[2][1]", "matrix[2][2]",
+        "matrix[2][3]", "vector[2]",    "matrix[3][1]", "matrix[3][2]", "matrix[3][3]", "vector[3]"};
+    const AnnotationTable table = readCifTable(uri, bytes, place, kColumns);
+    TransformsById operators;
+    for (const auto& row : table.rows) {
+        std::string id;
+        TransformRows rows{};
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const auto column = std::ranges::find(kColumns, table.columns[i]) - kColumns.begin();
+            if (column == 0)
+                id = row[i].value_or("");
+            else
+                rows[static_cast<std::size_t>(column - 1)] = parseNumber(row[i].value_or("")).value_or(0);
+        }
+        operators.emplace(id, rows);
+    }
+    return operators;
+}
+
+/// Those of REMARK 350, counted from 1 through the file.
+TransformsById pdbOperators(const std::string& bytes) {
+    TransformsById operators;
+    TransformRows rows{};
+    for (std::size_t at = bytes.find("REMARK 350   BIOMT"); at != std::string::npos;
+         at = bytes.find("REMARK 350   BIOMT", at + 1)) {
+        const std::string_view line = std::string_view(bytes).substr(at, bytes.find('\n', at) - at);
+        const std::size_t row = line.size() > 23 ? static_cast<std::size_t>(line[18] - '1') : 3;
+        if (row > 2) continue;
+        const Words words = splitWords(line.substr(23));
+        for (std::size_t i = 0; i < 4; ++i) rows[4 * row + i] = parseNumber(words[i]).value_or(0);
+        if (row == 2) operators.emplace(std::to_string(operators.size() + 1), rows);
+    }
+    return operators;
+}
+
+/// The operators of the assemblies in a structure's file.
+TransformsById readOperators(const Node& node, const Structure& s, SceneFiles& files) try {
+    const std::string& bytes = files.bytes(s.uri);
+    if (s.molecule->file.format.starts_with("pdb")) return pdbOperators(bytes);
+    TablePlace place;
+    place.block = nodeText(node, "block_header");
+    if (const Json* index = node.param("block_index"); index && index->is_number_unsigned())
+        place.blockIndex = index->get<std::size_t>();
+    place.category = "pdbx_struct_oper_list";
+    return cifOperators(nacre::printable(s.uri, 200), bytes, place);
+} catch (const Error&) {
+    return {};
+}
+
+/// "ASM-X0-5": the product of two operators.
+std::optional<glm::dmat4x3> assemblyMotion(std::string_view id, const TransformsById& operators) try {
+    if (!id.starts_with("ASM-")) return std::nullopt;
+    std::string expression = "(" + std::string(id.substr(4)) + ")";
+    for (std::size_t at = 0; (at = expression.find('-', at)) != std::string::npos;) expression.replace(at, 1, ")(");
+    AssemblyLimits limits(0);
+    return glm::dmat4x3(expandOperators(expression, operators, limits).front());
+} catch (const AssemblyFault&) {
+    return std::nullopt;
+}
+
+/// "3_655": an operation and its cells, each of one digit or "(-1)".
+std::optional<glm::dmat4x3> motionInCrystal(std::string_view id, const Molecule& molecule) {
+    const std::size_t line = id.find('_');
+    const auto number = parseInteger(id.substr(0, line));
+    if (line == std::string_view::npos || !number || *number < 1) return std::nullopt;
+    std::string_view rest = id.substr(line + 1);
+    std::array<int, 3> cells{};
+    for (int& cell : cells) {
+        const bool bracket = rest.starts_with("(");
+        const std::size_t end = bracket ? rest.find(')') : 1;
+        if (rest.empty() || end == std::string_view::npos) return std::nullopt;
+        const auto digits = parseInteger(bracket ? rest.substr(1, end - 1) : rest.substr(0, 1));
+        if (!digits || std::abs(*digits) > 1000) return std::nullopt;
+        cell = static_cast<int>(*digits) - 5;
+        rest.remove_prefix(bracket ? end + 1 : 1);
+    }
+    return crystalMotion(molecule, static_cast<std::size_t>(*number), cells);
+}
+
+bool isNearMotion(const glm::dmat4x3& a, const glm::dmat4x3& b) {
+    constexpr double kNear = 0.01;  // Å, and of unit vectors
+    for (int i = 3; i >= 0; --i)
+        if (!(glm::length(a[i] - b[i]) < kNear)) return false;
+    return true;
+}
+
+}  // namespace
+
+std::set<std::string> namedInstances(const Node& root, SceneFiles& files) {
+    std::set<std::string> ids;
+    addNamed(root, {}, files, ids);
+    if (ids.size() > kMostInstanceIds)
+        throw Error("cannot draw scene", root.place,
+                    "its selectors name more than " + std::to_string(kMostInstanceIds) + " instances");
+    return ids;
+}
+
+void splitInstances(const Node& node, const std::set<std::string>& ids, Structure& s, SceneFiles& files) {
+    if (ids.empty()) return;
+    if (s.transforms.empty()) {
+        s.instanceIds = {{"1_555"}};
+        s.atoms = std::make_unique<StructureAtoms>(*s.molecule, s.instanceIds);
+        return;
+    }
+    const bool assembly = nodeText(node, "type") == "assembly";
+    const TransformsById operators = assembly ? readOperators(node, s, files) : TransformsById();
+    std::vector<std::set<std::string>> idsOfCopy(s.transforms.size());
+    for (const std::string& id : ids) {
+        const auto motion = assembly ? assemblyMotion(id, operators) : motionInCrystal(id, *s.molecule);
+        for (std::size_t i = 0; motion && i < idsOfCopy.size(); ++i)
+            if (isNearMotion(*motion, s.transforms[i])) idsOfCopy[i].insert(id);
+    }
+    std::map<std::set<std::string>, std::uint32_t> known;
+    std::vector<std::uint32_t> groups;
+    for (const auto& own : idsOfCopy)
+        groups.push_back(known.emplace(own, static_cast<std::uint32_t>(known.size())).first->second);
+    const auto count = static_cast<std::uint32_t>(known.size());
+    files.countCopied(node, (count - 1) * s.molecule->atoms.size());
+    splitCopies(groups, count, s);
+    for (const auto& [own, group] : known) s.instanceIds[group] = own;
+    s.atoms = std::make_unique<StructureAtoms>(*s.molecule, s.instanceIds);
+}
+
+}  // namespace nacre::app::mvs
