@@ -52,8 +52,11 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
         layer.style = Style::cartoon;
         layer.cartoon.disulfides = false;
         layer.cartoon.putty = true;
-        // The scale multiplies it again: in Mol* the radius is the square of the factor.
-        if (nodeText(node, "size_theme") != "uncertainty") layer.cartoon.tube = static_cast<double>(factor);
+        if (nodeText(node, "size_theme") == "uncertainty") {
+            layer.cartoon.tube = 0.2, layer.cartoon.tubePerTemperature = 0.1;  // as in Mol*
+        } else {
+            layer.cartoon.tube = static_cast<double>(factor);  // the scale multiplies it again, as in Mol*
+        }
     } else if (type == "surface") {
         layer.style = Style::surface;
         if (factor > kLargestSurface) warnings.add(node, "surfaces have a size_factor of 4 at most");

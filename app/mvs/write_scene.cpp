@@ -44,10 +44,12 @@ Out makeComponent(const SceneLayer& layer, const Expressions& expressions) {
     Out params{
         {"type", layer.cartoon.putty && layer.style == Style::cartoon ? "putty" : representationType(layer.style)}};
     if (layer.style == Style::cartoon && layer.cartoon.helices != HelixForm::ribbon) params["tubular_helices"] = true;
-    if (layer.style == Style::cartoon && layer.cartoon.putty)
-        params["size_theme"] = "uncertainty";
-    else if (layer.style == Style::cartoon)
-        params["size_factor"] = std::round(layer.cartoon.scale / kCartoonScale * 1e3) / 1e3;
+    if (layer.style == Style::cartoon) {
+        const CartoonOptions& cartoon = layer.cartoon;
+        if (cartoon.putty)
+            params["size_theme"] = cartoon.tube > 0 && cartoon.tubePerTemperature == 0 ? "uniform" : "uncertainty";
+        params["size_factor"] = std::round(cartoon.scale / (cartoon.putty ? 1 : kCartoonScale) * 1e3) / 1e3;
+    }
     Out representation = makeNode("representation", std::move(params));
     representation["children"] = std::move(children);
     return makeNode("component", {{"selector", expressions.of(layer.atoms)}}, std::move(representation));

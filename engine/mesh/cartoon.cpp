@@ -117,11 +117,15 @@ private:
 
     Section coil(std::size_t k) const {
         if (!options_.putty) return trace_.nucleic ? kNucleicTube : kCoil;
-        if (options_.tube > 0) return {options_.tube, options_.tube};
+        const double slope = options_.tubePerTemperature;
+        if (options_.tube > 0 && slope == 0) return {options_.tube, options_.tube};
         const std::size_t last = trace_.temperatures.size() - 1, i = std::min(k / step(), last);
         const double f = static_cast<double>(k % step()) / options_.segments;
-        const double a = putty_.radius(trace_.temperatures[i]);
-        const double b = putty_.radius(trace_.temperatures[std::min(i + 1, last)]);
+        const auto radiusOf = [&](double temperature) {
+            return slope == 0 ? putty_.radius(temperature)
+                              : std::clamp(options_.tube + slope * temperature, 0.05, 20.0);
+        };
+        const double a = radiusOf(trace_.temperatures[i]), b = radiusOf(trace_.temperatures[std::min(i + 1, last)]);
         const double radius = a + (b - a) * smoothStep(f);
         return {radius, radius};
     }

@@ -36,8 +36,9 @@ struct CartoonOptions {
     /// Vertex rings per residue, even, and vertices per ring. 0: 8 and 12 up to 20,000 residues, 6 and 10 up to 60,000,
     /// then 4 and 8.
     int segments = 0, sides = 0;
-    double scale = 1;  ///< of all widths and thicknesses
-    double tube = 0;   ///< Å: radius of the putty's tube everywhere; 0: by the B factor
+    double scale = 1;               ///< of all widths and thicknesses
+    double tube = 0;                ///< Å: radius of the putty's tube everywhere; 0: by the B factor
+    double tubePerTemperature = 0;  ///< Å of radius per Å² of the B factor, beyond `tube`; 0.05 to 20 Å together
     /// How far helices and strands extend beyond the alpha carbons of their first and last residue, in residues: 0, or
     /// 0.5 as in Mol*, which gives each residue's whole segment its shape.
     double overhang = 0;

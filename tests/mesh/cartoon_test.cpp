@@ -196,6 +196,9 @@ TEST(Cartoon, PuttyIsWideWhereBFactorsAre) {
     EXPECT_NEAR(radius(3.8 * 10), 1.043, 2e-3);
     EXPECT_NEAR(radius(3.8 * 5), 0.4 * 0.6, 1e-3);
     EXPECT_NEAR(radius(3.8 * 4), 0.680, 1e-3);
+    options.tube = 0.2, options.tubePerTemperature = 0.1;
+    EXPECT_NEAR(radius(3.8 * 10), 4.2, 1e-2);
+    EXPECT_NEAR(radius(3.8 * 5), 1.2, 1e-2);
 }
 
 TEST(Cartoon, FoldsMayReachHalfAResidueFarther) {

@@ -71,7 +71,10 @@ TEST(SceneSizes, SurfacesHaveALargest) {
 
 TEST(SceneSizes, PuttyIsATubeOfTheFactorOrOfTheTemperatures) {
     EXPECT_EQ(buildLayer(R"({"type": "putty"})").cartoon.tube, 1);
-    EXPECT_EQ(buildLayer(R"({"type": "putty", "size_theme": "uncertainty"})").cartoon.tube, 0);
+    // Mol*'s size theme: 0.2 Å and a tenth of the B factor.
+    const CartoonOptions warm = buildLayer(R"({"type": "putty", "size_theme": "uncertainty"})").cartoon;
+    EXPECT_EQ(warm.tube, 0.2);
+    EXPECT_EQ(warm.tubePerTemperature, 0.1);
     const CartoonOptions wide = buildLayer(R"({"type": "putty", "size_factor": 2})").cartoon;
     EXPECT_NEAR(wide.tube * wide.scale, 4, 1e-9);  // Å: Mol* applies the factor twice
 }
