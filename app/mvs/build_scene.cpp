@@ -9,6 +9,7 @@
 #include "app/mvs/instance_ids.h"
 #include "app/mvs/scene_parts.h"
 #include "app/mvs/scene_primitives.h"
+#include "app/mvs/scene_shapes.h"
 #include "app/mvs/scene_volumes.h"
 #include "app/mvs/split_copies.h"
 #include "engine/error.h"
@@ -131,6 +132,7 @@ private:
             files_.step();
             tellUnknown(child, node, warnings_);
             if (child.kind == "structure") structure(node, child, url);
+            if (child.kind == "shape") addShape(node, child, url, files_, *guide_, camera_, warnings_);
             if (child.kind == "volume") addVolume(child, url, files_, *guide_, camera_, warnings_);
         }
     }

@@ -14,12 +14,12 @@ namespace {
 constexpr std::string_view kPalettes = "palette: categorical, discrete and continuous; elements in Nacre's colours";
 constexpr std::string_view kFormats = "text_format: types s, d, f, e and %, with width, precision, sign and commas";
 
-constexpr std::string_view kMovedParents = "structure component component_from_uri component_from_source volume";
+constexpr std::string_view kMovedParents = "structure component component_from_uri component_from_source volume shape";
 constexpr std::string_view kLookParents = "component component_from_uri component_from_source";
 constexpr std::string_view kTextParents = "structure component component_from_uri component_from_source";
 constexpr std::string_view kFocusParents =
     "root structure component component_from_uri component_from_source primitives primitives_from_uri volume "
-    "volume_representation";
+    "volume_representation shape";
 
 constexpr NodeRow kRows[] = {
     {"root", "", "", "", ""},
@@ -45,14 +45,14 @@ constexpr NodeRow kRows[] = {
     {"representation:carbohydrate", "", "type size_factor", "",
      "SNFG symbols, in their own colours without a color node"},
     {"representation:putty", "", "type size_factor size_theme", "", "size_theme: uniform or uncertainty"},
-    {"color", "representation volume_representation", "color selector", "", ""},
+    {"color", "representation volume_representation shape", "color selector", "", ""},
     {"color_from_uri", "representation", NACRE_URI " palette selector", "", kPalettes},
     {"color_from_source", "representation", NACRE_SOURCE " palette selector", "", kPalettes},
-    {"opacity", "representation volume_representation", "opacity selector", "",
+    {"opacity", "representation volume_representation shape", "opacity selector", "",
      "not of lines; two layers are in order, and further ones blended without"},
-    {"clip", "representation primitives primitives_from_uri volume_representation", "type", "",
-     "types: the rows below; whole atoms, residues of cartoons, primitives and triangles, by their centres; not "
-     "slices"},
+    {"clip", "representation primitives primitives_from_uri volume_representation shape", "type", "",
+     "types: the rows below; whole atoms, residues of cartoons, primitives and triangles, by their centres; each copy "
+     "where it is"},
     {"clip:plane", "", "type normal point check_transform invert variant", "", "cuts where the normal points to"},
     {"clip:sphere", "", "type center radius check_transform invert variant", "", ""},
     {"clip:box", "", "type center size rotation check_transform invert variant", "", ""},
@@ -95,6 +95,7 @@ constexpr NodeRow kRows[] = {
     {"volume_representation:grid_slice", "",
      "type dimension absolute_index relative_index relative_isovalue absolute_isovalue", "",
      "from black to the colour; without what lies below the isovalue: the mean where the scene gives none"},
+    {"shape", "parse", "", "", "the triangles of OBJ and PLY files"},
     {"primitives", "root structure", "color label_color tooltip opacity label_opacity instances",
      "label_show_tether label_tether_length label_attachment label_background_color snapshot_key",
      "its primitives: the rows below"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/mvs/mesh_files.h"
 #include "app/mvs/scene_parts.h"
 #include "engine/error.h"
 #include "engine/molecule/formats/decompress.h"
@@ -65,6 +66,15 @@ std::shared_ptr<const DensityMap> SceneFiles::map(const std::string& uri, const 
     }
     if (!known.map) throw Error(known.failure, "", "");
     return known.map;
+}
+
+Primitives::Mesh SceneFiles::mesh(const std::string& uri, const std::string& format) {
+    const std::string& text = bytes(uri);
+    const std::string name = nacre::printable(uri, 200);
+    countParsed(uri, text.size());
+    if (format == "ply") return readPly(name, text);
+    if (format != "obj") throw Error("cannot read mesh", name, "its format is neither obj nor ply");
+    return readObj(name, text);
 }
 
 std::vector<glm::vec3> SceneFiles::positions(const std::string& ref, std::size_t frame, std::size_t atoms) {

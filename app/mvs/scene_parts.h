@@ -47,6 +47,8 @@ public:
     Molecule molecule(const std::string& uri, std::string text, ReadOptions options);
     /// A map of a file, read once. @throws Error
     std::shared_ptr<const DensityMap> map(const std::string& uri, const std::string& channel);
+    /// A mesh of a file. @param format  "obj" or "ply" @throws Error
+    Primitives::Mesh mesh(const std::string& uri, const std::string& format);
     /// Records the file of a coordinates node. @param ref  of the node
     void addCoordinates(const std::string& ref, const std::string& uri) { coordinates_.emplace(ref, uri); }
     bool hasCoordinates(const std::string& ref) const { return coordinates_.contains(ref); }

@@ -1,0 +1,89 @@
+#include "app/mvs/scene_shapes.h"
+
+#include <algorithm>
+
+#include "app/mvs/clip_nodes.h"
+#include "engine/error.h"
+#include "engine/molecule/text.h"
+#include "engine/scene/view/scene_camera.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+std::vector<glm::dvec4> outermost(const Primitives::Mesh& mesh) {
+    std::vector<glm::dvec4> points;
+    for (const glm::dvec3& at : mesh.positions) points.emplace_back(at, 0.0);
+    std::vector<glm::dvec4> extreme;
+    for (const glm::dvec3& point : extremePoints(points)) extreme.emplace_back(point, 0.0);
+    return extreme;
+}
+
+PrimitiveLook readLook(const Node& node, SceneWarnings& warnings) {
+    PrimitiveLook look{.color = 0xffffffffu};
+    for (const Node& child : node.children) {
+        tellUnknown(child, node, warnings);
+        if (child.kind == "color") {
+            const auto color = readColor(child.param("color"));
+            color ? look.color = *color : (warnings.add(child, "it names no colour"), 0u);
+        }
+        if (child.kind != "opacity") continue;
+        const Json* value = child.param("opacity");
+        if (value && value->is_number() && value->get<double>() >= 0 && value->get<double>() <= 1)
+            look.opacity = value->get<double>();
+        else
+            warnings.add(child, "its opacity is no number from 0 to 1");
+    }
+    return look;
+}
+
+/// The motions of a shape's instances, after its transform nodes; one if it has none.
+std::vector<glm::dmat4x3> readMotions(const Node& node, const glm::dvec3& center) {
+    glm::dmat4x3 moved(1.0);
+    const auto centroid = [&] { return glm::dvec3(moved * glm::dvec4(center, 1.0)); };
+    for (const Node& child : node.children)
+        if (child.kind == "transform") moved = joinedMotion(motionOfNode(child, centroid), moved);
+    std::vector<glm::dmat4x3> motions;
+    for (const Node& child : node.children)
+        if (child.kind == "instance") motions.push_back(joinedMotion(motionOfNode(child, centroid), moved));
+    return motions.empty() ? std::vector{moved} : motions;
+}
+
+}  // namespace
+
+void addShape(const Node& parse, const Node& node, const std::string& uri, SceneFiles& files, SceneGuide& guide,
+              CameraNodes& camera, SceneWarnings& warnings) {
+    files.bytes(uri);  // throws, which ends the scene, if it cannot be fetched
+    PrimitiveLook look = readLook(node, warnings);
+    Primitives::Mesh mesh;
+    try {
+        mesh = files.mesh(uri, lowerCase(nodeText(parse, "format")));
+    } catch (const Error& error) {
+        return warnings.add(node, std::string("it is left out: ") + error.what());
+    }
+    const std::vector<glm::dvec4> around = outermost(mesh);
+    const std::vector<glm::dmat4x3> motions = readMotions(node, extremeSphere(around).center);
+    std::size_t triangles = 0;
+    for (const Primitives::Mesh& other : guide.primitives.meshes) triangles += other.triangles.size();
+    if (triangles + motions.size() * mesh.triangles.size() > kMostPrimitiveTriangles)
+        return warnings.add(node, "it is left out: the scene's meshes have more than " +
+                                      std::to_string(kMostPrimitiveTriangles) + " triangles");
+    std::vector<glm::dvec4> balls;
+    Primitives shown;
+    const bool faint = look.opacity < kLeastOpacity;
+    look.opacity = std::max(look.opacity, kLeastOpacity);
+    mesh.looks = {look};
+    for (const glm::dmat4x3& motion : motions) {
+        files.step();
+        for (const glm::dvec4& ball : around) balls.emplace_back(motion * glm::dvec4(glm::dvec3(ball), 1.0), 0.0);
+        if (faint) continue;
+        Primitives::Mesh& copy = shown.meshes.emplace_back(mesh);
+        for (glm::dvec3& at : copy.positions) at = motion * glm::dvec4(at, 1.0);
+    }
+    clipPrimitives(ClipRegions(node, warnings), shown);
+    guide.primitives.append(std::move(shown));
+    camera.addDrawn(balls);
+    for (const Node& child : node.children)
+        if (child.kind == "focus") camera.takeFocus(child, balls);
+}
+
+}  // namespace nacre::app::mvs

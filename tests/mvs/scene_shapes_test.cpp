@@ -1,0 +1,131 @@
+// Meshes of OBJ and PLY files in scenes.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <glm/geometric.hpp>
+
+#include "app/mvs/mesh_files.h"
+#include "engine/error.h"
+#include "tests/mvs/small_scene.h"
+#include "tests/support/error_text.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+const std::string kObj =
+    "# a square and a triangle\r\nmtllib a.mtl\nv 0 0 0\nv 4 0 0 0.5 0.5 0.5\nv 4 4 0\nv 0 4 0\n"
+    "vn 0 0 1\nf 1/1/1 2//1 3/3 4\nv 0 0 9\nf -1 1 2\n";
+const std::string kPly =
+    "ply\nformat ascii 1.0\ncomment a square\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property uchar red\nproperty double z\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header\n"
+    "0 0 255 7\n4 0 255 7\n4 4 0 7\n0 4 0 7\n4 0 1 2 3\n";
+
+template <typename Value>
+std::string bytesOf(Value value, bool big) {
+    std::string bytes(sizeof(Value), '\0');
+    std::memcpy(bytes.data(), &value, sizeof(Value));
+    return big ? std::string(bytes.rbegin(), bytes.rend()) : bytes;  // on a little-endian machine
+}
+
+/// A triangle, with an edge before its faces.
+std::string binaryPly(bool big, std::int32_t corner) {
+    std::string text = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                       "_endian 1.0\nelement vertex 3\nproperty double z\nproperty float32 x\nproperty short y\n"
+                       "element edge 1\nproperty int vertex1\nelement face 1\nproperty char flags\n"
+                       "property list uchar int32 vertex_index\nend_header\n";
+    for (int i = 0; i < 3; ++i)
+        text += bytesOf(0.5, big) + bytesOf(float(i), big) + bytesOf(static_cast<std::int16_t>(i * i), big);
+    text += bytesOf(std::int32_t{7}, big) + 'f' + '\3';
+    for (const std::int32_t i : {0, 1, corner}) text += bytesOf(i, big);
+    return text;
+}
+
+TEST(MeshFiles, ObjFacesBecomeFans) {
+    const Primitives::Mesh mesh = readObj("a.obj", kObj);
+    ASSERT_EQ(mesh.positions.size(), 5u);
+    EXPECT_EQ(mesh.positions[4], glm::dvec3(0, 0, 9));
+    EXPECT_EQ(mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {4, 0, 1}}));
+}
+
+TEST(MeshFiles, PlyMayBeTextOrBinary) {
+    const Primitives::Mesh text = readPly("a.ply", kPly);
+    ASSERT_EQ(text.positions.size(), 4u);
+    EXPECT_EQ(text.positions[2], glm::dvec3(4, 4, 7));
+    EXPECT_EQ(text.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
+    for (const bool big : {false, true}) {
+        const Primitives::Mesh binary = readPly("b.ply", binaryPly(big, 2));
+        ASSERT_EQ(binary.positions.size(), 3u);
+        EXPECT_EQ(binary.positions[2], glm::dvec3(2, 4, 0.5));
+        EXPECT_EQ(binary.triangles, (Triangles{{0, 1, 2}}));
+    }
+}
+
+TEST(MeshFiles, FaultsNameTheirPlace) {
+    const auto obj = [](const std::string& text) { return test::errorText([&] { readObj("a.obj", text); }); };
+    EXPECT_EQ(obj("v 0 0 0\nf 1 2 3\n"), "cannot read mesh: a.obj: line 2: a face names a vertex that is not there");
+    EXPECT_EQ(obj("v 0 0 0\nf 1 1\n"), "cannot read mesh: a.obj: line 2: a face has fewer than three corners");
+    EXPECT_EQ(obj("v 0 0 nan\n"), "cannot read mesh: a.obj: line 1: a vertex is not within 1e6 Å");
+    EXPECT_EQ(obj("v 0 0 0\n"), "cannot read mesh: a.obj: it has no faces");
+    const auto ply = [](const std::string& text) { return test::errorText([&] { readPly("a.ply", text); }); };
+    EXPECT_EQ(ply("plyx\n"), "cannot read mesh: a.ply: it does not begin with 'ply'");
+    EXPECT_EQ(ply("ply\nformat ascii 1.0\n"), "cannot read mesh: a.ply: its header has no end");
+    EXPECT_EQ(ply("ply\nformat text 1.0\n"), "cannot read mesh: a.ply: line 2: its format is unknown");
+    EXPECT_EQ(ply(binaryPly(false, 3)), "cannot read mesh: a.ply: face 1: a face names a vertex that is not there");
+    EXPECT_EQ(ply(kPly.substr(0, kPly.size() - 4)), "cannot read mesh: a.ply: face 1: a number is missing");
+    std::string many = kPly;  // states more than it holds, which takes no memory
+    many.replace(many.find("vertex 4"), 8, "vertex 4000000000000000000");
+    EXPECT_EQ(ply(many), "cannot read mesh: a.ply: vertex 6: a number is missing");
+}
+
+Molecule shown(const std::string& children, const std::string& file = kObj, const std::string& format = "obj") {
+    SceneSources sources;
+    sources.fetch = [&](const std::string&) { return file; };
+    const std::string json = R"({"root": {"kind": "root", "children": [{"kind": "download", "params": {"url": "a"},
+        "children": [{"kind": "parse", "params": {"format": ")" +
+                             format + R"("}, "children": [{"kind": "shape", "children": [)" + children + "]}]}]}]}}";
+    return buildScene(parseScene(json, "scene.mvsj"), 0, "scene.mvsj", sources);
+}
+
+TEST(SceneShapes, HaveAColourAnOpacityAndInstances) {
+    const Molecule plain = shown("");
+    ASSERT_EQ(plain.guide->primitives.meshes.size(), 1u);
+    EXPECT_TRUE(plain.guide->warnings.empty());
+    EXPECT_EQ(plain.guide->primitives.meshes[0].looks.at(0).color, 0xffffffffu);
+    ASSERT_TRUE(plain.guide->camera);
+    EXPECT_NEAR(plain.guide->camera->target.z, 3, 2);
+    const Molecule drawn = shown(R"({"kind": "color", "params": {"color": "red"}},
+        {"kind": "color", "params": {"color": "#00ff00"}}, {"kind": "opacity", "params": {"opacity": 0.5}},
+        {"kind": "transform", "params": {"translation": [1,0,0]}},
+        {"kind": "instance", "params": {"translation": [0,0,0]}},
+        {"kind": "instance", "params": {"translation": [0,10,0]}})");
+    EXPECT_TRUE(drawn.guide->warnings.empty());
+    ASSERT_EQ(drawn.guide->primitives.meshes.size(), 2u);
+    EXPECT_EQ(drawn.guide->primitives.meshes[0].positions[0], glm::dvec3(1, 0, 0));
+    EXPECT_EQ(drawn.guide->primitives.meshes[1].positions[0], glm::dvec3(1, 10, 0));
+    EXPECT_EQ(drawn.guide->primitives.meshes[1].looks.at(0).color, 0xff00ff00u);
+    EXPECT_EQ(drawn.guide->primitives.meshes[1].looks.at(0).opacity, 0.5);
+}
+
+TEST(SceneShapes, AreClippedAndFocused) {
+    const Molecule cut = shown(R"({"kind": "clip", "params": {"type": "plane", "normal": [0,0,1], "point": [0,0,1]}},
+        {"kind": "focus", "params": {"radius": 77}})");
+    EXPECT_TRUE(cut.guide->warnings.empty());
+    EXPECT_EQ(cut.guide->primitives.meshes.at(0).triangles.size(), 2u);
+    EXPECT_EQ(cut.guide->camera->radius, 77);
+}
+
+TEST(SceneShapes, FilesThatCannotBeReadAreLeftOut) {
+    const auto why = [](const std::string& file, const std::string& format) {
+        return test::errorText([&] { shown("", file, format); });
+    };
+    EXPECT_NE(why("v 1 2\n", "obj").find("shape 1: it is left out: cannot read mesh: a: line 1"), std::string::npos);
+    EXPECT_NE(why("<VTKFile/>", "vtp").find("its format is neither obj nor ply"), std::string::npos);
+    EXPECT_EQ(shown("", kPly, "ply").guide->primitives.meshes.at(0).triangles.size(), 2u);
+}
+
+}  // namespace
+}  // namespace nacre::app::mvs
