@@ -139,6 +139,7 @@ void addVolume(const SceneVolume& volume, Representation& shown) {
         values.range = ColorRange{volume.map->statistics.min, volume.map->statistics.max};
         MapSlice slice{volume.axis, volume.place, volume.opacity};
         if (volume.least) slice.least = *volume.least;
+        slice.cuts = volume.cuts;
         return addSlice(*region, slice, values, shown);
     }
     MapContour contour;

@@ -213,7 +213,6 @@ private:
         const std::vector<std::uint32_t> drawn = structures_[whole].atoms->selectDrawn(atoms);
         if (drawn.empty()) warnings_.add(node, "it matches no atoms");
         const std::size_t structure = structureOf(node, whole, drawn);
-        Structure& s = structures_[structure];
         for (const Node& child : node.children) {
             files_.step();
             tellUnknown(child, node, warnings_);
@@ -221,12 +220,30 @@ private:
                 if (++layers_ > kMostLayers)
                     throw Error("cannot draw scene", child.place,
                                 "it has more than " + std::to_string(kMostLayers) + " representations");
+                Structure& s = structures_[structure];
                 if (!s.representation) s.representation = &child;
                 files_.countShown(child, drawn.size());
-                addRepresentation(child, drawn, s, files_, warnings_);
+                if (auto layer = readRepresentation(child, drawn, s, files_, warnings_))
+                    addLayer(child, std::move(*layer), structure);
             }
             words(child, atoms, structure);
         }
+    }
+
+    /// Cuts a layer by the clips of its node. It may get a structure of its own.
+    void addLayer(const Node& node, SceneLayer layer, std::size_t structure) {
+        const ClipRegions regions(node, warnings_);
+        if (!regions.empty() && !hasCopies(structures_[structure])) clipLayer(regions, structures_[structure], layer);
+        if (!regions.empty() && hasCopies(structures_[structure])) {
+            checkCount(node);
+            auto own = separateCut(node, regions, structures_[structure], layer, files_, warnings_);
+            if (own) {
+                own->original = structure;
+                structures_.push_back(std::move(*own));
+                structure = structures_.size() - 1;
+            }
+        }
+        if (!layer.atoms.empty()) structures_[structure].layers.push_back(std::move(layer));
     }
 
     /// Whether no structure has copies: then atoms are moved to their final positions.
@@ -300,9 +317,14 @@ private:
             list->second.add(guide_->primitives.labels.back(), depth);
         }
         for (const auto& [source, labels] : drawn) camera_.addDrawn(labels.balls());
-        for (Structure::Text& tip : s.tooltips) {
-            for (std::uint32_t& atom : tip.atoms) atom += firstAtom;
-            guide_->tooltips.push_back({std::move(tip.atoms), std::move(tip.text)});
+        const Structure& told = s.original ? structures_[*s.original] : s;
+        const auto times = static_cast<std::uint32_t>(s.instanceIds.size() / told.instanceIds.size());
+        const auto each = static_cast<std::uint32_t>(s.molecule->atoms.size() / times);
+        for (const Structure::Text& tip : told.tooltips) {
+            SceneNote note{{}, tip.text};
+            for (std::uint32_t group = 0; group < times; ++group)
+                for (const std::uint32_t atom : tip.atoms) note.atoms.push_back(atom + firstAtom + group * each);
+            guide_->tooltips.push_back(std::move(note));
         }
     }
 

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "app/mvs/primitive_values.h"
+#include "app/mvs/split_copies.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/view/scene_camera.h"
 
@@ -113,39 +114,98 @@ ClipRegions::Region ClipRegions::readRegion(const Node& node, const std::string&
     return region;
 }
 
-bool ClipRegions::cuts(const glm::dvec3& point) const {
-    return std::any_of(regions_.begin(), regions_.end(), [&](const Region& region) {
-        const glm::dvec3 own = region.toOwn * glm::dvec4(point, 1.0);
-        const bool inside = region.shape == Region::Shape::plane ? own.y >= 0
-                            : region.shape == Region::Shape::ball
-                                ? glm::length(own) <= 1
-                                : std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)}) <= 1;
-        return inside != region.inverted;
-    });
+double ClipRegions::Region::depth(const glm::dvec3& point) const {
+    const glm::dvec3 own = toOwn * glm::dvec4(point, 1.0);
+    if (shape == Shape::plane) return own.y;
+    return 1 -
+           (shape == Shape::ball ? glm::length(own) : std::max({std::abs(own.x), std::abs(own.y), std::abs(own.z)}));
 }
 
-void clipLayer(const Node& representation, const Structure& s, SceneLayer& layer, SceneWarnings& warnings) {
-    const ClipRegions regions(representation, warnings);
-    if (regions.empty()) return;
-    if (s.transforms.size() > 1 || s.instances.size() > 1)
-        return warnings.add(representation, "a structure with copies is not clipped");
-    const glm::dmat4x3 motion = findFirstMotion(s);
+bool ClipRegions::cuts(const glm::dvec3& point) const {
+    return std::ranges::any_of(regions_,
+                               [&](const Region& region) { return (region.depth(point) >= 0) != region.inverted; });
+}
+
+std::optional<bool> ClipRegions::cutsBall(const glm::dvec3& center, double radius) const {
+    bool certain = true;
+    for (const Region& region : regions_) {
+        double square = 0;  // no direction is stretched more than by its root
+        for (int i = 0; i < 3; ++i) square += glm::dot(region.toOwn[i], region.toOwn[i]);
+        const double depth = region.depth(center);
+        if (std::abs(depth) <= radius * std::sqrt(square))
+            certain = false;
+        else if ((depth > 0) != region.inverted)
+            return true;
+    }
+    return certain ? std::optional(false) : std::nullopt;
+}
+
+void clipLayer(const ClipRegions& regions, const Structure& s, SceneLayer& layer) {
     const bool byResidue = layer.style == Style::cartoon || layer.style == Style::backbone;
+    std::vector<glm::dmat4x3> motions{findFirstMotion(s)};  // by list
+    if (!s.transforms.empty()) motions.clear();
+    if (!s.transforms.empty())
+        for (const std::vector<std::uint32_t>& list : s.lists)
+            motions.push_back(listMotions(s, s.transforms[list.front()]).front());
+    const auto list = [&](std::uint32_t atom) { return listOfCopies(s, s.molecule->atoms[atom].residue); };
+    keepAtoms(layer, [&](std::size_t i) { return list(layer.atoms[i]) != UINT32_MAX; });
     const auto place = [&](std::uint32_t atom) {
-        return glm::dvec3(motion * glm::dvec4(glm::dvec3(s.molecule->atoms[atom].position), 1.0));
+        return glm::dvec3(motions[list(atom)] * glm::dvec4(glm::dvec3(s.molecule->atoms[atom].position), 1.0));
     };
     if (!regions.cutObjects() && !byResidue)
         return keepAtoms(layer, [&](std::size_t i) { return !regions.cuts(place(layer.atoms[i])); });
     const auto findGroup = [&](std::uint32_t atom) {
         const std::uint32_t index = s.molecule->atoms[atom].residue;
         const Residue& residue = s.molecule->residues[index];
-        return !regions.cutObjects() ? index : s.molecule->subchains.empty() ? residue.chain : residue.subchain;
+        const std::uint32_t chain = s.molecule->subchains.empty() ? residue.chain : residue.subchain;
+        return std::pair(list(atom), regions.cutObjects() ? chain : index);
     };
-    std::map<std::uint32_t, std::vector<glm::dvec4>> groups;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<glm::dvec4>> groups;
     for (const std::uint32_t atom : layer.atoms) groups[findGroup(atom)].emplace_back(place(atom), 0.0);
-    std::map<std::uint32_t, bool> cut;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, bool> cut;
     for (const auto& [group, points] : groups) cut[group] = regions.cuts(extremeSphere(points).center);
     keepAtoms(layer, [&](std::size_t i) { return !cut[findGroup(layer.atoms[i])]; });
+}
+
+std::optional<Structure> separateCut(const Node& node, const ClipRegions& regions, const Structure& s,
+                                     SceneLayer& layer, SceneFiles& files, SceneWarnings& warnings) {
+    if (layer.atoms.empty()) return std::nullopt;
+    const std::size_t atoms = s.molecule->atoms.size();
+    const Bounds ball = boundsOfEach([&](const auto& visit) {
+        for (const std::uint32_t atom : layer.atoms) visit(glm::dvec3(s.molecule->atoms[atom].position), 0);
+    });
+    // All that stay whole are one group; each that is cut through is one of its own.
+    std::vector<std::uint32_t> groups;
+    std::uint32_t count = 0, whole = kNoGroup;
+    std::vector<glm::dmat4x3> copies = s.transforms;
+    if (copies.empty()) copies.emplace_back(1.0);
+    for (const glm::dmat4x3& copy : copies)
+        for (const glm::dmat4x3& motion : listMotions(s, copy)) {
+            const auto cut = regions.cutsBall(motion * glm::dvec4(ball.center, 1.0), ball.radius);
+            if (cut == false && whole == kNoGroup) whole = count++;
+            groups.push_back(cut == true ? kNoGroup : cut == false ? whole : count++);
+        }
+    const bool isSplit = std::ranges::any_of(groups, [&](std::uint32_t group) { return group != whole; });
+    if (count == 0) keepAtoms(layer, [](std::size_t) { return false; });
+    if (count == 0 || !isSplit) return std::nullopt;
+    if (count * atoms > kMostCutAtoms) {
+        warnings.add(node, "it is not clipped: its clip cuts through copies of more than " +
+                               std::to_string(kMostCutAtoms) + " atoms");
+        return std::nullopt;
+    }
+    files.countCopied(node, count * atoms);
+    Structure own = s.copied();
+    foldInstances(node, own);
+    splitCopies(groups, count, own);
+    const SceneLayer once = layer;
+    for (std::uint32_t group = 1; group < count; ++group) {
+        for (const std::uint32_t atom : once.atoms)
+            layer.atoms.push_back(atom + static_cast<std::uint32_t>(group * atoms));
+        layer.colors.insert(layer.colors.end(), once.colors.begin(), once.colors.end());
+        layer.opacity.insert(layer.opacity.end(), once.opacity.begin(), once.opacity.end());
+    }
+    clipLayer(regions, own, layer);
+    return own;
 }
 
 void clipPrimitives(const ClipRegions& regions, Primitives& p) {

@@ -3,6 +3,7 @@
 
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "app/mvs/scene_parts.h"
@@ -17,15 +18,20 @@ public:
     bool empty() const { return regions_.empty(); }
     /// Whether a point, in the scene's frame, is cut away.
     bool cuts(const glm::dvec3& point) const;
+    /// Whether all points of a ball are cut away, or none; empty: some may be.
+    std::optional<bool> cutsBall(const glm::dvec3& center, double radius) const;
     /// Whether whole chains are cut, by their centres: the first node's variant.
     bool cutObjects() const { return cutObjects_; }
 
 private:
-    /// A point is cut if, in the region's own frame, y >= 0 (a plane), it lies in the unit ball, or in the unit cube.
+    /// A point is inside if, in the region's own frame, y >= 0 (a plane), it lies in the unit ball, or in the unit
+    /// cube.
     struct Region {
         enum class Shape { plane, ball, cube } shape;
         glm::dmat4x3 toOwn{1.0};
         bool inverted = false;
+        /// How far a point is inside, in the region's own frame; negative: outside.
+        double depth(const glm::dvec3& point) const;
     };
     static Region readRegion(const Node& node, const std::string& type);
 
@@ -34,7 +40,16 @@ private:
 };
 
 /// Drops clipped parts of a layer by their centres: atoms, residues of cartoons and backbones, or whole chains.
-void clipLayer(const Node& representation, const Structure& structure, SceneLayer& layer, SceneWarnings& warnings);
+/// @param structure  each of its residues has at most one copy, or its copies are cut alike
+void clipLayer(const ClipRegions& regions, const Structure& structure, SceneLayer& layer);
+
+constexpr std::size_t kMostCutAtoms = 4'000'000;  ///< of the copies that a clip cuts through
+
+/// Separates the copies of a structure that a clip cuts through. @param layer  of the structure; then of what is
+/// returned
+/// @returns empty: the layer may stay in its structure, without atoms if all copies are cut away
+std::optional<Structure> separateCut(const Node& representation, const ClipRegions& regions, const Structure& structure,
+                                     SceneLayer& layer, SceneFiles& files, SceneWarnings& warnings);
 
 /// Drops clipped primitives by their centres, and triangles of meshes.
 void clipPrimitives(const ClipRegions& regions, Primitives& primitives);

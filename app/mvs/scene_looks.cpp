@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "app/mvs/clip_nodes.h"
 #include "app/mvs/molstar_radii.h"
 #include "app/mvs/primitive_values.h"
 #include "app/mvs/scene_parts.h"
@@ -164,13 +163,15 @@ void paintChildren(const Node& node, const Structure& structure, SceneFiles& fil
 
 }  // namespace
 
-void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms, Structure& structure,
-                       SceneFiles& files, SceneWarnings& warnings) {
+std::optional<SceneLayer> readRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms,
+                                             Structure& structure, SceneFiles& files, SceneWarnings& warnings) {
     const Json* type = node.param("type");
     const std::string name = type && type->is_string() ? type->get<std::string>() : "";
     SceneLayer layer;
-    if (!setStyle(node, name, layer, warnings))
-        return warnings.add(node, "there is no representation '" + nacre::printable(name) + "': it is left out");
+    if (!setStyle(node, name, layer, warnings)) {
+        warnings.add(node, "there is no representation '" + nacre::printable(name) + "': it is left out");
+        return std::nullopt;
+    }
     if (const NodeRow* row = nodeRow("representation:" + name)) tellUnused(node, *row, warnings);
     const bool bare = flag(node, "ignore_hydrogens", false);
     const bool ofPolymers = layer.style == Style::cartoon || layer.style == Style::backbone;
@@ -181,11 +182,10 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
     structure.framed.push_back(layer);
     layer.colors.assign(layer.atoms.size(), kDefaultColor);
     paintChildren(node, structure, files, layer, warnings);
-    clipLayer(node, structure, layer, warnings);
     // Atoms with opacity 0 are not drawn.
     if (!layer.opacity.empty())
         keepAtoms(layer, [&](std::size_t i) { return static_cast<double>(layer.opacity[i]) >= kLeastOpacity; });
-    if (!layer.atoms.empty()) structure.layers.push_back(std::move(layer));
+    return layer;
 }
 
 std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structure& structure, SceneFiles& files) {

@@ -100,6 +100,7 @@ struct Structure {
     std::vector<Text> labels, tooltips;
     const Node* representation = nullptr;  ///< its first one: labels have its colours
     std::string ref;
+    std::optional<std::size_t> original;  ///< the structure whose tooltips its atoms have too
 
     /// The same atoms at the same places, without layers and texts.
     Structure copied() const;
@@ -129,9 +130,10 @@ void takeMotions(const Node& node, Structure& structure, const std::vector<std::
 /// Applies `second`, then `first`.
 glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second);
 
-/// Adds the layers of a representation node. @param atoms  of the component, ascending
-void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms, Structure& structure,
-                       SceneFiles& files, SceneWarnings& warnings);
+/// The layer of a representation node, before its clips. Adds it to those for the camera. @param atoms  of the
+/// component, ascending @returns empty: there is no such representation
+std::optional<SceneLayer> readRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms,
+                                             Structure& structure, SceneFiles& files, SceneWarnings& warnings);
 
 /// Colours of all atoms of the structure by a representation's nodes.
 std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structure& structure, SceneFiles& files);
@@ -166,6 +168,8 @@ constexpr double kEmOfSize = 0.6;  ///< em of a label of size 1, Å: measured in
 /// @param atoms  of the structure, ascending, at least one @param depth  Å from its position to the farthest atom
 Primitives::Label makeLabel(const std::string& text, const std::vector<std::uint32_t>& atoms,
                             const Structure& structure, std::optional<std::uint32_t> color, double* depth = nullptr);
+
+inline bool hasCopies(const Structure& s) { return s.transforms.size() > 1 || s.instances.size() > 1; }
 
 /// Motions of a copy of a structure: by its transforms, then by each of its instances.
 std::vector<glm::dmat4x3> listMotions(const Structure& structure, const glm::dmat4x3& copy);

@@ -103,9 +103,7 @@ private:
         const bool slice = type == "grid_slice";
         if (slice ? !setSlice(node, volume) : !setContour(node, volume)) return {};
         const ClipRegions regions(node, warnings_);
-        if (slice && !regions.empty()) warnings_.add(node, "a slice is not clipped");
-        if (!slice && !regions.empty())
-            volume.cuts = [regions](const glm::dvec3& place) { return regions.cuts(place); };
+        if (!regions.empty()) volume.cuts = [regions](const glm::dvec3& place) { return regions.cuts(place); };
         std::vector<glm::dvec4> balls;
         for (const auto& map : maps_) {
             files_.step();

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "tests/mvs/small_scene.h"
 
@@ -90,9 +93,9 @@ TEST(SceneClips, ContoursAreCutAtPlaces) {
     EXPECT_FALSE(cut({0.5, 0, 0}));
     const Molecule slice = built(volume(R"({"type": "grid_slice", "dimension": "x"})",
                                         clip(R"({"type": "plane", "normal": [1,0,0], "point": [1,0,0]})")));
-    EXPECT_FALSE(slice.guide->volumes.at(0).cuts);
-    ASSERT_EQ(slice.guide->warnings.size(), 1u);
-    EXPECT_NE(slice.guide->warnings[0].find("not clipped"), std::string::npos) << slice.guide->warnings[0];
+    EXPECT_TRUE(slice.guide->volumes.at(0).cuts({1.5, 0, 0}));
+    EXPECT_FALSE(slice.guide->volumes.at(0).cuts({0.5, 0, 0}));
+    EXPECT_TRUE(slice.guide->warnings.empty());
 }
 
 TEST(SceneClips, PointsAreThoseOfTheMovedStructure) {
@@ -128,10 +131,68 @@ TEST(SceneClips, FaultsAreTold) {
     const Molecule molecule = built(scene(component(R"("all")", balls(faults))));
     EXPECT_EQ(molecule.guide->warnings.size(), 5u);
     EXPECT_EQ(molecule.guide->layers.at(0).atoms.size(), 9u);
-    const auto copies = built(
-        scene(component(R"("all")", balls(clip(R"({"type": "sphere", "center": [0,0,0]})"))), "", R"("symmetry")"));
-    ASSERT_EQ(copies.guide->warnings.size(), 1u);
-    EXPECT_NE(copies.guide->warnings[0].find("a structure with copies is not clipped"), std::string::npos);
+}
+
+/// How often each atom is drawn, and where, to the Å: in all copies, by layers.
+std::multiset<std::array<int, 4>> drawnPlaces(const Molecule& molecule) {
+    const SceneGuide& guide = *molecule.guide;
+    std::multiset<std::array<int, 4>> places;
+    for (const SceneLayer& layer : guide.layers)
+        for (const std::uint32_t index : layer.atoms) {
+            const Atom& atom = molecule.atoms[index];
+            for (const std::uint32_t copy : guide.lists[guide.listOfResidue[atom.residue]]) {
+                const glm::dvec3 at = guide.transforms[copy] * glm::dvec4(glm::dvec3(atom.position), 1.0);
+                places.insert({static_cast<int>(index % 9) + 11, int(std::lround(at.x)), int(std::lround(at.y)),
+                               int(std::lround(at.z))});
+            }
+        }
+    return places;
+}
+
+// Four copies in the cell: what is left of each is what is left of the places of all atoms.
+TEST(SceneClips, CutEachCopyWhereItIs) {
+    const std::string cell = R"("symmetry", "ijk_min": [0,0,0], "ijk_max": [0,0,0])",
+                      instances = R"({"kind": "instance", "params": {"translation": [0,0,0]}},
+        {"kind": "instance", "params": {"translation": [0,0,100]}},)";
+    for (const std::string& before : {std::string(), instances})
+        for (const char* plane : {R"({"type": "plane", "normal": [1,0,0], "point": [10.5,0,0]})",
+                                  R"({"type": "plane", "normal": [1,0,0], "point": [10.5,0,0], "invert": true})",
+                                  R"({"type": "sphere", "center": [14,38,28], "radius": 3.2})"}) {
+            const Molecule whole = built(scene(before + component(R"("all")", balls()), "", cell));
+            const Molecule cut = built(scene(before + R"({"kind": "tooltip", "params": {"text": "all"}},)" +
+                                                 component(R"("all")", balls(clip(plane))),
+                                             "", cell));
+            EXPECT_TRUE(cut.guide->warnings.empty());
+            std::multiset<std::array<int, 4>> left;
+            const std::string text(plane);
+            for (const auto& place : drawnPlaces(whole)) {
+                const glm::dvec3 at(place[1], place[2], place[3]);
+                const bool isCut = text.find("sphere") != std::string::npos
+                                       ? glm::distance(at, glm::dvec3(14, 38, 28)) <= 3.2
+                                       : (at.x >= 10.5) != (text.find("invert") != std::string::npos);
+                if (!isCut) left.insert(place);
+            }
+            EXPECT_LT(left.size(), drawnPlaces(whole).size()) << plane;
+            EXPECT_EQ(drawnPlaces(cut), left) << plane;
+            std::vector<bool> told(cut.atoms.size());
+            for (const SceneNote& tip : cut.guide->tooltips)
+                for (const std::uint32_t atom : tip.atoms) told[atom] = true;
+            for (const std::uint32_t atom : cut.guide->layers.at(0).atoms) EXPECT_TRUE(told[atom]);
+            EXPECT_NEAR(glm::distance(cut.guide->camera->target, whole.guide->camera->target), 0, 1e-9);
+        }
+}
+
+TEST(SceneClips, ShareTheAtomsOfCopiesThatStayWhole) {
+    const auto atoms = [](const char* center) {
+        const std::string ball = clip(R"({"type": "sphere", "radius": 0.5, "center": )" + std::string(center) + "}");
+        return built(scene(component(R"("all")", balls(ball)), "", R"("symmetry")")).atoms.size();
+    };
+    EXPECT_EQ(atoms("[-900,0,0]"), 9u);   // cuts none of 108
+    EXPECT_EQ(atoms("[1,9,3]"), 3 * 9u);  // one copy, and all others, beside the structure itself
+    const std::string all = clip(R"({"type": "sphere", "radius": 900, "center": [0,0,0]})");
+    const Molecule none = built(scene(component(R"("all")", balls(all)), "", R"("symmetry")"));
+    EXPECT_EQ(none.atoms.size(), 9u);
+    EXPECT_TRUE(none.guide->layers.empty());
 }
 
 }  // namespace

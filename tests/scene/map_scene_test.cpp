@@ -121,6 +121,21 @@ TEST(MapScene, ASliceEndsWhereItsValuesAreTooLow) {
     EXPECT_EQ(scene.triangles.size(), (2u * 10 + 3) * (kNodes - 1));
 }
 
+TEST(MapScene, ASliceLeavesOutWhatIsCut) {
+    const DensityMap x = alongX();
+    const double middle = kFirst.x + (kNodes - 1) / 2.0;  // between two nodes, or at one
+    MapSlice slice{.axis = 2, .place = 0.25};
+    slice.cuts = [&](const glm::dvec3& at) { return at.x > middle; };
+    Representation scene;
+    scene.center = {1, 2, 3};
+    addSlice(MapRegion(x, glm::ivec3(0), x.size - 1), slice, sixToSix(x), scene);
+    ASSERT_FALSE(scene.triangles.empty());
+    EXPECT_NEAR(static_cast<double>(scene.triangles.size()), (kNodes - 1) * (kNodes - 1), kNodes);  // half of all
+    for (const Triangle& t : scene.triangles)
+        for (const std::uint32_t v : {t.a, t.b, t.c})
+            EXPECT_LE(static_cast<double>(decodePosition(scene.meshVertices[v], t.step()).x) + 1, middle + 1);
+}
+
 TEST(MapScene, AMoleculesSurfaceHasTheColoursOfAMap) {
     const Molecule molecule = sampleMolecule("glucose");
     RepresentationOptions options{.style = Style::surface, .surfaceOpacity = 0.5};

@@ -212,7 +212,9 @@ void addSlice(const MapRegion& region, const MapSlice& slice, const ValueColorin
         }
     const ValueColors of(values, found, Palette::grays, false);
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        if (!std::isnan(found[a] + found[b] + found[c])) addAbove(slice.least, {a, b, c}, found, mesh);
+        if (std::isnan(found[a] + found[b] + found[c])) return;
+        const glm::dvec3 middle = glm::dvec3(mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3.0;
+        if (!slice.cuts || !slice.cuts(middle + scene.center)) addAbove(slice.least, {a, b, c}, found, mesh);
     };
     const auto row = static_cast<std::uint32_t>(size[u]);
     for (std::uint32_t j = 0; j + 1 < static_cast<std::uint32_t>(size[v]); ++j)

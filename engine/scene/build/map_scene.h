@@ -34,6 +34,7 @@ struct MapSlice {
     double place = 0.5;  ///< along the axis, 0..1 of the region
     double opacity = 1;
     double least = -std::numeric_limits<double>::infinity();  ///< parts with lower values are omitted
+    std::function<bool(const glm::dvec3&)> cuts = {};         ///< whether a part at a place is left out; empty: none is
 };
 constexpr std::size_t kMostSliceNodes = 4'000'000;
 

@@ -60,7 +60,7 @@ struct SceneVolume {
         0xffffffffu;  ///< packed as in colors.h; a slice is black at the least value, this at the largest
     double opacity = 1;
     Bounds ball;                                       ///< around the map, Å
-    std::function<bool(const glm::dvec3&)> cuts = {};  ///< whether a place of a contour is left out; empty: none is
+    std::function<bool(const glm::dvec3&)> cuts = {};  ///< whether a place is left out; empty: none is
 };
 
 struct SceneGuide {
