@@ -170,6 +170,10 @@ void clipLayer(const ClipRegions& regions, const Structure& s, SceneLayer& layer
 std::optional<Structure> separateCut(const Node& node, const ClipRegions& regions, const Structure& s,
                                      SceneLayer& layer, SceneFiles& files, SceneWarnings& warnings) {
     if (layer.atoms.empty()) return std::nullopt;
+    if (std::max<std::size_t>(s.transforms.size(), 1) * std::max<std::size_t>(s.instances.size(), 1) > kMostCopies) {
+        warnings.add(node, "it is not clipped: its structure has more than " + std::to_string(kMostCopies) + " copies");
+        return std::nullopt;
+    }
     const std::size_t atoms = s.molecule->atoms.size();
     const Bounds ball = boundsOfEach([&](const auto& visit) {
         for (const std::uint32_t atom : layer.atoms) visit(glm::dvec3(s.molecule->atoms[atom].position), 0);

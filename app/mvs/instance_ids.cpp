@@ -47,6 +47,7 @@ void addFromFile(const Node& node, const std::string& uri, SceneFiles& files, st
 
 /// @param url  of the download above
 void addNamed(const Node& node, const std::string& url, SceneFiles& files, std::set<std::string>& ids) {
+    files.step();
     addNamed(node.params, ids);
     if (node.kind.ends_with("_from_uri")) addFromFile(node, nodeText(node, "uri"), files, ids);
     if (node.kind.ends_with("_from_source")) addFromFile(node, url, files, ids);
@@ -107,7 +108,7 @@ TransformsById readOperators(const Node& node, const Structure& s, SceneFiles& f
 
 /// "ASM-X0-5": the product of two operators.
 std::optional<glm::dmat4x3> assemblyMotion(std::string_view id, const TransformsById& operators) try {
-    if (!id.starts_with("ASM-")) return std::nullopt;
+    if (!id.starts_with("ASM-") || id.find_first_of("(,)") != std::string_view::npos) return std::nullopt;
     std::string expression = "(" + std::string(id.substr(4)) + ")";
     for (std::size_t at = 0; (at = expression.find('-', at)) != std::string::npos;) expression.replace(at, 1, ")(");
     AssemblyLimits limits(0);
@@ -154,7 +155,7 @@ std::set<std::string> namedInstances(const Node& root, SceneFiles& files) {
 }
 
 void splitInstances(const Node& node, const std::set<std::string>& ids, Structure& s, SceneFiles& files) {
-    if (ids.empty()) return;
+    if (ids.empty() || s.transforms.size() > kMostCopies) return;  // so many are refused when they are placed
     if (s.transforms.empty()) {
         s.instanceIds = {{"1_555"}};
         s.atoms = std::make_unique<StructureAtoms>(*s.molecule, s.instanceIds);

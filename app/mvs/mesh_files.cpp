@@ -191,8 +191,10 @@ private:
                 continue;
             }
             corners_.clear();
-            for (double left = next(*property.count); left >= 1; --left)
-                corners_.push_back(static_cast<std::int64_t>(std::clamp(next(property.type), -1.0, 1e15)));
+            for (double left = next(*property.count); left >= 1; --left) {
+                const double corner = next(property.type);
+                corners_.push_back(corner >= 0 && corner < 1e15 ? static_cast<std::int64_t>(corner) : -1);
+            }
             if (element.name != "face" || face || !property.name.starts_with("vertex_ind")) continue;
             mesh_.addFace(place, corners_);
             face = true;

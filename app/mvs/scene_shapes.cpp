@@ -24,7 +24,10 @@ PrimitiveLook readLook(const Node& node, SceneWarnings& warnings) {
         tellUnknown(child, node, warnings);
         if (child.kind == "color") {
             const auto color = readColor(child.param("color"));
-            color ? look.color = *color : (warnings.add(child, "it names no colour"), 0u);
+            if (color)
+                look.color = *color;
+            else
+                warnings.add(child, "it names no colour");
         }
         if (child.kind != "opacity") continue;
         const Json* value = child.param("opacity");
@@ -62,11 +65,12 @@ void addShape(const Node& parse, const Node& node, const std::string& uri, Scene
     }
     const std::vector<glm::dvec4> around = outermost(mesh);
     const std::vector<glm::dmat4x3> motions = readMotions(node, extremeSphere(around).center);
-    std::size_t triangles = 0;
-    for (const Primitives::Mesh& other : guide.primitives.meshes) triangles += other.triangles.size();
-    if (triangles + motions.size() * mesh.triangles.size() > kMostPrimitiveTriangles)
+    const auto size = [](const Primitives::Mesh& one) { return std::max(one.triangles.size(), one.positions.size()); };
+    std::size_t before = 0;
+    for (const Primitives::Mesh& other : guide.primitives.meshes) before += size(other);
+    if (before + motions.size() * size(mesh) > kMostPrimitiveTriangles)
         return warnings.add(node, "it is left out: the scene's meshes have more than " +
-                                      std::to_string(kMostPrimitiveTriangles) + " triangles");
+                                      std::to_string(kMostPrimitiveTriangles) + " triangles or vertices");
     std::vector<glm::dvec4> balls;
     Primitives shown;
     const bool faint = look.opacity < kLeastOpacity;

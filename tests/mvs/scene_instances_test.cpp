@@ -112,6 +112,17 @@ TEST(SceneInstances, AreNamedByTheOperatorsOfAnAssembly) {
     EXPECT_EQ(none.atoms.size(), 1u);  // both copies share them
 }
 
+TEST(SceneInstances, AreThoseOfTheStructuresType) {
+    for (const char* id : {"1_555", "ASM-1", "ASM-X0-1,2", "ASM-", "2_5", "ASM-X0-3"}) {
+        const Molecule drawn =
+            builtFrom(kAssembly, scene(component(R"("all")", balls()) + "," +
+                                           component(R"({"instance_id": ")" + std::string(id) + "\"}", balls()),
+                                       "", kWhole));
+        ASSERT_EQ(drawn.guide->layers.size(), 1u) << id;
+        EXPECT_EQ(placesOf(drawn).size(), 2u) << id;
+    }
+}
+
 TEST(SceneInstances, HaveColoursAndLabelsOfTheirOwn) {
     const std::string color = R"({"kind": "color_from_uri", "params": {"uri": "b.json", "format": "json",
         "schema": "all_atomic", "field_remapping": {"instance_id": "copy"}}})",

@@ -75,6 +75,9 @@ TEST(MeshFiles, FaultsNameTheirPlace) {
     EXPECT_EQ(ply("ply\nformat ascii 1.0\n"), "cannot read mesh: a.ply: its header has no end");
     EXPECT_EQ(ply("ply\nformat text 1.0\n"), "cannot read mesh: a.ply: line 2: its format is unknown");
     EXPECT_EQ(ply(binaryPly(false, 3)), "cannot read mesh: a.ply: face 1: a face names a vertex that is not there");
+    std::string odd = kPly;
+    odd.replace(odd.find("4 0 1 2 3"), 9, "3 0 1 nan");
+    EXPECT_EQ(ply(odd), "cannot read mesh: a.ply: face 1: a face names a vertex that is not there");
     EXPECT_EQ(ply(kPly.substr(0, kPly.size() - 4)), "cannot read mesh: a.ply: face 1: a number is missing");
     std::string many = kPly;  // states more than it holds, which takes no memory
     many.replace(many.find("vertex 4"), 8, "vertex 4000000000000000000");
@@ -116,6 +119,16 @@ TEST(SceneShapes, AreClippedAndFocused) {
     EXPECT_TRUE(cut.guide->warnings.empty());
     EXPECT_EQ(cut.guide->primitives.meshes.at(0).triangles.size(), 2u);
     EXPECT_EQ(cut.guide->camera->radius, 77);
+}
+
+// A triangle among a million vertices, 5000 times: 120 GB, were it not refused.
+TEST(SceneShapes, InstancesTakeNoMoreThanTheLimit) {
+    std::string file = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", instances;
+    for (int i = 0; i < 1'000'000; ++i) file += "v 0 0 0\n";
+    for (int i = 0; i < 5000; ++i) instances += R"({"kind": "instance", "params": {"translation": [0,0,9]}},)";
+    const std::string why =
+        test::errorText([&] { shown(instances + R"({"kind": "color", "params": {"color": "red"}})", file); });
+    EXPECT_NE(why.find("more than 20000000 triangles or vertices"), std::string::npos) << why;
 }
 
 TEST(SceneShapes, FilesThatCannotBeReadAreLeftOut) {
