@@ -93,8 +93,6 @@ std::string whyNotBound(const ServeOptions& asked, int reason) {
            " is for programs of this machine, --listen 0.0.0.0:" + std::to_string(asked.port) + " for its network";
 }
 
-}  // namespace
-
 /// Counters, in the format of Prometheus.
 class Metrics {
 public:
@@ -162,8 +160,10 @@ std::string Metrics::text(std::size_t waiting, std::uint64_t devices) const {
     return text.str();
 }
 
-struct Server::Parts {
-    explicit Parts(const ServeOptions& asked)
+/// `http` answers requests from serve() until stop(), which is thread-safe; pictures in progress are finished.
+struct Server {
+    /// Binds its port. @param asked  outlives this @throws Error if there is no device, or the port is taken
+    explicit Server(const ServeOptions& asked)
         : options(asked),
           store(asked.cacheMiB > 0 ? cacheFolder(asked.picture.input.cache, "pictures") : "",
                 static_cast<std::uint64_t>(asked.cacheMiB) << 20),
@@ -398,12 +398,7 @@ struct Server::Parts {
     int bound = 0;
 };
 
-Server::Server(const ServeOptions& options) : parts_(std::make_unique<Parts>(options)) {}
-Server::~Server() = default;
-
-int Server::port() const { return parts_->bound; }
-void Server::run() { parts_->http.serve(); }
-void Server::stop() { parts_->http.stop(); }
+}  // namespace
 
 void serveCommand(const ServeOptions& options) {
     constexpr std::chrono::seconds kGrace(8);  // container engines kill after 10
@@ -411,16 +406,16 @@ void serveCommand(const ServeOptions& options) {
     auto server = std::make_unique<Server>(options);
     std::promise<void> stopped;
     std::packaged_task<void()> serving([&] {
-        server->run();
+        server->http.serve();
         stopped.get_future().wait();
         server.reset();
     });
     std::future<void> ended = serving.get_future();
     std::thread listening = startThread(std::move(serving));
-    sayNote("serving http://" + formatAddress(options, server->port()) + "/ (Ctrl C stops it)");
+    sayNote("serving http://" + formatAddress(options, server->bound) + "/ (Ctrl C stops it)");
     while (!stop.asked() && ended.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
     }
-    server->stop();
+    server->http.stop();
     stopped.set_value();
     if (ended.wait_for(kGrace) != std::future_status::ready) {
         sayNotice("stopped while pictures were still drawn");

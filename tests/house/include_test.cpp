@@ -165,7 +165,7 @@ const std::vector<Arrows> kLibraries = {
     {"ft2build.h", {"app/annotation/painter.cpp", "app/annotation/shaping."}},
     {"hb.h", {"app/annotation/"}},
     {"fribidi", {}},
-    {"curl/", {"app/download/curl_library.h"}},
+    {"curl/", {"app/download/http.cpp"}},
     {"imgui", {"app/panel/"}},
     {"gemmi/", {"engine/molecule/", "engine/volume/"}},
     {"zip.h", {"app/mvs/archive.cpp"}},
