@@ -1,7 +1,6 @@
 #include "engine/frame/scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 #include "engine/frame/effects/halos/halos.h"

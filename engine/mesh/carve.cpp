@@ -1,7 +1,6 @@
 #include "engine/mesh/carve.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/molecule/expect_error.h"
-#include "tests/support/test_data.h"
 
 namespace nacre {
 namespace {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/read.h"
 #include "tests/molecule/geometry.h"

@@ -1,7 +1,6 @@
 #include "engine/molecule/formats/lammps_types.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "engine/molecule/trajectory/morph.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
