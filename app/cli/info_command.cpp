@@ -290,6 +290,62 @@ Json emptyEntry(const std::string& name) {
     return entry;
 }
 
+/// Output of `info --json` for a density map: format, and `map`: grid (nodes along a, b, c: of a crystal's whole cell,
+/// else of the box), cell (a, b, c in Å and three angles in degrees), origin (position of the file's first node, Å),
+/// axes (of a, b, c: the file's columns, rows and sections), space_group, box {size, start} in the file, and
+/// min, max, mean and rms (deviation from the mean: 1 sigma) of the known values.
+MapJson mapInfoJson(const DensityMap& map) {
+    const glm::dvec3 first = map.place(glm::dvec3(map.firstNode()));
+    const glm::dvec3 &l = map.cell.lengths, &a = map.cell.angles;
+    MapJson json;
+    json["format"] = map.format;
+    glm::ivec3 sampling;  // intervals of the whole cell, whatever part of it the file has
+    for (int i = 0; i < 3; ++i) sampling[i] = static_cast<int>(std::lround(l[i] / glm::length(map.step[i])));
+    json["map"] = {{"grid", wholes(map.size)},
+                   {"sampling", wholes(sampling)},
+                   {"cell", {rounded(l.x), rounded(l.y), rounded(l.z), rounded(a.x), rounded(a.y), rounded(a.z)}},
+                   {"origin", {rounded(first.x), rounded(first.y), rounded(first.z)}},
+                   {"axes", map.axes},
+                   {"space_group", map.spaceGroup},
+                   {"crystal", map.periodic},
+                   {"box", {{"size", wholes(map.boxSize)}, {"start", wholes(map.boxStart)}}},
+                   {"min", rounded(map.statistics.min)},
+                   {"max", rounded(map.statistics.max)},
+                   {"mean", rounded(map.statistics.mean)},
+                   {"rms", rounded(map.statistics.rms)}};
+    const std::size_t nodes = map.values.size(), known = map.statistics.known;
+    ReadNotes notes;
+    addNote(notes, ReadAction::read, "values", "", static_cast<std::int64_t>(known));
+    addNote(notes, ReadAction::leftOut, "values", "not known at these nodes", static_cast<std::int64_t>(nodes - known));
+    notes.insert(notes.end(), map.notes.begin(), map.notes.end());
+    json["reading"] = MapJson::array();
+    for (const ReadNote& note : notes) json["reading"].push_back(noteJson(note));
+    json["warnings"] = map.warnings;
+    return json;
+}
+
+std::string mapInfoText(const std::string& name, const MapJson& json) {
+    const MapJson& map = json["map"];
+    std::ostringstream out;
+    const auto line = [&](const char* label, const std::string& text) {
+        out << "  " << std::left << std::setw(12) << label << text << '\n';
+    };
+    const auto number = [](const MapJson& value) {
+        std::ostringstream text;
+        text << std::setprecision(5) << value.get<double>();
+        return text.str();
+    };
+    out << printable(name) << " (density map, " << json["format"].get<std::string>() << ")\n";
+    line("grid", joined(map["grid"], " x ") + (map["crystal"].get<bool>() ? " nodes in the unit cell" : " nodes"));
+    line("cell", joined(map["cell"], ", "));
+    if (map["space_group"].get<int>() > 0) line("space group", map["space_group"].dump());
+    line("origin", joined(map["origin"], ", ") + " Å");
+    line("values", number(map["min"]) + " to " + number(map["max"]) + ", mean " + number(map["mean"]) + ", sigma " +
+                       number(map["rms"]));
+    for (const MapJson& warning : json["warnings"]) line("warning", warning.get<std::string>());
+    return out.str();
+}
+
 /// Writes text immediately, JSON as a whole list at the end, or an entry per line.
 class InfoWriter {
 public:
@@ -392,58 +448,6 @@ void infoCommand(const InfoOptions& options, std::ostream& out) {
     }
     writer.finish();
     if (failure) throw *failure;
-}
-
-MapJson mapInfoJson(const DensityMap& map) {
-    const glm::dvec3 first = map.place(glm::dvec3(map.firstNode()));
-    const glm::dvec3 &l = map.cell.lengths, &a = map.cell.angles;
-    MapJson json;
-    json["format"] = map.format;
-    glm::ivec3 sampling;  // intervals of the whole cell, whatever part of it the file has
-    for (int i = 0; i < 3; ++i) sampling[i] = static_cast<int>(std::lround(l[i] / glm::length(map.step[i])));
-    json["map"] = {{"grid", wholes(map.size)},
-                   {"sampling", wholes(sampling)},
-                   {"cell", {rounded(l.x), rounded(l.y), rounded(l.z), rounded(a.x), rounded(a.y), rounded(a.z)}},
-                   {"origin", {rounded(first.x), rounded(first.y), rounded(first.z)}},
-                   {"axes", map.axes},
-                   {"space_group", map.spaceGroup},
-                   {"crystal", map.periodic},
-                   {"box", {{"size", wholes(map.boxSize)}, {"start", wholes(map.boxStart)}}},
-                   {"min", rounded(map.statistics.min)},
-                   {"max", rounded(map.statistics.max)},
-                   {"mean", rounded(map.statistics.mean)},
-                   {"rms", rounded(map.statistics.rms)}};
-    const std::size_t nodes = map.values.size(), known = map.statistics.known;
-    ReadNotes notes;
-    addNote(notes, ReadAction::read, "values", "", static_cast<std::int64_t>(known));
-    addNote(notes, ReadAction::leftOut, "values", "not known at these nodes", static_cast<std::int64_t>(nodes - known));
-    notes.insert(notes.end(), map.notes.begin(), map.notes.end());
-    json["reading"] = MapJson::array();
-    for (const ReadNote& note : notes) json["reading"].push_back(noteJson(note));
-    json["warnings"] = map.warnings;
-    return json;
-}
-
-std::string mapInfoText(const std::string& name, const MapJson& json) {
-    const MapJson& map = json["map"];
-    std::ostringstream out;
-    const auto line = [&](const char* label, const std::string& text) {
-        out << "  " << std::left << std::setw(12) << label << text << '\n';
-    };
-    const auto number = [](const MapJson& value) {
-        std::ostringstream text;
-        text << std::setprecision(5) << value.get<double>();
-        return text.str();
-    };
-    out << printable(name) << " (density map, " << json["format"].get<std::string>() << ")\n";
-    line("grid", joined(map["grid"], " x ") + (map["crystal"].get<bool>() ? " nodes in the unit cell" : " nodes"));
-    line("cell", joined(map["cell"], ", "));
-    if (map["space_group"].get<int>() > 0) line("space group", map["space_group"].dump());
-    line("origin", joined(map["origin"], ", ") + " Å");
-    line("values", number(map["min"]) + " to " + number(map["max"]) + ", mean " + number(map["mean"]) + ", sigma " +
-                       number(map["rms"]));
-    for (const MapJson& warning : json["warnings"]) line("warning", warning.get<std::string>());
-    return out.str();
 }
 
 }  // namespace nacre::app

@@ -81,6 +81,14 @@ std::string joined(const std::vector<Value>& values) {
     return text.str();
 }
 
+/// Quoted if needed.
+std::string csvCell(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
 std::string endCells(const Molecule& molecule, const InteractionEnd& end) {
     const EndFields fields = endFields(molecule, end.atoms);
     return csvCell(fields.chain) + "," + std::to_string(fields.model) + "," + csvCell(fields.residue) + "," +
@@ -89,13 +97,6 @@ std::string endCells(const Molecule& molecule, const InteractionEnd& end) {
 }
 
 }  // namespace
-
-std::string csvCell(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
 
 std::string decimals(double value, int digits) {
     std::ostringstream text;

@@ -11,8 +11,6 @@
 
 namespace nacre::app {
 
-/// A CSV cell: quoted if needed.
-std::string csvCell(const std::string& text);
 std::string decimals(double value, int digits);
 /// "A/HIS57 NE2": chain, residue and atom names of one side.
 std::string endName(const Molecule& molecule, const std::vector<std::uint32_t>& atoms);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/download/database_id.h"
 #include "app/download/download.h"
 #include "app/files/cache_folder.h"
 #include "app/files/json_text.h"
@@ -15,6 +16,13 @@
 
 namespace nacre::app {
 namespace {
+
+/// Addresses of `emdb:3001`, `pdb-map:3nzd` (2Fo-Fc) and `pdb-diff:3nzd` (Fo-Fc). NACRE_EMDB_URL, NACRE_EMDB_API_URL
+/// and NACRE_PDB_MAP_URL replace their first parts.
+struct MapSource {
+    std::string cacheName, url;
+    std::string levelUrl;  ///< JSON about an EMDB entry's map; empty: none
+};
 
 bool isId(const std::string& id, std::size_t least, std::size_t most, bool digitsAlone) {
     return id.size() >= least && id.size() <= most &&
@@ -55,9 +63,8 @@ std::optional<double> depositedLevel(const std::string& name, const MapSource& s
     return level;
 }
 
-}  // namespace
-
-std::optional<MapSource> findMapSource(const std::string& name, const Environment& environment) {
+/// Empty if the text names no such database; then it is a file. @throws Error if the identifier is invalid
+std::optional<MapSource> findMapSource(const std::string& name) {
     const std::size_t colon = name.find(':');
     if (colon == std::string::npos) return {};
     const std::string database = name.substr(0, colon), id = lowerCase(name.substr(colon + 1));
@@ -66,10 +73,10 @@ std::optional<MapSource> findMapSource(const std::string& name, const Environmen
         if (!isId(number, 4, 6, true)) throw Error("cannot download", name, "an EMDB ID is a number: emdb:3001");
         return MapSource{
             "emdb-" + number + ".map.gz",
-            readBaseUrl(environment, "NACRE_EMDB_URL", "https://ftp.ebi.ac.uk/pub/databases/emdb/structures") +
+            readBaseUrl(environmentVariable, "NACRE_EMDB_URL", "https://ftp.ebi.ac.uk/pub/databases/emdb/structures") +
                 "/EMD-" + number + "/map/emd_" + number + ".map.gz",
-            readBaseUrl(environment, "NACRE_EMDB_API_URL", "https://www.ebi.ac.uk/emdb/api") + "/entry/map/EMD-" +
-                number};
+            readBaseUrl(environmentVariable, "NACRE_EMDB_API_URL", "https://www.ebi.ac.uk/emdb/api") +
+                "/entry/map/EMD-" + number};
     }
     if (database != "pdb-map" && database != "pdb-diff") return {};
     if (!isId(id, 4, 4, false) || !isDigit(id[0]))
@@ -77,8 +84,11 @@ std::optional<MapSource> findMapSource(const std::string& name, const Environmen
     const std::string file = id + (database == "pdb-diff" ? "_diff" : "") + ".ccp4";
     return MapSource{
         "pdb-map-" + file,
-        readBaseUrl(environment, "NACRE_PDB_MAP_URL", "https://www.ebi.ac.uk/pdbe/entry-files") + "/" + file, ""};
+        readBaseUrl(environmentVariable, "NACRE_PDB_MAP_URL", "https://www.ebi.ac.uk/pdbe/entry-files") + "/" + file,
+        ""};
 }
+
+}  // namespace
 
 void loadMaps(const PictureDescription& picture, const std::function<void(double)>& onDownload) {
     const InputOptions& input = picture.input;

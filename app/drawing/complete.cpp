@@ -53,6 +53,16 @@ void takeThicknesses(PictureDescription& picture, double perPoint) {
     take(picture.tubePoints, picture.look.sizes.tube);
 }
 
+/// Checks that the file's format supports the options. @throws UsageError
+void checkFormat(const PictureDescription& picture) {
+    const std::string format = isStandardOutput(picture.output) ? ".png" : fileExtension(picture.output);
+    if (picture.bits == 16 && format != ".png" && format != ".tif" && format != ".tiff")
+        throw UsageError("--depth 16 is for PNG and TIFF, not " + picture.output);
+    constexpr std::uint32_t kLargestWebp = 16383;  // the format's own limit
+    if (format == ".webp" && std::max(picture.size.width, picture.size.height) > kLargestWebp)
+        throw UsageError("WebP holds at most " + std::to_string(kLargestWebp) + " pixels per side");
+}
+
 }  // namespace
 
 bool takeInput(PictureDescription& picture) {
@@ -161,15 +171,6 @@ void takePaper(PictureDescription& picture) {
     if (picture.linePoints) picture.look.lineWidth = std::min(*picture.linePoints * dpi / kPointsPerInch, kWidestWire);
     takeThicknesses(picture, dpi / kPointsPerInch);
     if (picture.textPoints) picture.words.size = *picture.textPoints * dpi / kPointsPerInch;
-}
-
-void checkFormat(const PictureDescription& picture) {
-    const std::string format = isStandardOutput(picture.output) ? ".png" : fileExtension(picture.output);
-    if (picture.bits == 16 && format != ".png" && format != ".tif" && format != ".tiff")
-        throw UsageError("--depth 16 is for PNG and TIFF, not " + picture.output);
-    constexpr std::uint32_t kLargestWebp = 16383;  // the format's own limit
-    if (format == ".webp" && std::max(picture.size.width, picture.size.height) > kLargestWebp)
-        throw UsageError("WebP holds at most " + std::to_string(kLargestWebp) + " pixels per side");
 }
 
 void completePicture(PictureDescription& picture) {

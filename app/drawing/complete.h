@@ -35,8 +35,6 @@ void checkFiles(const PictureDescription& picture, std::vector<NamedFile> furthe
 
 /// Converts print sizes to pixels. @throws UsageError if the result is zero or too large
 void takePaper(PictureDescription& picture);
-/// Checks that the file's format supports the options. @throws UsageError
-void checkFormat(const PictureDescription& picture);
 
 /// The description with paths valid from any folder, for a window that outlives its command line.
 PictureDescription withWholePaths(PictureDescription picture);

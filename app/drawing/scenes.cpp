@@ -50,6 +50,12 @@ Representation nothingShown(Representation scene, const Molecule& molecule) {
     return scene;
 }
 
+/// Of a scene without atoms.
+Bounds guideBounds(const SceneGuide& guide) {
+    if (guide.camera) return {guide.camera->target, guide.camera->radius};
+    return computeBounds(guide.primitives).value_or(Bounds{{}, 1});
+}
+
 Representation guidedScene(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                            const RepresentationOptions& look) {
     const SceneGuide& guide = *facts.molecule().guide;
@@ -60,8 +66,8 @@ Representation guidedScene(const ResidueFacts& facts, std::span<const std::uint3
     return representLayers(facts, layers, look, movedTo(look.center, frame));
 }
 
-}  // namespace
-
+/// The representation of a picture, about its centre. @throws Error if the centre's selection matches no atom. Packed
+/// scenes are drawn as their assembly and by entities, unless an option says otherwise.
 RepresentationOptions placedLook(const ResidueFacts& facts, const PictureDescription& picture) {
     RepresentationOptions look = picture.look;
     const std::string& packed = facts.molecule().file.packed;
@@ -79,6 +85,8 @@ RepresentationOptions placedLook(const ResidueFacts& facts, const PictureDescrip
     if (!std::isfinite(look.center->x)) throw Error("cannot centre", selection.text, "the molecule has no such atoms");
     return look;
 }
+
+}  // namespace
 
 MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription& picture) {
     RepresentationOptions look = placedLook(facts, picture);
@@ -150,11 +158,6 @@ RenderSettings makeSettings(const PictureDescription& picture, const Camera& cam
 bool tooManyToOcclude(const Representation& scene, const Molecule& molecule) {
     constexpr std::uint64_t kMost = 1'000'000;
     return !molecule.file.packed.empty() && spheresInCopies(scene) > kMost;
-}
-
-Bounds guideBounds(const SceneGuide& guide) {
-    if (guide.camera) return {guide.camera->target, guide.camera->radius};
-    return computeBounds(guide.primitives).value_or(Bounds{{}, 1});
 }
 
 const SceneCamera* sceneCamera(const Molecule& molecule, const PictureDescription& picture) {

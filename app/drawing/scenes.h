@@ -29,10 +29,6 @@ Representation buildScene(const ResidueFacts& facts, const PictureDescription& p
 /// As above for moving atoms; framed with all models of its file, if it has others. @throws Error
 MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription& picture);
 
-/// The representation of a picture, about its centre. @throws Error if the centre's selection matches no atom. Packed
-/// scenes are drawn as their assembly and by entities, unless an option says otherwise.
-RepresentationOptions placedLook(const ResidueFacts& facts, const PictureDescription& picture);
-
 /// Enlarges a view's depth range for atoms that moved out of it; the camera stays.
 /// @param radius  that contains them, Å
 inline void reachTo(View& view, double radius) {
@@ -47,9 +43,6 @@ RenderSettings makeSettings(const PictureDescription& picture, const Camera& cam
 
 /// Whether a packed scene has so many spheres that baking their occlusion would take minutes.
 bool tooManyToOcclude(const Representation& scene, const Molecule& molecule);
-
-/// Bounds of a scene without atoms.
-Bounds guideBounds(const SceneGuide& guide);
 
 /// The camera of a scene file, if the picture has no other one; else null.
 const SceneCamera* sceneCamera(const Molecule& molecule, const PictureDescription& picture);

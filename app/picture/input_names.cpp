@@ -94,8 +94,6 @@ std::size_t findInput(const std::string& text, const std::string& name, std::siz
     return std::string::npos;
 }
 
-}  // namespace
-
 void forEachSelection(PictureDescription& d, const std::function<void(Selection&)>& take) {
     for (Rule& rule : d.look.rules) take(rule.selection);
     for (Label& label : d.words.labels) take(label.selection);
@@ -107,17 +105,10 @@ void forEachSelection(PictureDescription& d, const std::function<void(Selection&
         for (FitOptions& fit : *fits) take(fit.moving), take(fit.fixed);
 }
 
-void nameInputs(PictureDescription& d) {
-    if (!d.input.several()) return;
-    const std::vector<std::string> names = inputNames(d.input);
-    forEachSelection(d, [&](Selection& selection) { nameInputs(names, selection); });
-}
-
+/// Whether a selection's text has `/name`.
 bool namesInput(const Selection& selection, const std::string& name) {
     return findInput(selection.text, name) != std::string::npos;
 }
-
-namespace {
 
 void forgetNames(PictureDescription& d, const std::vector<std::string>& names) {
     const auto gone = [&](const Selection& selection) {
@@ -133,6 +124,12 @@ void forgetNames(PictureDescription& d, const std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+void nameInputs(PictureDescription& d) {
+    if (!d.input.several()) return;
+    const std::vector<std::string> names = inputNames(d.input);
+    forEachSelection(d, [&](Selection& selection) { nameInputs(names, selection); });
+}
 
 void removeInput(PictureDescription& d, std::size_t number) {
     const std::vector<std::string> names = inputNames(d.input);

@@ -27,10 +27,6 @@ void nameInputs(const std::vector<std::string>& names, Selection& selection);
 /// As above for all selections of a description with several inputs.
 void nameInputs(PictureDescription& description);
 
-/// Calls `take` for every selection of a description.
-void forEachSelection(PictureDescription& description, const std::function<void(Selection&)>& take);
-/// Whether a selection's text has `/name`.
-bool namesInput(const Selection& selection, const std::string& name);
 /// Removes one of several inputs, with the rules, labels and fits that name it. @param number  from 0
 void removeInput(PictureDescription& description, std::size_t number);
 /// Makes the further inputs conformations of the first, without rules, labels and fits that name an input; or

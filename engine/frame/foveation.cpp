@@ -16,6 +16,15 @@ constexpr double kFinest = kDegree / 48, kSlope = 1.32 / 60;
 /// The byte whose reciprocal is not below a fragment's side: a driver may draw smaller fragments only.
 std::uint8_t toDensity(std::uint32_t side) { return static_cast<std::uint8_t>(255 / side); }
 
+/// Pixels per side of fragments that an eye does not tell from single pixels: 1, 2 or 4.
+/// @param tangent  of the angle to the eye's axis @param pixels  per tangent at the axis
+std::uint32_t fragmentSide(double tangent, double pixels) {
+    const double angle = std::atan(tangent), beyond = std::max(0.0, angle - kGaze * kDegree);
+    const double pixel = std::cos(angle) / pixels;  // the side along which pixels shrink least, radians
+    const double seen = kFinest + kSlope * beyond;
+    return seen >= 4 * pixel ? 4 : seen >= 2 * pixel ? 2 : 1;
+}
+
 }  // namespace
 
 graph::ImageDesc densityMapFor(graph::Extent image, std::uint32_t views, std::uint32_t texel) {
@@ -23,13 +32,6 @@ graph::ImageDesc densityMapFor(graph::Extent image, std::uint32_t views, std::ui
     graph::ImageDesc map{VK_FORMAT_R8G8_UNORM, {texels(image.width), texels(image.height)}};
     map.layers = views;
     return map;
-}
-
-std::uint32_t fragmentSide(double tangent, double pixels) {
-    const double angle = std::atan(tangent), beyond = std::max(0.0, angle - kGaze * kDegree);
-    const double pixel = std::cos(angle) / pixels;  // the side along which pixels shrink least, radians
-    const double seen = kFinest + kSlope * beyond;
-    return seen >= 4 * pixel ? 4 : seen >= 2 * pixel ? 2 : 1;
 }
 
 EyeAxis findAxis(const View& v) {

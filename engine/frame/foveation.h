@@ -18,10 +18,6 @@ inline const graph::State kDensityState = graph::verbState(graph::Verb::density,
 /// A map for an image. @param views  of the image: each has a layer of the map @param texel  PlanCaps::densityTexel
 graph::ImageDesc densityMapFor(graph::Extent image, std::uint32_t views, std::uint32_t texel);
 
-/// Pixels per side of fragments that an eye does not tell from single pixels: 1, 2 or 4.
-/// @param tangent  of the angle to the eye's axis @param pixels  per tangent at the axis
-std::uint32_t fragmentSide(double tangent, double pixels);
-
 /// Where an eye looks straight ahead in its picture.
 struct EyeAxis {
     graph::Extent image;

@@ -13,8 +13,7 @@ constexpr std::uint32_t kImages = 3;
 constexpr vk::Format kPictureFormats[] = {vk::Format::eB8G8R8A8Srgb, vk::Format::eR8G8B8A8Srgb,
                                           vk::Format::eB8G8R8A8Unorm, vk::Format::eR8G8B8A8Unorm};
 
-}  // namespace
-
+/// Clockwise quarter turns that a surface's transform asks for; mirrored transforms count as upright.
 int countQuarterTurns(vk::SurfaceTransformFlagBitsKHR transform) {
     switch (transform) {
         case vk::SurfaceTransformFlagBitsKHR::eRotate90:
@@ -27,6 +26,8 @@ int countQuarterTurns(vk::SurfaceTransformFlagBitsKHR transform) {
             return 0;
     }
 }
+
+}  // namespace
 
 Swapchain::Swapchain(const Device& device, const SurfaceSource& source)
     : device_(device), create_(source.create), display_(device, source.clock) {

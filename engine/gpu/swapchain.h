@@ -10,9 +10,6 @@
 
 namespace nacre::gpu {
 
-/// Clockwise quarter turns that a surface's transform asks for; mirrored transforms count as upright.
-int countQuarterTurns(vk::SurfaceTransformFlagBitsKHR transform);
-
 class Swapchain {
 public:
     /// @throws Error if this device cannot present to the window
