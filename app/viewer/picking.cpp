@@ -49,7 +49,7 @@ std::string residueText(const Document& document, std::uint32_t atom) {
     if (residue.atomCount == molecule.atoms.size() || residue.name.view().empty())
         return "id " + std::to_string(atom + 1);
     std::string input;
-    if (molecule.modelsAreInputs)
+    if (molecule.modelsAreInputs && !document.view.input.further.empty())  // a scene names no structures
         input =
             inputNames(makeInput(document.view))[static_cast<std::size_t>(molecule.chains[residue.chain].model - 1)];
     return residuesText(molecule, number, number, input);

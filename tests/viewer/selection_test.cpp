@@ -44,7 +44,10 @@ struct Stand {
                       for (int i = 0; v.input.path == "slow" && !cancelled && i < 1000; ++i)
                           std::this_thread::sleep_for(std::chrono::milliseconds(5));
                       if (v.input.path == "slow") throw Error("stopped", "", "");
-                      return sampleMolecule("dna");
+                      Molecule molecule = sampleMolecule("dna");
+                      molecule.modelsAreInputs = v.input.path == "scene";  // the second structure of one
+                      for (Chain& chain : molecule.chains) chain.model = v.input.path == "scene" ? 2 : chain.model;
+                      return molecule;
                   },
                   [] { return 0.25; }, [this] { cancelled = true; }},
                  picture, {}) {
@@ -131,6 +134,15 @@ TEST(Pointing, AClickSelectsTheResidueAndOneBesideNothing) {
     s.click();
     EXPECT_EQ(s.viewer.picking().selection().text, "");
     EXPECT_EQ(marked(s.viewer), 0u);
+}
+
+TEST(Pointing, StructuresOfASceneHaveNoNamesInASelection) {
+    PictureDescription scene = Stand::first(Style::spacefill);
+    scene.input.path = "scene";
+    Stand s(scene);
+    s.screen.atom = 1;
+    s.click();
+    EXPECT_EQ(s.viewer.picking().selection().text, "chain A and resi 1");
 }
 
 TEST(Pointing, ADashIsReadItsResiduesAreSelectedAndFlownTo) {
