@@ -16,7 +16,7 @@
 namespace nacre {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::uint32_t kUnmatched = 0xffffffff;
 
 bool sameAtoms(const Molecule& a, const Molecule& b) {
     if (a.atoms.size() != b.atoms.size()) return false;
@@ -28,10 +28,10 @@ bool sameAtoms(const Molecule& a, const Molecule& b) {
     return true;
 }
 
-/// For each atom its counterpart in the other molecule, or kNone.
+/// For each atom its counterpart in the other molecule, or kUnmatched.
 std::vector<std::uint32_t> counterparts(const Molecule& molecule, const Molecule& other) {
     const std::size_t count = molecule.atoms.size();
-    std::vector<std::uint32_t> pairs(count, kNone);
+    std::vector<std::uint32_t> pairs(count, kUnmatched);
     if (sameAtoms(molecule, other)) {
         for (std::uint32_t i = 0; i < count; ++i) pairs[i] = i;
         return pairs;
@@ -57,7 +57,7 @@ std::vector<std::uint32_t> counterparts(const Molecule& molecule, const Molecule
     for (std::uint32_t i = 0; i < other.atoms.size(); ++i) others.emplace(makeKey(other, other.atoms[i]), i);
     const ResidueFacts facts(molecule);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const auto found = facts.isPolymer(molecule.atoms[i].residue) || pairs[i] != kNone
+        const auto found = facts.isPolymer(molecule.atoms[i].residue) || pairs[i] != kUnmatched
                                ? others.end()
                                : others.find(makeKey(molecule, molecule.atoms[i]));
         if (found != others.end()) pairs[i] = found->second;
@@ -69,10 +69,10 @@ std::vector<std::uint32_t> counterparts(const Molecule& molecule, const Molecule
 std::vector<std::vector<std::uint32_t>> looseGroups(const Molecule& molecule, const std::vector<std::uint32_t>& pairs) {
     DisjointSets sets(pairs.size());
     for (const Bond& bond : molecule.bonds)
-        if (pairs[bond.a] == kNone && pairs[bond.b] == kNone) sets.join(bond.a, bond.b);
+        if (pairs[bond.a] == kUnmatched && pairs[bond.b] == kUnmatched) sets.join(bond.a, bond.b);
     std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
     for (std::uint32_t i = 0; i < pairs.size(); ++i)
-        if (pairs[i] == kNone) groups[sets.findRoot(i)].push_back(i);
+        if (pairs[i] == kUnmatched) groups[sets.findRoot(i)].push_back(i);
     std::vector<std::vector<std::uint32_t>> all;
     for (auto& [root, group] : groups) all.push_back(std::move(group));
     return all;
@@ -104,7 +104,7 @@ Conformation fitConformation(const Molecule& molecule, const Molecule& other, co
     std::vector<glm::dvec3> fixed, moving;
     std::vector<std::uint32_t> matched;
     for (std::uint32_t i = 0; i < pairs.size(); ++i) {
-        if (pairs[i] == kNone) continue;
+        if (pairs[i] == kUnmatched) continue;
         matched.push_back(i);
         fixed.emplace_back(molecule.atoms[i].position);
         moving.emplace_back(other.atoms[pairs[i]].position);
