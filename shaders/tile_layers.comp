@@ -76,6 +76,12 @@ void mark(uint entry, int i, Hit hit, bool live) {
     hits |= at < 32u ? uvec2(bit, 0u) : uvec2(0u, bit);
 }
 
+/// A function of its own: glslangValidator 12 may take all memory to follow `precise` through the parts of a struct.
+float depthBehind(float order, float before) {
+    precise float behind = encodedDepth(order) - before;
+    return behind;
+}
+
 /// Adds the hits to the sums. Each lane takes its own: fewer lanes idle than if all took one entry after the other.
 /// @param number  of the lane's entry
 void addHits(const int kind, uint number) {
@@ -104,7 +110,7 @@ void addHits(const int kind, uint number) {
         }
         uint bits = storedColor(seen);
         vec3 lit = computeLight(seen.hit, bits, seen.baked, q);
-        precise float behind = encodedDepth(seen.hit.order) - before;
+        float behind = depthBehind(seen.hit.order, before);
         RestPart part = restPart(lit, unpackOpacity(bits), behind);
         for (int k = 0; k < kPixels; ++k) {
             bool here = adds && i == uint(k);
