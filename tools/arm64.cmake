@@ -20,4 +20,6 @@ set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,-rpath-link,${arm64_libraries} -Wl,-rpath-l
 set(Python_INCLUDE_DIR ${NACRE_ARM64_ROOT}/usr/include/python3.11)
 set(PYTHON_MODULE_EXTENSION .cpython-311-aarch64-linux-gnu.so CACHE INTERNAL "")
 set(PYBIND11_PYTHON_EXECUTABLE_LAST /usr/bin/python3 CACHE INTERNAL "")
-set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static -L ${NACRE_ARM64_ROOT})
+# Runs what the build itself needs; its libraries' folders are named as below the root.
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static -L ${NACRE_ARM64_ROOT}
+    -E LD_LIBRARY_PATH=/usr/lib/aarch64-linux-gnu/blas:/usr/lib/aarch64-linux-gnu/lapack)

@@ -140,5 +140,26 @@ TEST(SavedView, FindsItsFileBesideItByItsHash) {
     EXPECT_NE(outcome.err.find("oxygen.pdb has changed since v.json was saved"), std::string::npos) << outcome.err;
 }
 
+TEST(SavedView, OptionsBecomeAViewThatMeansThem) {
+    app::PictureDescription options;
+    options.input.path = "x.pdb";
+    options.input.format = Format::pdb;
+    options.look.style = Style::licorice;
+    options.look.rules = {app::parseShow("chain A=spacefill"), app::parseHide("water"),
+                          app::parseColorBy("chain A=b-factor")};
+    options.background = {1, 0, 0, 0.5f};
+    options.camera.zoom = 3;
+    const TemporaryFolder folder;
+    std::ofstream(folder / "v.json") << app::savedViewJson(options);
+    app::PictureDescription back;
+    app::applySavedView(folder / "v.json", back);
+    EXPECT_EQ(app::savedViewJson(back), app::savedViewJson(options));
+    EXPECT_EQ(back.input.path, "x.pdb");
+    EXPECT_EQ(back.input.namedBy, (folder / "v.json"));
+    EXPECT_EQ(back.look.rules.size(), 3u);
+    EXPECT_EQ(back.look.rules[2].coloring.scheme, ColorScheme::bFactor);
+    EXPECT_EQ(back.camera.zoom, 3);
+}
+
 }  // namespace
 }  // namespace nacre

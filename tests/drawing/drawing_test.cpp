@@ -181,6 +181,21 @@ TEST(LoneCrystal, IsDrawnFromNearUnlessTheMapsPartIsGiven) {
     EXPECT_GT(whole.maps().shown.wires.size(), 10 * wires);
 }
 
+TEST_F(DrawingTest, MapsGoWithTheFocusOfTheCamera) {
+    keepBall("ball");
+    set("map", "ball");
+    set("map-style", "dots");
+    set("map-level", "10");
+    set("map-around", "focus,6");
+    set("zoom", "1");
+    const Picture first = drawn();
+    set("pan", "3,0");
+    const Picture moved = drawn();
+    EXPECT_EQ(drawing.counts().scenes, 1);
+    EXPECT_EQ(moved.rgba, anew().rgba);
+    EXPECT_NE(moved.rgba, first.rgba);
+}
+
 TEST_F(DrawingTest, ASurfaceInTheColoursOfAMapIsBuiltAnewWithAnother) {
     keepBall("ball");
     set("style", "surface");

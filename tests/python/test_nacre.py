@@ -320,6 +320,7 @@ def test_options_are_the_command_lines():
     keywords = {line.split(":")[0].strip() for line in text.splitlines()}
     ours = set(nacre.options())
     assert ours == keywords | {"cache"}
+    assert (pathlib.Path(nacre.__file__).parent / "__init__.pyi").read_text().endswith(text)
     assert {"size", "color", "show", "occlusion"} <= ours
 
 
