@@ -289,7 +289,7 @@ void drawPartsPage(PanelFrame& f) {
     if (f.s.molecule != document->molecule) {
         f.s.molecule = document->molecule;
         f.s.facts = ResidueFacts(*f.s.molecule);
-        const bool several = document->molecule->modelsAreInputs;
+        const bool several = document->molecule->modelsAreInputs && !document->view.input.further.empty();
         f.s.parts = listParts(*f.s.facts, several ? inputNames(makeInput(document->view)) : std::vector<std::string>(),
                               &f.s.partOfResidue);
         f.s.sequence.part.clear();

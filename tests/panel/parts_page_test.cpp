@@ -32,6 +32,20 @@ TEST(Panel, RowsOfPartsHideAndColour) {
     EXPECT_TRUE(named);
 }
 
+TEST(Panel, PartsOfAScenesStructuresNeedNoNames) {
+    Bench b("scene.mvsj", kUsual, 1, PanelHand::mouse, {[](const PictureDescription&) {
+                Molecule scene = sampleMolecule("dna");
+                scene.modelsAreInputs = true;
+                scene.chains.at(1).model = 2;
+                return scene;
+            }});
+    b.panel.showPage("Parts");
+    b.settle();
+    b.click("Hide Chain B");
+    ASSERT_EQ(b.viewer.view().look.rules.size(), 1u);
+    EXPECT_EQ(b.viewer.view().look.rules[0].selection.text, "chain B and polymer");
+}
+
 TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     Bench b("sample:dna", {1000, 900});
     b.panel.showStart();
