@@ -23,7 +23,7 @@ public:
     }
     void addVertex(const std::string& place, const glm::dvec3& at) {
         for (int i = 0; i < 3; ++i)
-            if (!(std::abs(at[i]) <= kFarthestPrimitive)) refuse(place, "a vertex is not within 1e6 Å");
+            if (!(std::abs(at[i]) <= kFarthestPrimitive)) refuse(place, "a vertex needs three numbers within 1e6 Å");
         if (mesh_.positions.size() == kMostMeshVertices)
             refuse("", "it has more than " + std::to_string(kMostMeshVertices) + " vertices");
         mesh_.positions.push_back(at);
@@ -190,12 +190,14 @@ private:
                 if (axis < 3) at[static_cast<int>(axis)] = value;
                 continue;
             }
+            const bool used = element.name == "face" && !face && property.name.starts_with("vertex_ind");
             corners_.clear();
             for (double left = next(*property.count); left >= 1; --left) {
                 const double corner = next(property.type);
-                corners_.push_back(corner >= 0 && corner < 1e15 ? static_cast<std::int64_t>(corner) : -1);
+                if (used) corners_.push_back(corner >= 0 && corner < 1e15 ? static_cast<std::int64_t>(corner) : -1);
+                if (corners_.size() > kMostMeshTriangles + 2) mesh_.refuse(place, "a list is too long");
             }
-            if (element.name != "face" || face || !property.name.starts_with("vertex_ind")) continue;
+            if (!used) continue;
             mesh_.addFace(place, corners_);
             face = true;
         }
@@ -211,12 +213,14 @@ private:
 }  // namespace
 
 Primitives::Mesh readObj(const std::string& name, std::string_view text) {
+    constexpr std::size_t kLongestLine = 1'000'000;
     MeshBuilder mesh(name);
     std::vector<std::int64_t> corners;
     for (std::size_t number = 1; !text.empty(); ++number) {
         const std::string_view line = nextLine(text);
         if (!line.starts_with("v ") && !line.starts_with("f ")) continue;
         const std::string place = "line " + std::to_string(number) + ": ";
+        if (line.size() > kLongestLine) mesh.refuse(place, "it is too long");
         if (line[0] == 'v') {
             const Words words = splitWords(line);
             glm::dvec3 at;

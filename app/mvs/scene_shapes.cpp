@@ -22,6 +22,8 @@ PrimitiveLook readLook(const Node& node, SceneWarnings& warnings) {
     PrimitiveLook look{.color = 0xffffffffu};
     for (const Node& child : node.children) {
         tellUnknown(child, node, warnings);
+        if ((child.kind == "color" || child.kind == "opacity") && child.param("selector"))
+            warnings.add(child, "its parameter 'selector' is not used");
         if (child.kind == "color") {
             const auto color = readColor(child.param("color"));
             if (color)

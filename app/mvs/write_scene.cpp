@@ -106,6 +106,11 @@ std::vector<std::string> listNotes(const PictureDescription& d, const Molecule& 
     if (std::any_of(layers.begin(), layers.end(),
                     [](const SceneLayer& layer) { return layer.style == Style::ellipsoids; }))
         notes.push_back("MolViewSpec cannot store ellipsoids: they become balls");
+    if (std::ranges::any_of(layers, [](const SceneLayer& layer) {
+            return layer.style == Style::cartoon && layer.cartoon.putty && layer.cartoon.tube == 0;
+        }))
+        notes.push_back(
+            "MolViewSpec cannot store the widths of --putty: they become 0.2 Å and a tenth of the B factor");
     if (std::any_of(d.words.labels.begin(), d.words.labels.end(), hasFields))
         notes.push_back("MolViewSpec cannot store labels that name each residue");
     if (std::ranges::count(d.maps.styles, MapStyle::volume) > 0 ||

@@ -68,8 +68,9 @@ TEST(MeshFiles, FaultsNameTheirPlace) {
     const auto obj = [](const std::string& text) { return test::errorText([&] { readObj("a.obj", text); }); };
     EXPECT_EQ(obj("v 0 0 0\nf 1 2 3\n"), "cannot read mesh: a.obj: line 2: a face names a vertex that is not there");
     EXPECT_EQ(obj("v 0 0 0\nf 1 1\n"), "cannot read mesh: a.obj: line 2: a face has fewer than three corners");
-    EXPECT_EQ(obj("v 0 0 nan\n"), "cannot read mesh: a.obj: line 1: a vertex is not within 1e6 Å");
+    EXPECT_EQ(obj("v 0 0 nan\n"), "cannot read mesh: a.obj: line 1: a vertex needs three numbers within 1e6 Å");
     EXPECT_EQ(obj("v 0 0 0\n"), "cannot read mesh: a.obj: it has no faces");
+    EXPECT_EQ(obj("f " + std::string(1'000'000, '1')), "cannot read mesh: a.obj: line 1: it is too long");
     const auto ply = [](const std::string& text) { return test::errorText([&] { readPly("a.ply", text); }); };
     EXPECT_EQ(ply("plyx\n"), "cannot read mesh: a.ply: it does not begin with 'ply'");
     EXPECT_EQ(ply("ply\nformat ascii 1.0\n"), "cannot read mesh: a.ply: its header has no end");
@@ -82,6 +83,12 @@ TEST(MeshFiles, FaultsNameTheirPlace) {
     std::string many = kPly;  // states more than it holds, which takes no memory
     many.replace(many.find("vertex 4"), 8, "vertex 4000000000000000000");
     EXPECT_EQ(ply(many), "cannot read mesh: a.ply: vertex 6: a number is missing");
+    const auto listOf = [](std::uint32_t count, const std::string& name) {
+        return "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uint uchar " + name +
+               "\nend_header\n" + bytesOf(count, false) + std::string(count, '\0');
+    };
+    EXPECT_EQ(ply(listOf(10'000'003, "vertex_indices")), "cannot read mesh: a.ply: face 1: a list is too long");
+    EXPECT_EQ(ply(listOf(10'000'003, "flags")), "cannot read mesh: a.ply: it has no faces");
 }
 
 Molecule shown(const std::string& children, const std::string& file = kObj, const std::string& format = "obj") {
@@ -111,6 +118,12 @@ TEST(SceneShapes, HaveAColourAnOpacityAndInstances) {
     EXPECT_EQ(drawn.guide->primitives.meshes[1].positions[0], glm::dvec3(1, 10, 0));
     EXPECT_EQ(drawn.guide->primitives.meshes[1].looks.at(0).color, 0xff00ff00u);
     EXPECT_EQ(drawn.guide->primitives.meshes[1].looks.at(0).opacity, 0.5);
+}
+
+TEST(SceneShapes, TellOfSelectors) {
+    const Molecule drawn = shown(R"({"kind": "color", "params": {"color": "red", "selector": "all"}})");
+    ASSERT_EQ(drawn.guide->warnings.size(), 1u);
+    EXPECT_NE(drawn.guide->warnings[0].find("color 1: its parameter 'selector' is not used"), std::string::npos);
 }
 
 TEST(SceneShapes, AreClippedAndFocused) {

@@ -88,7 +88,10 @@ TEST(WrittenScenes, KeepTheWidthsOfCartoons) {
     ASSERT_NE(cartoon, again.guide->layers.end());
     EXPECT_NEAR(cartoon->cartoon.scale, 1, 1e-3);
     d.look.cartoon.putty = true;
-    const Molecule putty = readBack(writeScene(m, d, {}, camera(), "out.mvsj"));
+    const WrittenScene written = writeScene(m, d, {}, camera(), "out.mvsj");
+    ASSERT_EQ(written.notes.size(), 1u);
+    EXPECT_NE(written.notes[0].find("the widths of --putty"), std::string::npos);
+    const Molecule putty = readBack(written);
     EXPECT_TRUE(std::ranges::any_of(putty.guide->layers, [](const SceneLayer& layer) {
         return layer.cartoon.putty && layer.cartoon.tubePerTemperature > 0;
     }));
