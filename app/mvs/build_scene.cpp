@@ -1,7 +1,9 @@
 #include "app/mvs/build_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <map>
 
 #include "app/mvs/animation.h"
 #include "app/mvs/camera_nodes.h"
@@ -177,23 +179,25 @@ private:
     void words(const Node& node, const std::vector<bool>& atoms, std::size_t structure) {
         Structure& s = structures_[structure];
         if (node.kind == "label" || node.kind == "tooltip")
-            addText(atoms, nodeText(node, "text"), s, node.kind == "label" ? s.labels : s.tooltips);
+            addText(node, atoms, nodeText(node, "text"), s, node.kind == "label" ? s.labels : s.tooltips);
         if (node.kind.starts_with("label_from_")) addTexts(node, "label", s, s.labels);
         if (node.kind.starts_with("tooltip_from_")) addTexts(node, "tooltip", s, s.tooltips);
         if (node.kind == "focus") camera_.takeFocus(node, structure, s.atoms->selectDrawn(atoms));
     }
 
-    static void addText(const std::vector<bool>& atoms, const std::string& text, const Structure& s,
-                        std::vector<Structure::Text>& labels, const Node* source = nullptr) {
+    void addText(const Node& node, const std::vector<bool>& atoms, const std::string& text, const Structure& s,
+                 std::vector<Structure::Text>& labels, const Node* source = nullptr) {
         Structure::Text label{s.atoms->selectDrawn(atoms), text, source};
         std::erase_if(label.atoms, [&](std::uint32_t atom) { return !isPlaced(s, atom); });
-        if (!label.atoms.empty() && !text.empty()) labels.push_back(std::move(label));
+        if (label.atoms.empty() || text.empty()) return;
+        files_.countShown(node.place, label.atoms.size());
+        labels.push_back(std::move(label));
     }
 
     /// Adds one text for each group of rows.
     void addTexts(const Node& node, const char* field, Structure& s, std::vector<Structure::Text>& labels) {
         for (const auto& [text, atoms] : readTextGroups(node, field, s, files_, warnings_))
-            addText(atoms, text, s, labels, &node);
+            addText(node, atoms, text, s, labels, &node);
     }
 
     std::vector<bool> selectedBy(const Node& node, const Structure& s) {
@@ -222,7 +226,7 @@ private:
                                 "it has more than " + std::to_string(kMostLayers) + " representations");
                 Structure& s = structures_[structure];
                 if (!s.representation) s.representation = &child;
-                files_.countShown(child, drawn.size());
+                files_.countShown(child.place, drawn.size());
                 if (auto layer = readRepresentation(child, drawn, s, files_, warnings_))
                     addLayer(child, std::move(*layer), structure);
             }
@@ -235,9 +239,9 @@ private:
         const ClipRegions regions(node, warnings_);
         if (!regions.empty() && !hasCopies(structures_[structure])) clipLayer(regions, structures_[structure], layer);
         if (!regions.empty() && hasCopies(structures_[structure])) {
-            checkCount(node);
             auto own = separateCut(node, regions, structures_[structure], layer, files_, warnings_);
             if (own) {
+                checkCount(node);
                 own->original = structure;
                 structures_.push_back(std::move(*own));
                 structure = structures_.size() - 1;
@@ -270,19 +274,22 @@ private:
             std::vector<std::uint32_t> list;
             for (const glm::dmat4x3& copy : copies)
                 for (const glm::dmat4x3& motion : listMotions(s, copy)) {
-                    const auto known = std::find(guide_->transforms.begin(), guide_->transforms.end(), motion);
-                    list.push_back(static_cast<std::uint32_t>(known - guide_->transforms.begin()));
-                    if (known == guide_->transforms.end()) guide_->transforms.push_back(motion);
+                    std::array<double, 12> numbers{};
+                    std::copy_n(&motion[0][0], numbers.size(), numbers.begin());
+                    const auto [known, isNew] =
+                        transforms_.emplace(numbers, static_cast<std::uint32_t>(guide_->transforms.size()));
+                    list.push_back(known->second);
+                    if (isNew) guide_->transforms.push_back(motion);
                     if (guide_->transforms.size() > kMostCopies)
                         throw Error("cannot draw scene", name_,
                                     "it has more than " + std::to_string(kMostCopies) + " copies");
                 }
             std::sort(list.begin(), list.end());
             list.erase(std::unique(list.begin(), list.end()), list.end());
-            const auto known = std::find(guide_->lists.begin(), guide_->lists.end(), list);
-            const auto place = static_cast<std::uint32_t>(known - guide_->lists.begin());
-            if (known == guide_->lists.end()) guide_->lists.push_back(list);
-            return place;
+            const auto [known, isNew] =
+                lists_.emplace(std::move(list), static_cast<std::uint32_t>(guide_->lists.size()));
+            if (isNew) guide_->lists.push_back(known->first);
+            return known->second;
         };
         std::vector<std::uint32_t> places;
         if (s.transforms.empty()) places.push_back(add({glm::dmat4x3(1.0)}));
@@ -321,6 +328,7 @@ private:
         const auto times = static_cast<std::uint32_t>(s.instanceIds.size() / told.instanceIds.size());
         const auto each = static_cast<std::uint32_t>(s.molecule->atoms.size() / times);
         for (const Structure::Text& tip : told.tooltips) {
+            files_.countShown(name_, tip.atoms.size() * times);
             SceneNote note{{}, tip.text};
             for (std::uint32_t group = 0; group < times; ++group)
                 for (const std::uint32_t atom : tip.atoms) note.atoms.push_back(atom + firstAtom + group * each);
@@ -392,8 +400,9 @@ private:
             atoms += static_cast<std::uint32_t>(s.molecule->atoms.size());
             s.atoms.reset();
             const std::size_t groups = s.instanceIds.size();
-            for (Chain& chain : s.molecule->chains)  // a number for each group of copies
-                chain.model = static_cast<int>(models + 1) + (groups > 1 ? chain.model : 0);
+            if (structures_.size() > 1 || groups > 1)
+                for (Chain& chain : s.molecule->chains)  // a number for each group of copies
+                    chain.model = static_cast<int>(models + 1) + (groups > 1 ? chain.model : 0);
             models += groups;
             molecules.push_back(std::move(*s.molecule));
         }
@@ -422,8 +431,10 @@ private:
         std::vector<std::size_t> focuses;
     };
     static constexpr std::size_t kNoStructure = SIZE_MAX;
-    std::vector<Group> groups_;          ///< of primitives
-    std::set<std::string> instanceIds_;  ///< that selectors name
+    std::vector<Group> groups_;                                   ///< of primitives
+    std::set<std::string> instanceIds_;                           ///< that selectors name
+    std::map<std::array<double, 12>, std::uint32_t> transforms_;  ///< those of the guide
+    std::map<std::vector<std::uint32_t>, std::uint32_t> lists_;   ///< those of the guide
     std::size_t layers_ = 0;
 };
 

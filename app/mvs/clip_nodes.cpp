@@ -185,7 +185,8 @@ std::optional<Structure> separateCut(const Node& node, const ClipRegions& region
     if (copies.empty()) copies.emplace_back(1.0);
     for (const glm::dmat4x3& copy : copies)
         for (const glm::dmat4x3& motion : listMotions(s, copy)) {
-            const auto cut = regions.cutsBall(motion * glm::dvec4(ball.center, 1.0), ball.radius);
+            constexpr double kStretch = 1.01;  // that motions may have
+            const auto cut = regions.cutsBall(motion * glm::dvec4(ball.center, 1.0), kStretch * ball.radius);
             if (cut == false && whole == kNoGroup) whole = count++;
             groups.push_back(cut == true ? kNoGroup : cut == false ? whole : count++);
         }
@@ -193,8 +194,8 @@ std::optional<Structure> separateCut(const Node& node, const ClipRegions& region
     if (count == 0) keepAtoms(layer, [](std::size_t) { return false; });
     if (count == 0 || !isSplit) return std::nullopt;
     if (count * atoms > kMostCutAtoms) {
-        warnings.add(node, "it is not clipped: its clip cuts through copies of more than " +
-                               std::to_string(kMostCutAtoms) + " atoms");
+        warnings.add(node, "it is not clipped: the copies that its clip cuts have more than " +
+                               std::to_string(kMostCutAtoms) + " atoms together");
         return std::nullopt;
     }
     files.countCopied(node, count * atoms);

@@ -45,9 +45,8 @@ void clipLayer(const ClipRegions& regions, const Structure& structure, SceneLaye
 
 constexpr std::size_t kMostCutAtoms = 4'000'000;  ///< of the copies that a clip cuts through
 
-/// Separates the copies of a structure that a clip cuts through. @param layer  of the structure; then of what is
-/// returned
-/// @returns empty: the layer may stay in its structure, without atoms if all copies are cut away
+/// Gives copies that a clip cuts through atoms of their own, and cuts `layer`.
+/// @returns the structure that `layer` belongs to from now on; empty: its own structure as before
 std::optional<Structure> separateCut(const Node& representation, const ClipRegions& regions, const Structure& structure,
                                      SceneLayer& layer, SceneFiles& files, SceneWarnings& warnings);
 

@@ -17,43 +17,69 @@ namespace nacre::app::mvs {
 namespace {
 
 constexpr const char* kField = "instance_id";
-constexpr std::size_t kMostInstanceIds = 1000;
+constexpr std::size_t kMostInstanceIds = 1000, kLongestId = 200;
 
-void addNamed(const Json& value, std::set<std::string>& ids) {
-    if (value.is_object()) {
-        const auto id = value.find(kField);
-        if (id != value.end() && id->is_string()) ids.insert(id->get<std::string>());
+/// Collects the ids that the nodes of a scene name.
+class NamedIds {
+public:
+    explicit NamedIds(SceneFiles& files) : files_(files) {}
+
+    /// @param url  of the download above @throws Error if there are too many
+    void add(const Node& node, const std::string& url) {
+        files_.step();
+        addNamed(node.params);
+        if (node.kind.ends_with("_from_uri")) addFromFile(node, nodeText(node, "uri"));
+        if (node.kind.ends_with("_from_source")) addFromFile(node, url);
+        if (ids_.size() > kMostInstanceIds)
+            throw Error("cannot draw scene", node.place,
+                        "selectors name more than " + std::to_string(kMostInstanceIds) + " instances");
+        for (const Node& child : node.children) add(child, node.kind == "download" ? nodeText(node, "url") : url);
     }
-    if (!value.is_structured()) return;
-    for (const Json& inner : value) addNamed(inner, ids);
-}
+    std::set<std::string> take() { return std::move(ids_); }
 
-/// Adds the ids in the file that a node names. Faults are told where the node is drawn.
-void addFromFile(const Node& node, const std::string& uri, SceneFiles& files, std::set<std::string>& ids) try {
-    const std::string& bytes = files.bytes(uri);
-    const bool primitives = node.kind == "primitives_from_uri";
-    const std::string column = primitives ? kField : findColumn(node, kField);
-    if (column.empty() || bytes.find(column) == std::string::npos) return;
-    if (primitives) {
-        for (const Node& child : parseNode(bytes, uri).children) addNamed(child.params, ids);
-        return;
+private:
+    void addId(const std::string& id) {
+        if (id.size() <= kLongestId) ids_.insert(id);  // a longer one names no copy
     }
-    Structure ofFile;
-    ofFile.uri = uri;
-    for (const AnnotationRow& row : readRows(node, kField, ofFile, files))
-        if (row.expression.instance) ids.insert(*row.expression.instance);
-} catch (const Error&) {
-}
+    void addNamed(const Json& value) {
+        if (!value.is_structured() || ids_.size() > kMostInstanceIds) return;
+        if (value.is_object())
+            if (const auto id = value.find(kField); id != value.end() && id->is_string())
+                addId(id->get_ref<const std::string&>());
+        for (const auto& [key, inner] : value.items())
+            if (key != "field_remapping") addNamed(inner);
+    }
+    /// Adds the ids in the file that a node names. Faults are told where the node is drawn.
+    void addFromFile(const Node& node, const std::string& uri) try {
+        const bool primitives = node.kind == "primitives_from_uri";
+        const std::string column = primitives ? kField : findColumn(node, kField);
+        if (column.empty() || failed_) return;
+        const auto [known, isNew] = mentions_.emplace(std::pair(uri, column), false);
+        if (isNew) {
+            failed_ = true;  // unless that succeeds; then the scene is refused, without a wait for further files
+            known->second = files_.bytes(uri).find(column) != std::string::npos;
+            failed_ = false;
+        }
+        if (!known->second || !read_.emplace(uri, primitives ? "" : node.params.dump()).second) return;
+        if (primitives) {
+            for (const Node& child : parseNode(files_.bytes(uri), uri).children) addNamed(child.params);
+            return;
+        }
+        Structure ofFile;
+        ofFile.uri = uri;
+        for (const AnnotationRow& row : readRows(node, kField, ofFile, files_)) {
+            if (ids_.size() > kMostInstanceIds) return;
+            if (row.expression.instance) addId(*row.expression.instance);
+        }
+    } catch (const Error&) {
+    }
 
-/// @param url  of the download above
-void addNamed(const Node& node, const std::string& url, SceneFiles& files, std::set<std::string>& ids) {
-    files.step();
-    addNamed(node.params, ids);
-    if (node.kind.ends_with("_from_uri")) addFromFile(node, nodeText(node, "uri"), files, ids);
-    if (node.kind.ends_with("_from_source")) addFromFile(node, url, files, ids);
-    for (const Node& child : node.children)
-        addNamed(child, node.kind == "download" ? nodeText(node, "url") : url, files, ids);
-}
+    SceneFiles& files_;
+    std::set<std::string> ids_;
+    std::map<std::pair<std::string, std::string>, bool> mentions_;  ///< by file and column
+    std::set<std::pair<std::string, std::string>> read_;            ///< files, with the nodes' parameters
+    bool failed_ = false;
+};
 
 TransformsById cifOperators(const std::string& uri, const std::string& bytes, const TablePlace& place) {
     static const std::vector<std::string_view> kColumns{
@@ -146,12 +172,9 @@ bool isNearMotion(const glm::dmat4x3& a, const glm::dmat4x3& b) {
 }  // namespace
 
 std::set<std::string> namedInstances(const Node& root, SceneFiles& files) {
-    std::set<std::string> ids;
-    addNamed(root, {}, files, ids);
-    if (ids.size() > kMostInstanceIds)
-        throw Error("cannot draw scene", root.place,
-                    "its selectors name more than " + std::to_string(kMostInstanceIds) + " instances");
-    return ids;
+    NamedIds ids(files);
+    ids.add(root, {});
+    return ids.take();
 }
 
 void splitInstances(const Node& node, const std::set<std::string>& ids, Structure& s, SceneFiles& files) {
@@ -163,20 +186,33 @@ void splitInstances(const Node& node, const std::set<std::string>& ids, Structur
     }
     const bool assembly = nodeText(node, "type") == "assembly";
     const TransformsById operators = assembly ? readOperators(node, s, files) : TransformsById();
-    std::vector<std::set<std::string>> idsOfCopy(s.transforms.size());
+    Molecule empty;  // to find no middle of the atoms for each id
+    empty.file = s.molecule->file;
+    std::vector<std::uint32_t> groups(s.transforms.size());
+    std::uint32_t count = 1;
+    std::vector<std::pair<const std::string*, std::vector<bool>>> found;  // ids, with their copies
     for (const std::string& id : ids) {
-        const auto motion = assembly ? assemblyMotion(id, operators) : motionInCrystal(id, *s.molecule);
-        for (std::size_t i = 0; motion && i < idsOfCopy.size(); ++i)
-            if (isNearMotion(*motion, s.transforms[i])) idsOfCopy[i].insert(id);
+        files.step();
+        const auto motion = assembly ? assemblyMotion(id, operators) : motionInCrystal(id, empty);
+        std::vector<bool> near(groups.size());
+        for (std::size_t i = 0; motion && i < near.size(); ++i) near[i] = isNearMotion(*motion, s.transforms[i]);
+        if (std::ranges::find(near, true) == near.end()) continue;
+        std::map<std::pair<std::uint32_t, bool>, std::uint32_t> parts;
+        for (std::size_t i = 0; i < groups.size(); ++i)
+            groups[i] = parts.emplace(std::pair(groups[i], bool(near[i])), static_cast<std::uint32_t>(parts.size()))
+                            .first->second;
+        count = static_cast<std::uint32_t>(parts.size());
+        found.emplace_back(&id, std::move(near));
     }
-    std::map<std::set<std::string>, std::uint32_t> known;
-    std::vector<std::uint32_t> groups;
-    for (const auto& own : idsOfCopy)
-        groups.push_back(known.emplace(own, static_cast<std::uint32_t>(known.size())).first->second);
-    const auto count = static_cast<std::uint32_t>(known.size());
     files.countCopied(node, (count - 1) * s.molecule->atoms.size());
     splitCopies(groups, count, s);
-    for (const auto& [own, group] : known) s.instanceIds[group] = own;
+    std::uint32_t group = 0;  // they are in the order of their first copies
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (groups[i] != group) continue;
+        for (const auto& [id, near] : found)
+            if (near[i]) s.instanceIds[group].insert(*id);
+        ++group;
+    }
     s.atoms = std::make_unique<StructureAtoms>(*s.molecule, s.instanceIds);
 }
 

@@ -107,12 +107,12 @@ void SceneFiles::countCopied(const Node& node, std::size_t atoms) {
     if (atoms_ > sources_.reading.maxAtoms) throw tooManyAtoms(node.place, sources_.reading.maxAtoms);
 }
 
-void SceneFiles::countShown(const Node& node, std::size_t atoms) {
+void SceneFiles::countShown(const std::string& place, std::size_t atoms) {
     shown_ += atoms;
     if (shown_ / kMostTimes > sources_.reading.maxAtoms)
-        throw Error("cannot draw scene", node.place,
-                    "the representations have more than " + std::to_string(sources_.reading.maxAtoms * kMostTimes) +
-                        " atoms together");
+        throw Error("cannot draw scene", place,
+                    "the representations, labels and tooltips have more than " +
+                        std::to_string(sources_.reading.maxAtoms * kMostTimes) + " atoms together");
 }
 
 void SceneFiles::countParsed(const std::string& uri, std::size_t bytes) {

@@ -212,6 +212,7 @@ Structure Structure::copied() const {
     Structure s;
     s.uri = uri;
     s.molecule = std::make_unique<Molecule>(*molecule);
+    s.molecule->assemblies.clear();
     s.atoms = std::make_unique<StructureAtoms>(*s.molecule, instanceIds);
     s.transforms = transforms, s.lists = lists, s.listOfResidue = listOfResidue, s.instanceIds = instanceIds;
     s.moved = moved, s.instances = instances;

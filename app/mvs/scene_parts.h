@@ -56,8 +56,8 @@ public:
     std::vector<glm::vec3> positions(const std::string& ref, std::size_t frame, std::size_t atoms);
     /// Counts atoms of a copied structure, as if they were read again. @throws Error if there are too many
     void countCopied(const Node& node, std::size_t atoms);
-    /// Counts atoms of a representation. @throws Error if there are too many
-    void countShown(const Node& node, std::size_t atoms);
+    /// Counts atoms of a representation, a label or a tooltip. @throws Error if there are too many
+    void countShown(const std::string& place, std::size_t atoms);
     /// Call before each node.
     void step() const {
         if (sources_.onStep) sources_.onStep();
@@ -100,7 +100,7 @@ struct Structure {
     std::vector<Text> labels, tooltips;
     const Node* representation = nullptr;  ///< its first one: labels have its colours
     std::string ref;
-    std::optional<std::size_t> original;  ///< the structure whose tooltips its atoms have too
+    std::optional<std::size_t> original;  ///< the structure that this one was separated from: it has the same tooltips
 
     /// The same atoms at the same places, without layers and texts.
     Structure copied() const;

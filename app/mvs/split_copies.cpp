@@ -35,31 +35,36 @@ void splitCopies(const std::vector<std::uint32_t>& groups, std::uint32_t count, 
     const auto residues = static_cast<std::uint32_t>(s.molecule->residues.size());
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known;  // by list and group
     std::vector<std::vector<std::uint32_t>> lists;
-    std::vector<std::uint32_t> listOfResidue;
+    for (std::uint32_t list = 0; list < s.lists.size(); ++list)
+        for (const std::uint32_t copy : s.lists[list]) {
+            if (groups[copy] == kNoGroup) continue;
+            const auto next = static_cast<std::uint32_t>(lists.size());
+            const auto [place, added] = known.emplace(std::pair(list, groups[copy]), next);
+            if (added) lists.emplace_back();
+            lists[place->second].push_back(copy);
+        }
     const auto listIn = [&](std::uint32_t group, std::uint32_t list) {
-        if (list == UINT32_MAX) return list;
-        const auto [place, added] = known.emplace(std::pair(list, group), UINT32_MAX);
-        if (!added) return place->second;
-        std::vector<std::uint32_t> own;
-        std::ranges::copy_if(s.lists[list], std::back_inserter(own),
-                             [&](std::uint32_t copy) { return groups[copy] == group; });
-        if (own.empty()) return UINT32_MAX;
-        lists.push_back(std::move(own));
-        return place->second = static_cast<std::uint32_t>(lists.size() - 1);
+        const auto place = known.find({list, group});
+        return place == known.end() ? UINT32_MAX : place->second;
     };
+    std::vector<std::uint32_t> listOfResidue;
     for (std::uint32_t group = 0; group < count; ++group)
         for (std::uint32_t i = 0; i < residues; ++i) listOfResidue.push_back(listIn(group, listOfCopies(s, i)));
     const std::vector<std::set<std::string>> ids = s.instanceIds;
-    std::vector<Molecule> all(1, std::move(*s.molecule));
-    Molecule further = all.front();
-    further.notes.clear();  // joining adds up what was read
-    further.file.bonds.reset();
-    all.resize(count, further);
-    for (std::uint32_t group = 0; group < count; ++group) {
-        if (group > 0) s.instanceIds.insert(s.instanceIds.end(), ids.begin(), ids.end());
+    std::vector<Molecule> all(count);
+    all[0] = std::move(*s.molecule);
+    if (count > 1) all[0].assemblies.clear();  // scenes of several parts have none
+    for (std::uint32_t group = 1; group < count; ++group) {
+        all[group] = all[group - 1];
+        all[group].file = {};
+        all[group].notes.clear();  // joining adds up what was read
+        all[group].warnings.clear();
+        all[group].serials.clear();
+        s.instanceIds.insert(s.instanceIds.end(), ids.begin(), ids.end());
+    }
+    for (std::uint32_t group = 0; group < count && count > 1; ++group)
         for (Chain& chain : all[group].chains)
             chain.model = static_cast<int>(group * ids.size()) + (ids.size() > 1 ? chain.model : 0);
-    }
     *s.molecule = joinModels(s.uri, std::move(all), std::numeric_limits<std::size_t>::max());
     s.lists = std::move(lists);
     s.listOfResidue = std::move(listOfResidue);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/mvs/small_scene.h"
+#include "tests/support/error_text.h"
 
 namespace nacre::app::mvs {
 namespace {
@@ -180,6 +181,19 @@ TEST(SceneClips, CutEachCopyWhereItIs) {
             for (const std::uint32_t atom : cut.guide->layers.at(0).atoms) EXPECT_TRUE(told[atom]);
             EXPECT_NEAR(glm::distance(cut.guide->camera->target, whole.guide->camera->target), 0, 1e-9);
         }
+}
+
+TEST(SceneClips, TooltipsOfCutCopiesTakeNoMoreThanTheLimit) {
+    std::string tips;  // 9 atoms each, in three groups of copies
+    for (int i = 0; i < 14; ++i) tips += R"({"kind": "tooltip", "params": {"text": "all"}},)";
+    const std::string ball = clip(R"({"type": "sphere", "radius": 0.5, "center": [1,9,3]})"),
+                      json = scene(tips + component(R"("all")", balls(ball)), "", R"("symmetry")");
+    SceneSources sources;
+    sources.fetch = [](const std::string&) { return std::string(kStructure); };
+    sources.reading.maxAtoms = 27;
+    const std::string why =
+        test::errorText([&] { buildScene(parseScene(json, "scene.mvsj"), 0, "scene.mvsj", sources); });
+    EXPECT_NE(why.find("tooltips have more than 432 atoms together"), std::string::npos) << why;
 }
 
 TEST(SceneClips, ShareTheAtomsOfCopiesThatStayWhole) {

@@ -6,6 +6,7 @@
 
 #include "engine/molecule/crystal.h"
 #include "tests/mvs/small_scene.h"
+#include "tests/support/error_text.h"
 
 namespace nacre::app::mvs {
 namespace {
@@ -145,6 +146,53 @@ TEST(SceneInstances, GivePlacesToPrimitives) {
     const Primitives::Line line = drawn.guide->primitives.lines.at(0);
     EXPECT_NEAR(glm::distance(line.a, glm::dvec3(1, 102, 3)), 0, 1e-4);
     EXPECT_NEAR(glm::distance(line.b, glm::dvec3(11, 102, 3)), 0, 1e-4);
+}
+
+TEST(SceneInstances, AreAtMostAThousand) {
+    std::string ids;
+    for (int i = 0; i < 1001; ++i) ids += R"(,{"instance_id": "ASM-)" + std::to_string(i) + "\"}";
+    const auto show = [&](const std::string& list) {
+        return builtFrom(kAssembly, scene(component("[" + list.substr(1) + "]", balls()), "", kWhole));
+    };
+    const std::string why = test::errorText([&] { show(ids); });
+    EXPECT_NE(why.find("component 1: selectors name more than 1000 instances"), std::string::npos) << why;
+    const std::string longOne = "ASM-X0-1" + std::string(200, ' ');  // else a thousand of them are large
+    EXPECT_EQ(show(R"(,{"instance_id": ")" + longOne + "\"}").atoms.size(), 1u);
+}
+
+TEST(SceneInstances, AreNoNamesOfColumns) {
+    const std::string node = R"({"kind": "color_from_uri", "params": {"uri": "b.json", "format": "json",
+        "schema": "all_atomic", "field_remapping": {"instance_id": "ASM-X0-1"}}})";
+    const std::string json = scene(component(R"("all")", balls(node)), "", kWhole);
+    EXPECT_EQ(builtFrom(kAssembly, json, R"([{"color": "red"}])").atoms.size(), 1u);
+}
+
+TEST(SceneInstances, AreNotSoughtFurtherWhereAFileIsMissing) {
+    const auto node = [](const std::string& uri) {
+        return R"({"kind": "color_from_uri", "params": {"format": "json", "schema": "all_atomic", "uri": ")" + uri +
+               "\"}}";
+    };
+    std::string asked;
+    SceneSources sources;
+    sources.fetch = [&](const std::string& uri) {
+        asked += uri + " ";
+        if (uri != "a.cif") throw Error("cannot fetch", uri, "there is none");
+        return kAssembly;
+    };
+    const std::string json = scene(component(R"("all")", balls(node("one") + "," + node("two"))), "", kWhole);
+    EXPECT_THROW(buildScene(parseScene(json, "scene.mvsj"), 0, "scene.mvsj", sources), Error);
+    EXPECT_EQ(asked, "one a.cif one ");
+}
+
+TEST(SceneInstances, AloneKeepTheModelOfTheirFile) {
+    const std::string model = kPdb.substr(kPdb.find("ATOM")),
+                      file = "MODEL        1\n" + model + "ENDMDL\nMODEL        2\n" + model + "ENDMDL\n";
+    const auto modelOf = [&](const std::string& more) {
+        const std::string type = R"("model", "model_index": 1)";
+        return builtFrom(file, scene(component(more, balls()), "", type)).chains.at(0).model;
+    };
+    EXPECT_EQ(modelOf(R"("all")"), 2);
+    EXPECT_EQ(modelOf(R"({"instance_id": "1_555"})"), 2);
 }
 
 // Of the second operation of P 21 21 21, 1/2 - x, -y, 1/2 + z, in a cell of 30, 40 and 50 Å.
