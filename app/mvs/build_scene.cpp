@@ -237,8 +237,9 @@ private:
     /// Cuts a layer by the clips of its node. It may get a structure of its own.
     void addLayer(const Node& node, SceneLayer layer, std::size_t structure) {
         const ClipRegions regions(node, warnings_);
-        if (!regions.empty() && !hasCopies(structures_[structure])) clipLayer(regions, structures_[structure], layer);
-        if (!regions.empty() && hasCopies(structures_[structure])) {
+        if (!regions.empty() && !hasCopies(structures_[structure])) {
+            clipLayer(regions, structures_[structure], layer);
+        } else if (!regions.empty()) {
             auto own = separateCut(node, regions, structures_[structure], layer, files_, warnings_);
             if (own) {
                 checkCount(node);

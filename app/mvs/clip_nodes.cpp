@@ -126,27 +126,26 @@ bool ClipRegions::cuts(const glm::dvec3& point) const {
                                [&](const Region& region) { return (region.depth(point) >= 0) != region.inverted; });
 }
 
-std::optional<bool> ClipRegions::cutsBall(const glm::dvec3& center, double radius) const {
-    bool certain = true;
+ClipRegions::Cut ClipRegions::cutsBall(const glm::dvec3& center, double radius) const {
+    Cut cut = Cut::none;
     for (const Region& region : regions_) {
         double square = 0;  // no direction is stretched more than by its root
         for (int i = 0; i < 3; ++i) square += glm::dot(region.toOwn[i], region.toOwn[i]);
         const double depth = region.depth(center);
         if (std::abs(depth) <= radius * std::sqrt(square))
-            certain = false;
+            cut = Cut::some;
         else if ((depth > 0) != region.inverted)
-            return true;
+            return Cut::all;
     }
-    return certain ? std::optional(false) : std::nullopt;
+    return cut;
 }
 
 void clipLayer(const ClipRegions& regions, const Structure& s, SceneLayer& layer) {
     const bool byResidue = layer.style == Style::cartoon || layer.style == Style::backbone;
-    std::vector<glm::dmat4x3> motions{findFirstMotion(s)};  // by list
-    if (!s.transforms.empty()) motions.clear();
-    if (!s.transforms.empty())
-        for (const std::vector<std::uint32_t>& list : s.lists)
-            motions.push_back(listMotions(s, s.transforms[list.front()]).front());
+    std::vector<glm::dmat4x3> motions;  // by list
+    for (const std::vector<std::uint32_t>& list : s.lists)
+        motions.push_back(listMotions(s, s.transforms[list.front()]).front());
+    if (motions.empty()) motions.push_back(findFirstMotion(s));
     const auto list = [&](std::uint32_t atom) { return listOfCopies(s, s.molecule->atoms[atom].residue); };
     keepAtoms(layer, [&](std::size_t i) { return list(layer.atoms[i]) != UINT32_MAX; });
     const auto place = [&](std::uint32_t atom) {
@@ -185,10 +184,11 @@ std::optional<Structure> separateCut(const Node& node, const ClipRegions& region
     if (copies.empty()) copies.emplace_back(1.0);
     for (const glm::dmat4x3& copy : copies)
         for (const glm::dmat4x3& motion : listMotions(s, copy)) {
-            constexpr double kStretch = 1.01;  // that motions may have
-            const auto cut = regions.cutsBall(motion * glm::dvec4(ball.center, 1.0), kStretch * ball.radius);
-            if (cut == false && whole == kNoGroup) whole = count++;
-            groups.push_back(cut == true ? kNoGroup : cut == false ? whole : count++);
+            using Cut = ClipRegions::Cut;
+            constexpr double kStretch = 1.01;  // motions count as rigid up to 1.005
+            const Cut cut = regions.cutsBall(motion * glm::dvec4(ball.center, 1.0), kStretch * ball.radius);
+            if (cut == Cut::none && whole == kNoGroup) whole = count++;
+            groups.push_back(cut == Cut::all ? kNoGroup : cut == Cut::none ? whole : count++);
         }
     const bool isSplit = std::ranges::any_of(groups, [&](std::uint32_t group) { return group != whole; });
     if (count == 0) keepAtoms(layer, [](std::size_t) { return false; });

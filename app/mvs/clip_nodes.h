@@ -18,8 +18,9 @@ public:
     bool empty() const { return regions_.empty(); }
     /// Whether a point, in the scene's frame, is cut away.
     bool cuts(const glm::dvec3& point) const;
-    /// Whether all points of a ball are cut away, or none; empty: some may be.
-    std::optional<bool> cutsBall(const glm::dvec3& center, double radius) const;
+    enum class Cut { none, some, all };
+    /// How much of a ball is cut away. `some` may also be none or all.
+    Cut cutsBall(const glm::dvec3& center, double radius) const;
     /// Whether whole chains are cut, by their centres: the first node's variant.
     bool cutObjects() const { return cutObjects_; }
 

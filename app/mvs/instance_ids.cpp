@@ -56,7 +56,7 @@ private:
         if (column.empty() || failed_) return;
         const auto [known, isNew] = mentions_.emplace(std::pair(uri, column), false);
         if (isNew) {
-            failed_ = true;  // unless that succeeds; then the scene is refused, without a wait for further files
+            failed_ = true;  // until the file is read
             known->second = files_.bytes(uri).find(column) != std::string::npos;
             failed_ = false;
         }
@@ -78,7 +78,7 @@ private:
     std::set<std::string> ids_;
     std::map<std::pair<std::string, std::string>, bool> mentions_;  ///< by file and column
     std::set<std::pair<std::string, std::string>> read_;            ///< files, with the nodes' parameters
-    bool failed_ = false;
+    bool failed_ = false;  ///< a file cannot be read: the scene is refused where its node is drawn
 };
 
 TransformsById cifOperators(const std::string& uri, const std::string& bytes, const TablePlace& place) {

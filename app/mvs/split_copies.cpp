@@ -53,7 +53,7 @@ void splitCopies(const std::vector<std::uint32_t>& groups, std::uint32_t count, 
     const std::vector<std::set<std::string>> ids = s.instanceIds;
     std::vector<Molecule> all(count);
     all[0] = std::move(*s.molecule);
-    if (count > 1) all[0].assemblies.clear();  // scenes of several parts have none
+    if (count > 1) all[0].assemblies.clear();  // as the whole scene does, where it has several parts
     for (std::uint32_t group = 1; group < count; ++group) {
         all[group] = all[group - 1];
         all[group].file = {};
