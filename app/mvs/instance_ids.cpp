@@ -6,10 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "app/mvs/cif_rows.h"
 #include "app/mvs/split_copies.h"
 #include "engine/error.h"
-#include "engine/molecule/assemblies.h"
 #include "engine/molecule/crystal.h"
 #include "engine/molecule/text.h"
 
@@ -81,66 +79,15 @@ private:
     bool failed_ = false;  ///< a file cannot be read: the scene is refused where its node is drawn
 };
 
-TransformsById cifOperators(const std::string& uri, const std::string& bytes, const TablePlace& place) {
-    static const std::vector<std::string_view> kColumns{
-        "id",           "matrix[1][1]", "matrix[1][2]", "matrix[1][3]", "vector[1]",    "matrix[2][1]", "matrix[2][2]",
-        "matrix[2][3]", "vector[2]",    "matrix[3][1]", "matrix[3][2]", "matrix[3][3]", "vector[3]"};
-    const AnnotationTable table = readCifTable(uri, bytes, place, kColumns);
-    TransformsById operators;
-    for (const auto& row : table.rows) {
-        std::string id;
-        TransformRows rows{};
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const auto column = std::ranges::find(kColumns, table.columns[i]) - kColumns.begin();
-            if (column == 0)
-                id = row[i].value_or("");
-            else
-                rows[static_cast<std::size_t>(column - 1)] = parseNumber(row[i].value_or("")).value_or(0);
-        }
-        operators.emplace(id, rows);
-    }
-    return operators;
-}
-
-/// Those of REMARK 350, counted from 1 through the file.
-TransformsById pdbOperators(const std::string& bytes) {
-    TransformsById operators;
-    TransformRows rows{};
-    for (std::size_t at = bytes.find("REMARK 350   BIOMT"); at != std::string::npos;
-         at = bytes.find("REMARK 350   BIOMT", at + 1)) {
-        const std::string_view line = std::string_view(bytes).substr(at, bytes.find('\n', at) - at);
-        const std::size_t row = line.size() > 23 ? static_cast<std::size_t>(line[18] - '1') : 3;
-        if (row > 2) continue;
-        const Words words = splitWords(line.substr(23));
-        for (std::size_t i = 0; i < 4; ++i) rows[4 * row + i] = parseNumber(words[i]).value_or(0);
-        if (row == 2) operators.emplace(std::to_string(operators.size() + 1), rows);
-    }
-    return operators;
-}
-
-/// The operators of the assemblies in a structure's file.
-TransformsById readOperators(const Node& node, const Structure& s, SceneFiles& files) try {
-    const std::string& bytes = files.bytes(s.uri);
-    if (s.molecule->file.format.starts_with("pdb")) return pdbOperators(bytes);
-    TablePlace place;
-    place.block = nodeText(node, "block_header");
-    if (const Json* index = node.param("block_index"); index && index->is_number_unsigned())
-        place.blockIndex = index->get<std::size_t>();
-    place.category = "pdbx_struct_oper_list";
-    return cifOperators(nacre::printable(s.uri, 200), bytes, place);
-} catch (const Error&) {
-    return {};
-}
-
-/// "ASM-X0-5": the product of two operators.
-std::optional<glm::dmat4x3> assemblyMotion(std::string_view id, const TransformsById& operators) try {
-    if (!id.starts_with("ASM-") || id.find_first_of("(,)") != std::string_view::npos) return std::nullopt;
-    std::string expression = "(" + std::string(id.substr(4)) + ")";
-    for (std::size_t at = 0; (at = expression.find('-', at)) != std::string::npos;) expression.replace(at, 1, ")(");
-    AssemblyLimits limits(0);
-    return glm::dmat4x3(expandOperators(expression, operators, limits).front());
-} catch (const AssemblyFault&) {
-    return std::nullopt;
+/// The motions of these ids, "ASM-X0-5", by the operators of a file's assemblies.
+std::map<std::string, glm::dmat4x3> assemblyMotions(const Molecule& molecule, const std::set<std::string>& ids) {
+    std::map<std::string, glm::dmat4x3> motions;
+    for (const Assembly& assembly : molecule.assemblies)
+        for (const AssemblyPart& part : assembly.parts)
+            for (std::size_t i = 0; i < part.operators.size(); ++i)
+                if (const std::string id = "ASM-" + part.operators[i]; ids.contains(id))
+                    motions.emplace(id, part.transforms[i]);
+    return motions;
 }
 
 /// "3_655": an operation and its cells, each of one digit or "(-1)".
@@ -185,17 +132,19 @@ void splitInstances(const Node& node, const std::set<std::string>& ids, Structur
         return;
     }
     const bool assembly = nodeText(node, "type") == "assembly";
-    const TransformsById operators = assembly ? readOperators(node, s, files) : TransformsById();
+    std::map<std::string, glm::dmat4x3> motions;
+    if (assembly) motions = assemblyMotions(*s.molecule, ids);
     Molecule empty;  // to find no middle of the atoms for each id
     empty.file = s.molecule->file;
+    for (const std::string& id : ids)
+        if (const auto motion = assembly ? std::nullopt : motionInCrystal(id, empty)) motions.emplace(id, *motion);
     std::vector<std::uint32_t> groups(s.transforms.size());
     std::uint32_t count = 1;
     std::vector<std::pair<const std::string*, std::vector<bool>>> found;  // ids, with their copies
-    for (const std::string& id : ids) {
+    for (const auto& [id, motion] : motions) {
         files.step();
-        const auto motion = assembly ? assemblyMotion(id, operators) : motionInCrystal(id, empty);
         std::vector<bool> near(groups.size());
-        for (std::size_t i = 0; motion && i < near.size(); ++i) near[i] = isNearMotion(*motion, s.transforms[i]);
+        for (std::size_t i = 0; i < near.size(); ++i) near[i] = isNearMotion(motion, s.transforms[i]);
         if (std::ranges::find(near, true) == near.end()) continue;
         std::map<std::pair<std::uint32_t, bool>, std::uint32_t> parts;
         for (std::size_t i = 0; i < groups.size(); ++i)

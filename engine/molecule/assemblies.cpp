@@ -12,7 +12,10 @@ namespace {
     throw AssemblyFault("its operator expression is malformed: '" + printable(expression) + "'");
 }
 
-using Factor = std::vector<const TransformRows*>;
+using Factor = std::vector<const TransformsById::value_type*>;
+
+/// A file may repeat a long name a million times.
+std::string cutName(const std::string& name) { return name.substr(0, 200); }
 
 class ExpressionReader {
 public:
@@ -59,7 +62,7 @@ private:
         const auto found = operators_.find(id);
         if (found == operators_.end()) throw AssemblyFault("it has no operator '" + printable(id) + "'");
         limits_.spend(1, 0);
-        factor.push_back(&found->second);
+        factor.push_back(&*found);
     }
 
     std::string_view expression_;
@@ -97,34 +100,40 @@ void AssemblyLimits::spend(std::size_t transforms, std::size_t subchains) {
     subchains_ -= subchains;
 }
 
-std::vector<glm::mat4x3> expandOperators(std::string_view expression, const TransformsById& operators,
-                                         AssemblyLimits& limits) {
+AssemblyPart expandOperators(std::string_view expression, const TransformsById& operators, AssemblyLimits& limits) {
     const std::vector<Factor> factors = ExpressionReader(expression, operators, limits).read();
-    std::vector<TransformRows> products;
-    for (const TransformRows* rows : factors.back()) products.push_back(*rows);
+    std::vector<std::pair<std::string, TransformRows>> products;
+    for (const auto* one : factors.back()) products.emplace_back(cutName(one->first), one->second);
     for (std::size_t i = factors.size() - 1; i-- > 0;) {
         // Both sizes are below the limit, so that their product is far from overflow.
         limits.spend(factors[i].size() * products.size(), 0);
-        std::vector<TransformRows> next;
+        decltype(products) next;
         next.reserve(factors[i].size() * products.size());
-        for (const TransformRows* left : factors[i])
-            for (const TransformRows& right : products) next.push_back(multiply(*left, right));
+        for (const auto* left : factors[i])
+            for (const auto& [name, right] : products)
+                next.emplace_back(cutName(cutName(left->first) + "-" + name), multiply(left->second, right));
         products = std::move(next);
     }
-    std::vector<glm::mat4x3> matrices;
-    matrices.reserve(products.size());
-    for (const TransformRows& product : products) matrices.push_back(toMatrix(product));
-    return matrices;
+    AssemblyPart part;
+    part.transforms.reserve(products.size()), part.operators.reserve(products.size());
+    for (auto& [name, product] : products) {
+        part.transforms.push_back(toMatrix(product));
+        part.operators.push_back(std::move(name));
+    }
+    return part;
 }
 
-void addPart(Assembly& assembly, const std::vector<glm::mat4x3>& transforms, std::vector<std::uint32_t> subchains) {
-    if (transforms.empty() || subchains.empty()) return;
-    std::sort(subchains.begin(), subchains.end());
-    subchains.erase(std::unique(subchains.begin(), subchains.end()), subchains.end());
-    if (assembly.parts.empty() || assembly.parts.back().subchains != subchains)
-        assembly.parts.push_back({{}, std::move(subchains)});
-    auto& all = assembly.parts.back().transforms;
-    all.insert(all.end(), transforms.begin(), transforms.end());
+void addPart(Assembly& assembly, AssemblyPart part) {
+    if (part.transforms.empty() || part.subchains.empty()) return;
+    std::ranges::sort(part.subchains);
+    part.subchains.erase(std::unique(part.subchains.begin(), part.subchains.end()), part.subchains.end());
+    if (assembly.parts.empty() || assembly.parts.back().subchains != part.subchains) {
+        assembly.parts.push_back(std::move(part));
+        return;
+    }
+    AssemblyPart& all = assembly.parts.back();
+    std::ranges::copy(part.transforms, std::back_inserter(all.transforms));
+    std::ranges::move(part.operators, std::back_inserter(all.operators));
 }
 
 std::string leftOutWarning(std::string_view id, const std::string& why) {

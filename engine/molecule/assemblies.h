@@ -51,13 +51,13 @@ using TransformsById = std::map<std::string, TransformRows, std::less<>>;
 
 /// The transforms of an mmCIF operator expression: "1", "1,2,5-8", "P", "(1-60)(61-88)", "(X0)(1-60)". In a product the
 /// last factor is applied first and varies fastest.
+/// @returns a part without subchains
 /// @throws AssemblyFault if it is malformed, names a missing operator, or exceeds the limits
-std::vector<glm::mat4x3> expandOperators(std::string_view expression, const TransformsById& operators,
-                                         AssemblyLimits& limits);
+AssemblyPart expandOperators(std::string_view expression, const TransformsById& operators, AssemblyLimits& limits);
 
-/// Adds transforms of some subchains (any order, repeats allowed) to an assembly; extends the previous part if it has
-/// the same subchains. Adds nothing without transforms or subchains.
-void addPart(Assembly& assembly, const std::vector<glm::mat4x3>& transforms, std::vector<std::uint32_t> subchains);
+/// Adds a part, with subchains in any order and repeated, to an assembly; extends the previous part if it has the same
+/// subchains. Adds nothing without transforms or subchains.
+void addPart(Assembly& assembly, AssemblyPart part);
 
 /// The warning about an assembly that cannot be placed.
 std::string leftOutWarning(std::string_view id, const std::string& why);

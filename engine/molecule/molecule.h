@@ -95,6 +95,8 @@ struct Chain {
 struct AssemblyPart {
     std::vector<glm::mat4x3> transforms;   ///< rotation in columns 0 to 2, translation in column 3 (Å)
     std::vector<std::uint32_t> subchains;  ///< indices into Molecule::subchains, ascending, unique
+    /// The file's names of the transforms, "X0-5" for a product; cut if very long. Empty: the format has none.
+    std::vector<std::string> operators = {};
 };
 
 /// A biological assembly or the content of a unit cell, from the file.

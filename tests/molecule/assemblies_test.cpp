@@ -24,7 +24,7 @@ TransformsById operators() {
 std::vector<float> places(const std::string& expression) {
     AssemblyLimits limits(100);
     std::vector<float> found;
-    for (const glm::mat4x3& m : expandOperators(expression, operators(), limits)) found.push_back(m[3].x);
+    for (const glm::mat4x3& m : expandOperators(expression, operators(), limits).transforms) found.push_back(m[3].x);
     return found;
 }
 
@@ -40,12 +40,23 @@ TEST(Assemblies, OperatorExpressions) {
     EXPECT_EQ(places("(1-60)(1-60)").size(), 3600u);
 }
 
+TEST(Assemblies, TransformsHaveTheNamesOfTheirOperators) {
+    const auto named = [](const std::string& expression, const TransformsById& all) {
+        AssemblyLimits limits(100);
+        return expandOperators(expression, all, limits).operators;
+    };
+    EXPECT_EQ(named("1-P,2", operators()), (std::vector<std::string>{"1-P", "2"}));
+    EXPECT_EQ(named("(X0)(1-2)(P)", operators()), (std::vector<std::string>{"X0-1-P", "X0-2-P"}));
+    const std::string longName(1'000'000, 'x');
+    EXPECT_LT(named("(" + longName + ")(1)", {{longName, shift(1)}, {"1", shift(1)}})[0].size(), 1000u);
+}
+
 TEST(Assemblies, TheLastFactorIsAppliedFirst) {
     AssemblyLimits limits(100);
     const glm::vec4 origin(0, 0, 0, 1);
     // Shifted by 1 along x, then turned to y; or turned, then shifted.
-    EXPECT_EQ(expandOperators("(P)(1)", operators(), limits)[0] * origin, glm::vec3(0, 1, 0));
-    EXPECT_EQ(expandOperators("(1)(P)", operators(), limits)[0] * origin, glm::vec3(1, 0, 0));
+    EXPECT_EQ(expandOperators("(P)(1)", operators(), limits).transforms[0] * origin, glm::vec3(0, 1, 0));
+    EXPECT_EQ(expandOperators("(1)(P)", operators(), limits).transforms[0] * origin, glm::vec3(1, 0, 0));
     EXPECT_EQ(toMatrix(multiply(turn(5), shift(1))) * glm::vec4(1, 0, 2, 1), glm::vec3(5, 2, 2));
 }
 
@@ -74,14 +85,15 @@ TEST(Assemblies, AsManyTransformsAsThereIsMemoryFor) {
 
 TEST(Assemblies, PartsAreJoined) {
     Assembly assembly;
-    addPart(assembly, {toMatrix(shift(1))}, {2, 0, 2});
-    addPart(assembly, {toMatrix(shift(2))}, {0, 2});
-    addPart(assembly, {toMatrix(shift(3))}, {1});
-    addPart(assembly, {}, {1});
-    addPart(assembly, {toMatrix(shift(3))}, {});
+    addPart(assembly, {{toMatrix(shift(1))}, {2, 0, 2}, {"a"}});
+    addPart(assembly, {{toMatrix(shift(2))}, {0, 2}, {"b"}});
+    addPart(assembly, {{toMatrix(shift(3))}, {1}});
+    addPart(assembly, {{}, {1}});
+    addPart(assembly, {{toMatrix(shift(3))}, {}});
     ASSERT_EQ(assembly.parts.size(), 2u);
     EXPECT_EQ(assembly.parts[0].subchains, (std::vector<std::uint32_t>{0, 2}));
     EXPECT_EQ(assembly.parts[0].transforms.size(), 2u);
+    EXPECT_EQ(assembly.parts[0].operators, (std::vector<std::string>{"a", "b"}));
 }
 
 std::string mmcif(const std::string& generators) {

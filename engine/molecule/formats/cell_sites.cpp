@@ -78,11 +78,11 @@ void CellSites::addUnitCell(MoleculeBuilder& builder) const {
             limits.spend(1, 1);
             transforms.push_back(toMatrix(makeTransform(operation, cell_, centre)));
         }
-        if (const auto general = builder.subchain(prefix_)) addPart(assembly, transforms, {*general});
+        if (const auto general = builder.subchain(prefix_)) addPart(assembly, {transforms, {*general}});
         for (const auto& [kept, name] : groups_) {
             std::vector<glm::mat4x3> some;
             for (const std::uint32_t i : kept) some.push_back(transforms[i]);
-            if (const auto site = builder.subchain(name)) addPart(assembly, some, {*site});
+            if (const auto site = builder.subchain(name)) addPart(assembly, {some, {*site}});
         }
     } catch (const AssemblyFault& without) {
         return builder.warn(std::string("the unit cell is left out: ") + without.what());

@@ -68,10 +68,12 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
         const auto assembly = byId.find(generators.get(row, {"assembly_id"}).value_or(""));
         if (assembly == byId.end()) continue;
         try {
-            addPart(found[assembly->second],
-                    expandOperators(generators.get(row, {"oper_expression"}).value_or(""), transforms, limits),
-                    findSubchains(generators.get(row, {"asym_id_list"}).value_or(""),
-                                  packed ? generators.get(row, {"pdb_model_num"}) : std::nullopt, builder, limits));
+            AssemblyPart part =
+                expandOperators(generators.get(row, {"oper_expression"}).value_or(""), transforms, limits);
+            part.subchains =
+                findSubchains(generators.get(row, {"asym_id_list"}).value_or(""),
+                              packed ? generators.get(row, {"pdb_model_num"}) : std::nullopt, builder, limits);
+            addPart(found[assembly->second], std::move(part));
         } catch (const AssemblyFault& fault) {
             faults.emplace(assembly->first, fault.what());
         }

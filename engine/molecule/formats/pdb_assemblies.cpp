@@ -89,7 +89,8 @@ void Remark350::addRow(std::string_view line) {
     if (row != '3' || !fault.empty()) return;
     try {
         limits_.spend(1, 0);
-        to.transforms.push_back(toMatrix(rows_));
+        to.copies.transforms.push_back(toMatrix(rows_));
+        to.copies.operators.push_back(std::to_string(operators_));
     } catch (const AssemblyFault& found) {
         fault = found.what();
     }
@@ -100,14 +101,13 @@ void Remark350::resolve(Molecule& molecule) {
         Assembly assembly{given.id, given.details, {}};
         try {
             for (Part& part : given.parts) {
-                std::vector<std::uint32_t> subchains;
                 const auto count = static_cast<std::uint32_t>(molecule.subchains.size());
                 limits_.spend(0, count);
                 for (std::uint32_t i = 0; i < count; ++i)
                     if (!part.named || (molecule.subchains[i].size() == 1 &&
                                         part.chains.find(molecule.subchains[i]) != std::string::npos))
-                        subchains.push_back(i);
-                addPart(assembly, part.transforms, std::move(subchains));
+                        part.copies.subchains.push_back(i);
+                addPart(assembly, std::move(part.copies));
             }
             if (!given.fault.empty()) throw AssemblyFault(given.fault);
             if (assembly.parts.empty()) throw AssemblyFault("it places no chain that is here");

@@ -26,7 +26,7 @@ private:
     struct Part {
         bool named = false;  ///< false: all chains, as "NULL" means in old files
         std::string chains;  ///< one character each
-        std::vector<glm::mat4x3> transforms;
+        AssemblyPart copies;
     };
     struct Biomolecule {
         std::string id, details, fault;

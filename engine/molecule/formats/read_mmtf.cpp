@@ -362,7 +362,7 @@ private:
                 if (const auto index = builders_.front().subchain(subchains_[static_cast<std::size_t>(*chain)]))
                     subchains.push_back(*index);
             }
-            addPart(assembly, {toMatrix(rows)}, std::move(subchains));
+            addPart(assembly, {{toMatrix(rows)}, std::move(subchains)});
         }
         mostTransforms_ = std::max(mostTransforms_, count);
     }
