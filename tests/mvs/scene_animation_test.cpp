@@ -191,7 +191,7 @@ TEST(SceneAnimations, ASceneIsBuiltAsItIsAtATime) {
             part("vec3", R"("translation")", R"("end": [0,0,8], "duration_ms": 2000)", "way") + "]}}";
     const SceneTree tree = parseScene(json, "a.mvsj");
     SceneSources sources;
-    sources.fetch = [](const std::string&) { return std::string(kStructure); };
+    sources.fetch = [](const std::string&) { return kStructure; };
     const auto height = [&](std::optional<double> seconds) {
         return buildScene(tree, 0, "a.mvsj", sources, seconds).atoms.at(0).position.z;
     };

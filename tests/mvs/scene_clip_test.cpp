@@ -189,7 +189,7 @@ TEST(SceneClips, TooltipsOfCutCopiesTakeNoMoreThanTheLimit) {
     const std::string ball = clip(R"({"type": "sphere", "radius": 0.5, "center": [1,9,3]})"),
                       json = scene(tips + component(R"("all")", balls(ball)), "", R"("symmetry")");
     SceneSources sources;
-    sources.fetch = [](const std::string&) { return std::string(kStructure); };
+    sources.fetch = [](const std::string&) { return kStructure; };
     sources.reading.maxAtoms = 27;
     const std::string why =
         test::errorText([&] { buildScene(parseScene(json, "scene.mvsj"), 0, "scene.mvsj", sources); });

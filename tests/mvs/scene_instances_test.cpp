@@ -39,21 +39,7 @@ _pdbx_struct_oper_list.vector[3]
 X0 1 0 0 0 0 1 0 100 0 0 1 0
 1 1 0 0 0 0 1 0 0 0 0 1 0
 2 1 0 0 10 0 1 0 0 0 0 1 0
-loop_
-_atom_site.group_PDB
-_atom_site.id
-_atom_site.type_symbol
-_atom_site.label_atom_id
-_atom_site.label_comp_id
-_atom_site.label_asym_id
-_atom_site.label_entity_id
-_atom_site.label_seq_id
-_atom_site.auth_seq_id
-_atom_site.auth_asym_id
-_atom_site.Cartn_x
-_atom_site.Cartn_y
-_atom_site.Cartn_z
-ATOM 7 C CA ALA A 1 1 101 A 1 2 3
+)" + kAtomColumns + R"(ATOM 7 C CA ALA A 1 1 101 A 1 2 3
 )",
                   kPdb = R"(REMARK 350 BIOMOLECULE: 1
 REMARK 350 APPLY THE FOLLOWING TO CHAINS: A

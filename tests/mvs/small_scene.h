@@ -9,8 +9,25 @@
 
 namespace nacre::app::mvs {
 
+/// Of tables of atoms.
+inline const std::string kAtomColumns = R"(loop_
+_atom_site.group_PDB
+_atom_site.id
+_atom_site.type_symbol
+_atom_site.label_atom_id
+_atom_site.label_comp_id
+_atom_site.label_asym_id
+_atom_site.label_entity_id
+_atom_site.label_seq_id
+_atom_site.auth_seq_id
+_atom_site.auth_asym_id
+_atom_site.Cartn_x
+_atom_site.Cartn_y
+_atom_site.Cartn_z
+)";
+
 /// Two residues of chain A (label A), a ligand B and a water C, as mmCIF has them.
-inline const char* const kStructure = R"(data_TEST
+inline const std::string kStructure = R"(data_TEST
 _cell.length_a 30
 _cell.length_b 40
 _cell.length_c 50
@@ -28,21 +45,7 @@ loop_
 _entity_poly.entity_id
 _entity_poly.type
 1 polypeptide(L)
-loop_
-_atom_site.group_PDB
-_atom_site.id
-_atom_site.type_symbol
-_atom_site.label_atom_id
-_atom_site.label_comp_id
-_atom_site.label_asym_id
-_atom_site.label_entity_id
-_atom_site.label_seq_id
-_atom_site.auth_seq_id
-_atom_site.auth_asym_id
-_atom_site.Cartn_x
-_atom_site.Cartn_y
-_atom_site.Cartn_z
-ATOM 11 N N ALA A 1 1 101 X 1 2 3
+)" + kAtomColumns + R"(ATOM 11 N N ALA A 1 1 101 X 1 2 3
 ATOM 12 C CA ALA A 1 1 101 X 2 2 3
 ATOM 13 C C ALA A 1 1 101 X 3 2 3
 ATOM 14 O O ALA A 1 1 101 X 3 3 3
@@ -93,7 +96,7 @@ inline Molecule built(const std::string& json, const std::string& annotations = 
     const SceneTree tree = parseScene(json, "scene.mvsj");
     SceneSources sources;
     sources.fetch = [&](const std::string& uri) {
-        if (uri == "a.cif") return std::string(kStructure);
+        if (uri == "a.cif") return kStructure;
         if (uri == "b.json") return annotations;
         if (uri == "m.dx") return std::string(kMap);
         throw Error("cannot fetch", uri, "there is none");
