@@ -53,11 +53,7 @@ private:
         const std::string column = primitives ? kField : findColumn(node, kField);
         if (column.empty() || failed_) return;
         const auto [known, isNew] = mentions_.emplace(std::pair(uri, column), false);
-        if (isNew) {
-            failed_ = true;  // until the file is read
-            known->second = files_.bytes(uri).find(column) != std::string::npos;
-            failed_ = false;
-        }
+        if (isNew) known->second = files_.bytes(uri).find(column) != std::string::npos;
         if (!known->second || !read_.emplace(uri, primitives ? "" : node.params.dump()).second) return;
         if (primitives) {
             for (const Node& child : parseNode(files_.bytes(uri), uri).children) addNamed(child.params);
@@ -70,6 +66,7 @@ private:
             if (row.expression.instance) addId(*row.expression.instance);
         }
     } catch (const Error&) {
+        failed_ = true;
     }
 
     SceneFiles& files_;

@@ -14,6 +14,13 @@ namespace {
 
 constexpr std::size_t kMostMapBytes = std::size_t{2} << 30;  // of the values of all maps
 
+/// What `find` returns or throws, found once. @param known  empty at first
+template <typename Result, typename Find>
+const Result& once(std::shared_future<Result>& known, const Find& find) {
+    if (!known.valid()) known = std::async(std::launch::deferred, find);
+    return known.get();
+}
+
 }  // namespace
 
 void SceneWarnings::add(const std::string& text) {
@@ -30,16 +37,17 @@ std::vector<std::string> SceneWarnings::take() {
 }
 
 const std::string& SceneFiles::bytes(const std::string& uri) {
-    if (const auto known = known_.find(uri); known != known_.end()) return known->second;
-    if (known_.size() >= kMostFiles)
-        throw Error("cannot draw scene", "", "it names more than " + std::to_string(kMostFiles) + " files");
-    std::string bytes = sources_.fetch(uri);
-    if (!detectCompression(bytes).empty())
-        bytes = decompress(nacre::printable(uri, 200), bytes, sources_.reading.maxBytes);
-    held_ += bytes.size();
-    if (held_ > sources_.reading.maxBytes)
-        throw Error("cannot draw scene", nacre::printable(uri, 200), "its files together are too large");
-    return known_.emplace(uri, std::move(bytes)).first->second;
+    return once(files_[uri], [&] {
+        if (files_.size() > kMostFiles)
+            throw Error("cannot draw scene", "", "it names more than " + std::to_string(kMostFiles) + " files");
+        std::string bytes = sources_.fetch(uri);
+        if (!detectCompression(bytes).empty())
+            bytes = decompress(nacre::printable(uri, 200), bytes, sources_.reading.maxBytes);
+        held_ += bytes.size();
+        if (held_ > sources_.reading.maxBytes)
+            throw Error("cannot draw scene", nacre::printable(uri, 200), "its files together are too large");
+        return bytes;
+    });
 }
 
 Molecule SceneFiles::molecule(const std::string& uri, std::string text, ReadOptions options) {
@@ -51,21 +59,15 @@ Molecule SceneFiles::molecule(const std::string& uri, std::string text, ReadOpti
 }
 
 std::shared_ptr<const DensityMap> SceneFiles::map(const std::string& uri, const std::string& channel) {
-    ReadMap& known = maps_[{uri, channel}];
-    if (!known.map && known.failure.empty()) {
+    return once(maps_[{uri, channel}], [&] {
         const std::string& text = bytes(uri);
         countParsed(uri, text.size());
-        try {
-            const std::size_t most = std::min(sources_.reading.maxBytes, kMostMapBytes);
-            known.map = std::make_shared<const DensityMap>(
-                readMap(nacre::printable(uri, 200), text, {most - std::min(mapBytes_, most), channel}));
-            mapBytes_ += known.map->values.size() * sizeof(float);
-        } catch (const Error& error) {
-            known.failure = error.what();
-        }
-    }
-    if (!known.map) throw Error(known.failure, "", "");
-    return known.map;
+        const std::size_t most = std::min(sources_.reading.maxBytes, kMostMapBytes);
+        auto map = std::make_shared<const DensityMap>(
+            readMap(nacre::printable(uri, 200), text, {most - std::min(mapBytes_, most), channel}));
+        mapBytes_ += map->values.size() * sizeof(float);
+        return map;
+    });
 }
 
 Primitives::Mesh SceneFiles::mesh(const std::string& uri, const std::string& format) {

@@ -2,6 +2,7 @@
 // The parts of a scene while its tree is walked. Used by build_scene.cpp.
 
 #include <functional>
+#include <future>
 #include <glm/mat4x3.hpp>
 #include <map>
 #include <memory>
@@ -37,7 +38,7 @@ private:
     std::size_t more_ = 0;
 };
 
-/// Files, fetched once per name and inflated. Limits atoms, maps and text read from them.
+/// Files, fetched once per name, even if that fails, and inflated. Limits atoms, maps and text read from them.
 class SceneFiles {
 public:
     explicit SceneFiles(const SceneSources& sources) : sources_(sources) {}
@@ -67,14 +68,12 @@ public:
 private:
     void countParsed(const std::string& uri, std::size_t bytes);
 
-    struct ReadMap {
-        std::shared_ptr<const DensityMap> map;
-        std::string failure;  ///< why it could not be read
-    };
     const SceneSources& sources_;
-    std::map<std::string, std::string> known_, coordinates_;
+    std::map<std::string, std::shared_future<std::string>> files_;
+    std::map<std::string, std::string> coordinates_;
     std::map<std::string, std::unique_ptr<Trajectory>> trajectories_;  ///< by name
-    std::map<std::pair<std::string, std::string>, ReadMap> maps_;      ///< by name and channel
+    /// By name and channel.
+    std::map<std::pair<std::string, std::string>, std::shared_future<std::shared_ptr<const DensityMap>>> maps_;
     std::size_t held_ = 0, parsed_ = 0, atoms_ = 0, shown_ = 0, mapBytes_ = 0;
 };
 
