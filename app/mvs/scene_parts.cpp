@@ -27,11 +27,11 @@ namespace {
     throw Error("cannot draw scene", node.place, why);
 }
 
-std::optional<std::int64_t> readInteger(const Node& node, const char* name) {
+/// A number from 0; 0 if the node has none.
+std::size_t readIndex(const Node& node, const char* name) {
     const Json* value = node.param(name);
-    if (!value) return std::nullopt;
-    if (!value->is_number_integer()) refuseNode(node, std::string(name) + " is no whole number");
-    return value->get<std::int64_t>();
+    if (value && !value->is_number_integer()) refuseNode(node, std::string(name) + " is no whole number");
+    return value ? static_cast<std::size_t>(std::max<std::int64_t>(value->get<std::int64_t>(), 0)) : 0;
 }
 
 std::array<int, 3> readCells(const Node& node, const char* name, int otherwise) {
@@ -71,8 +71,7 @@ std::string findBlock(const Node& node, const std::string& text, const std::stri
 void addAssembly(const Node& node, Structure& s, SceneWarnings& warnings) {
     const Molecule& molecule = *s.molecule;
     std::string id = nodeText(node, "assembly_id");
-    const std::size_t index =
-        static_cast<std::size_t>(std::max<std::int64_t>(readInteger(node, "assembly_index").value_or(0), 0));
+    const std::size_t index = readIndex(node, "assembly_index");
     if (id.empty() && molecule.assemblies.empty()) {
         const std::string why = findLeftOutWarning(molecule);
         return warnings.add(node, (why.empty() ? "the file states no assemblies" : why) + ": its model is shown");
@@ -146,15 +145,13 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
     s.uri = uri;
     s.ref = node.ref;
     ReadOptions options = files.sources().reading;
-    const auto model =
-        static_cast<int>(std::clamp<std::int64_t>(readInteger(node, "model_index").value_or(0), 0, 1'000'000));
+    const auto model = static_cast<int>(std::min<std::size_t>(readIndex(node, "model_index"), 1'000'000));
     const bool placed = files.hasCoordinates(nodeText(node, "coordinates_ref"));
     options.model = placed ? 1 : model + 1;
     const std::string format = lowerCase(nodeText(parse, "format"));
     if (format == "map" || format == "dx" || format == "dxbin") refuseNode(parse, "a density map has no structure");
     const std::string header = nodeText(node, "block_header");
-    const std::size_t block =
-        static_cast<std::size_t>(std::max<std::int64_t>(readInteger(node, "block_index").value_or(0), 0));
+    const std::size_t block = readIndex(node, "block_index");
     std::string bytes = files.bytes(uri);
     const bool binary = !bytes.empty() && (static_cast<unsigned char>(bytes[0]) & 0x80) != 0;
     if ((!header.empty() || block > 0) && !binary && format != "sdf")
@@ -288,8 +285,7 @@ std::vector<AnnotationRow> readRows(const Node& node, const char* field, const S
     if (uri.empty()) refuseNode(node, "it has no uri");
     TablePlace place;
     place.block = nodeText(node, "block_header");
-    place.blockIndex =
-        static_cast<std::size_t>(std::max<std::int64_t>(readInteger(node, "block_index").value_or(0), 0));
+    place.blockIndex = readIndex(node, "block_index");
     place.category = nodeText(node, "category_name");
     const std::string named = nodeText(node, "field_name");
     AnnotationFields fields{std::move(further), {}};
