@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "engine/molecule/text.h"
+#include "engine/scene/color/palettes.h"
 
 namespace nacre::app::mvs {
 namespace {
@@ -27,10 +27,6 @@ Out makeNode(const char* kind, Out params) {
     return node;
 }
 
-std::string toHex(std::uint32_t color) {
-    return formatted("#%02x%02x%02x", color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff);
-}
-
 Out toList(const glm::dvec3& v) { return Out::array({rounded(v.x), rounded(v.y), rounded(v.z)}); }
 
 Out makeNode(const char* kind, Out params, Out child) {
@@ -50,7 +46,7 @@ Out canvasNode(const PictureDescription& picture) {
     std::uint32_t background = 0;
     for (std::size_t i = 0; i < 3; ++i)
         background |= static_cast<std::uint32_t>(std::lround(picture.background[i] * 255.0f)) << (8 * i);
-    return makeNode("canvas", {{"background_color", toHex(background)}});
+    return makeNode("canvas", {{"background_color", colorText(background)}});
 }
 
 Out Expressions::of(const std::vector<std::uint32_t>& atoms) const {
@@ -100,7 +96,7 @@ Out volumeNode(const SceneVolume& volume, const std::string& address) {
                   {"show_wireframe", volume.wires},
                   {"show_faces", volume.faces}};
     Out shown =
-        makeNode("volume_representation", std::move(params), makeNode("color", {{"color", toHex(volume.color)}}));
+        makeNode("volume_representation", std::move(params), makeNode("color", {{"color", colorText(volume.color)}}));
     if (volume.opacity < 1) shown["children"].push_back(makeNode("opacity", {{"opacity", rounded(volume.opacity)}}));
     Out parse = makeNode("parse", {{"format", sceneFormat(*volume.map)}}, makeNode("volume", {}, std::move(shown)));
     return makeNode("download", {{"url", address}}, std::move(parse));

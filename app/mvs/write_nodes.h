@@ -18,8 +18,6 @@ using Out = nlohmann::ordered_json;
 Out makeNode(const char* kind, Out params);
 /// A node with one child.
 Out makeNode(const char* kind, Out params, Out child);
-/// "#rrggbb". @param color  packed as in colors.h
-std::string toHex(std::uint32_t color);
 Out toList(const glm::dvec3& v);
 Out cameraNode(const SceneCamera& camera);
 Out canvasNode(const PictureDescription& picture);

@@ -13,6 +13,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/build/scene_layers.h"
+#include "engine/scene/color/palettes.h"
 
 namespace nacre::app::mvs {
 namespace {
@@ -29,10 +30,10 @@ void addColors(const SceneLayer& layer, const Expressions& expressions, Out& chi
         byColor[layer.colors[i] | 0xff000000u].push_back(layer.atoms[i]);
     const auto most = std::max_element(byColor.begin(), byColor.end(),
                                        [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
-    children.push_back(makeNode("color", {{"color", toHex(most->first)}}));
+    children.push_back(makeNode("color", {{"color", colorText(most->first)}}));
     for (const auto& [color, atoms] : byColor)
         if (color != most->first)
-            children.push_back(makeNode("color", {{"selector", expressions.of(atoms)}, {"color", toHex(color)}}));
+            children.push_back(makeNode("color", {{"selector", expressions.of(atoms)}, {"color", colorText(color)}}));
 }
 
 Out makeComponent(const SceneLayer& layer, const Expressions& expressions) {
