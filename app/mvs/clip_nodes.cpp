@@ -12,6 +12,7 @@
 #include "app/mvs/primitive_values.h"
 #include "app/mvs/split_copies.h"
 #include "engine/molecule/text.h"
+#include "engine/scene/instances/copies.h"
 #include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app::mvs {
@@ -38,10 +39,7 @@ glm::dmat3 readRotation(const Node& node) {
     if (!value) return glm::dmat3(1.0);
     const std::vector<double> numbers = numbersIn("rotation", *value, 9);
     const glm::dmat3 turn = glm::make_mat3(numbers.data());
-    const glm::dmat3 square = glm::transpose(turn) * turn;
-    for (int i = 0; i < 9; ++i)
-        if (!(std::abs(square[i / 3][i % 3] - (i % 4 == 0 ? 1.0 : 0.0)) <= 0.01))
-            refusePrimitive("its rotation stretches, skews or shrinks");
+    if (!isRigid(glm::dmat4x3(turn))) refusePrimitive("its rotation stretches, skews or shrinks");
     return turn;
 }
 

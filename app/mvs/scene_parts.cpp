@@ -197,11 +197,7 @@ glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& c
         }
         for (std::size_t i = 0; i < shift.size(); ++i) motion[3][static_cast<int>(i)] += shift[i];
     }
-    const glm::dmat3 turn(motion[0], motion[1], motion[2]);
-    const glm::dmat3 square = glm::transpose(turn) * turn;
-    for (int i = 0; i < 9; ++i)
-        if (!(std::abs(square[i / 3][i % 3] - (i % 4 == 0 ? 1.0 : 0.0)) <= 0.01))
-            refuseNode(node, "its rotation stretches, skews or shrinks");
+    if (!isRigid(motion)) refuseNode(node, "its rotation stretches, skews or shrinks");
     return motion;
 }
 

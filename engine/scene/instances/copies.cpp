@@ -70,20 +70,14 @@ std::vector<std::vector<std::uint32_t>> numberTransforms(const Assembly& assembl
     return byPart;
 }
 
-/// Shape and size must stay: a radius cannot be stretched in one direction.
-void checkRigid(const Assembly& assembly) {
-    constexpr float kLargest = 0.01f;
-    for (const AssemblyPart& part : assembly.parts)
-        for (const glm::mat4x3& transform : part.transforms) {
-            const glm::mat3 turn(transform[0], transform[1], transform[2]);
-            const glm::mat3 square = glm::transpose(turn) * turn;
-            for (int i = 0; i < 9; ++i)
-                if (!(std::abs(square[i / 3][i % 3] - (i % 4 == 0 ? 1.0f : 0.0f)) <= kLargest))
-                    throw Error("cannot draw assembly", assembly.id, "one of its transforms stretches or skews");
-        }
-}
-
 }  // namespace
+
+bool isRigid(const glm::dmat4x3& motion) {
+    const glm::dmat3 turn(motion), square = glm::transpose(turn) * turn;
+    for (int i = 0; i < 9; ++i)
+        if (!(std::abs(square[i / 3][i % 3] - (i % 4 == 0 ? 1.0 : 0.0)) <= 0.01)) return false;
+    return true;
+}
 
 void CopyLists::index() {
     order_.clear();
@@ -113,7 +107,9 @@ std::uint32_t CopyLists::common(std::uint32_t a, std::uint32_t b) {
 
 Placement placeAssembly(const Molecule& molecule, const std::string& id) {
     const Assembly& assembly = findAssembly(molecule, id);
-    checkRigid(assembly);
+    for (const AssemblyPart& part : assembly.parts)
+        if (!std::ranges::all_of(part.transforms, isRigid))
+            throw Error("cannot draw assembly", id, "one of its transforms stretches or skews");
     Placement placement;
     const std::vector<std::vector<std::uint32_t>> copiesOfPart = numberTransforms(assembly, placement.transforms);
     // Subchains that occur in the same parts have the same copies.

@@ -42,6 +42,9 @@ constexpr std::size_t kMostCopyColors = 16;
 /// @param centers  of the copies
 std::vector<std::uint32_t> spreadCopies(const std::vector<glm::dvec3>& centers, std::size_t colors);
 
+/// Whether shape and size stay, to half a percent: a radius cannot be stretched in one direction.
+bool isRigid(const glm::dmat4x3& motion);
+
 /// Transforms of a molecule's subchains in an assembly.
 struct Placement {
     static constexpr std::uint32_t kNowhere = UINT32_MAX;
