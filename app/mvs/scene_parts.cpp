@@ -231,6 +231,17 @@ void takeMotions(const Node& node, Structure& s, const std::vector<std::uint32_t
     s.instances = std::move(instances);
 }
 
+std::vector<glm::dmat4x3> readMotions(const Node& node, const glm::dvec3& center) {
+    glm::dmat4x3 moved(1.0);
+    const auto centroid = [&] { return glm::dvec3(moved * glm::dvec4(center, 1.0)); };
+    for (const Node& child : node.children)
+        if (child.kind == "transform") moved = joinedMotion(motionOfNode(child, centroid), moved);
+    std::vector<glm::dmat4x3> motions;
+    for (const Node& child : node.children)
+        if (child.kind == "instance") motions.push_back(joinedMotion(motionOfNode(child, centroid), moved));
+    return motions.empty() ? std::vector{moved} : motions;
+}
+
 glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second) {
     glm::dmat4x3 both;
     for (int column = 0; column < 4; ++column)

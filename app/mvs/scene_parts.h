@@ -126,6 +126,10 @@ glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& c
 /// about, in all copies @throws Error
 void takeMotions(const Node& node, Structure& structure, const std::vector<std::uint32_t>& atoms);
 
+/// The motions of a shape or volume: by its transform nodes, then by each of its instances. @param center  of what it
+/// moves @throws Error
+std::vector<glm::dmat4x3> readMotions(const Node& node, const glm::dvec3& center);
+
 /// Applies `second`, then `first`.
 glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second);
 

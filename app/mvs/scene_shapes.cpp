@@ -41,18 +41,6 @@ PrimitiveLook readLook(const Node& node, SceneWarnings& warnings) {
     return look;
 }
 
-/// The motions of a shape's instances, after its transform nodes; one if it has none.
-std::vector<glm::dmat4x3> readMotions(const Node& node, const glm::dvec3& center) {
-    glm::dmat4x3 moved(1.0);
-    const auto centroid = [&] { return glm::dvec3(moved * glm::dvec4(center, 1.0)); };
-    for (const Node& child : node.children)
-        if (child.kind == "transform") moved = joinedMotion(motionOfNode(child, centroid), moved);
-    std::vector<glm::dmat4x3> motions;
-    for (const Node& child : node.children)
-        if (child.kind == "instance") motions.push_back(joinedMotion(motionOfNode(child, centroid), moved));
-    return motions.empty() ? std::vector{moved} : motions;
-}
-
 }  // namespace
 
 void addShape(const Node& parse, const Node& node, const std::string& uri, SceneFiles& files, SceneGuide& guide,

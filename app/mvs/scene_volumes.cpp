@@ -70,20 +70,12 @@ public:
 
 private:
     void place(const std::shared_ptr<const DensityMap>& file) {
-        glm::dmat4x3 moved(1.0);
-        std::vector<glm::dmat4x3> instances;
-        const auto centroid = [&] { return glm::dvec3(moved * glm::dvec4(boundsOfBox(*file).center, 1.0)); };
-        for (const Node& child : node_.children)
-            if (child.kind == "transform") moved = joinedMotion(motionOfNode(child, centroid), moved);
-        for (const Node& child : node_.children)
-            if (child.kind == "instance") instances.push_back(motionOfNode(child, centroid));
-        if (instances.empty()) instances.emplace_back(1.0);
-        if (instances.size() > kMostVolumes)
+        const std::vector<glm::dmat4x3> motions = readMotions(node_, boundsOfBox(*file).center);
+        if (motions.size() > kMostVolumes)
             throw Error("cannot draw scene", node_.place,
                         "it has more than " + std::to_string(kMostVolumes) + " instances");
-        for (const glm::dmat4x3& instance : instances) {
+        for (const glm::dmat4x3& motion : motions) {
             files_.step();
-            const glm::dmat4x3 motion = joinedMotion(instance, moved);
             maps_.push_back(motion == glm::dmat4x3(1.0) ? file : movedMap(file, motion));
         }
     }
