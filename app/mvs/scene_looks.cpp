@@ -128,15 +128,22 @@ void paintRows(const Node& node, const Structure& structure, SceneFiles& files, 
     paintLast();
 }
 
-void fade(const Node& node, const Structure& structure, SceneLayer& layer, SceneWarnings& warnings) {
+std::optional<double> readOpacity(const Node& node, SceneWarnings& warnings) {
     const Json* value = node.param("opacity");
-    if (!value || !value->is_number() || !(value->get<double>() >= 0 && value->get<double>() <= 1))
-        return warnings.add(node, "its opacity is no number from 0 to 1");
+    if (value && value->is_number() && value->get<double>() >= 0 && value->get<double>() <= 1)
+        return value->get<double>();
+    warnings.add(node, "its opacity is no number from 0 to 1");
+    return std::nullopt;
+}
+
+void fade(const Node& node, const Structure& structure, SceneLayer& layer, SceneWarnings& warnings) {
+    const auto opacity = readOpacity(node, warnings);
+    if (!opacity) return;
     if (layer.style == Style::line) return warnings.add(node, "lines are drawn opaque");
     const std::vector<bool> atoms = selected(node, node.param("selector"), structure, warnings);
     if (layer.opacity.empty()) layer.opacity.assign(layer.atoms.size(), 1.0f);
     for (std::size_t i = 0; i < layer.atoms.size(); ++i)
-        if (atoms[layer.atoms[i]]) layer.opacity[i] = value->get<float>();
+        if (atoms[layer.atoms[i]]) layer.opacity[i] = static_cast<float>(*opacity);
 }
 
 /// Applies the colour and opacity nodes of a representation, in order.
@@ -186,6 +193,16 @@ std::optional<SceneLayer> readRepresentation(const Node& node, const std::vector
     if (!layer.opacity.empty())
         keepAtoms(layer, [&](std::size_t i) { return static_cast<double>(layer.opacity[i]) >= kLeastOpacity; });
     return layer;
+}
+
+void takeLook(const Node& node, std::uint32_t& color, double& opacity, SceneWarnings& warnings) {
+    for (const Node& child : node.children) {
+        tellUnknown(child, node, warnings);
+        const auto named = child.kind == "color" ? readColor(child.param("color")) : std::nullopt;
+        if (child.kind == "color" && !named) warnings.add(child, "it names no colour");
+        color = named.value_or(color);
+        if (child.kind == "opacity") opacity = readOpacity(child, warnings).value_or(opacity);
+    }
 }
 
 std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structure& structure, SceneFiles& files) {

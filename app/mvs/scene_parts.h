@@ -138,6 +138,9 @@ glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second)
 std::optional<SceneLayer> readRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms,
                                              Structure& structure, SceneFiles& files, SceneWarnings& warnings);
 
+/// Reads the colour and opacity nodes of a shape, or of a map's representation; others are only checked.
+void takeLook(const Node& node, std::uint32_t& color, double& opacity, SceneWarnings& warnings);
+
 /// Colours of all atoms of the structure by a representation's nodes.
 std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structure& structure, SceneFiles& files);
 

@@ -19,25 +19,11 @@ std::vector<glm::dvec4> outermost(const Primitives::Mesh& mesh) {
 }
 
 PrimitiveLook readLook(const Node& node, SceneWarnings& warnings) {
-    PrimitiveLook look{.color = 0xffffffffu};
-    for (const Node& child : node.children) {
-        tellUnknown(child, node, warnings);
+    for (const Node& child : node.children)
         if ((child.kind == "color" || child.kind == "opacity") && child.param("selector"))
             warnings.add(child, "its parameter 'selector' is not used");
-        if (child.kind == "color") {
-            const auto color = readColor(child.param("color"));
-            if (color)
-                look.color = *color;
-            else
-                warnings.add(child, "it names no colour");
-        }
-        if (child.kind != "opacity") continue;
-        const Json* value = child.param("opacity");
-        if (value && value->is_number() && value->get<double>() >= 0 && value->get<double>() <= 1)
-            look.opacity = value->get<double>();
-        else
-            warnings.add(child, "its opacity is no number from 0 to 1");
-    }
+    PrimitiveLook look{.color = 0xffffffffu};
+    takeLook(node, look.color, look.opacity, warnings);
     return look;
 }
 

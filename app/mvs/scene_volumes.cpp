@@ -91,7 +91,7 @@ private:
         tellUnused(node, *row, warnings_);
         SceneVolume volume;
         volume.color = kVolumeColor;
-        look(node, volume);
+        takeLook(node, volume.color, volume.opacity, warnings_);
         const bool slice = type == "grid_slice";
         if (slice ? !setSlice(node, volume) : !setContour(node, volume)) return {};
         const ClipRegions regions(node, warnings_);
@@ -113,25 +113,6 @@ private:
             guide_.volumes.push_back(volume);
         }
         return balls;
-    }
-
-    void look(const Node& node, SceneVolume& volume) {
-        for (const Node& child : node.children) {
-            tellUnknown(child, node, warnings_);
-            if (child.kind == "color") {
-                const auto color = readColor(child.param("color"));
-                if (color)
-                    volume.color = *color;
-                else
-                    warnings_.add(child, "it names no colour");
-            }
-            if (child.kind != "opacity") continue;
-            const auto opacity = readValue(child, "opacity", warnings_);
-            if (opacity && *opacity >= 0 && *opacity <= 1)
-                volume.opacity = *opacity;
-            else
-                warnings_.add(child, "its opacity is no number from 0 to 1");
-        }
     }
 
     /// The mean of the map, unless the node says otherwise.
