@@ -29,6 +29,13 @@ constexpr std::pair<std::string_view, std::string_view> kKindSynonyms[] = {
     {"pi-cation", "cation-pi"}, {"halogen", "halogen-bond"},    {"metal-coordination", "metal"},
     {"water", "water-bridge"},  {"waterbridge", "water-bridge"}};
 
+std::vector<std::string> kindNames() {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < kInteractionKinds; ++i)
+        names.emplace_back(interactionKindName(static_cast<InteractionKind>(i)));
+    return names;
+}
+
 [[noreturn]] void refuseKind(std::string_view text, std::span<const std::string> names) {
     const std::string wanted = "all, or of " + interactionKindNames();
     for (const auto& [theirs, ours] : kKindSynonyms)
@@ -74,9 +81,8 @@ std::array<bool, kInteractionKinds> parseInteractionKinds(std::string_view text)
         kinds.fill(true);
         return kinds;
     }
-    std::vector<std::string> names{"all"};
-    for (std::size_t i = 0; i < kInteractionKinds; ++i)
-        names.emplace_back(interactionKindName(static_cast<InteractionKind>(i)));
+    std::vector<std::string> names = kindNames();
+    names.insert(names.begin(), "all");
     for (std::size_t from = 0; from <= text.size();) {
         const std::size_t end = std::min(text.find(',', from), text.size());
         const auto kind = interactionKindFromName(text.substr(from, end - from));
@@ -96,16 +102,7 @@ std::string interactionKindsText(const std::array<bool, kInteractionKinds>& kind
     return text;
 }
 
-std::string interactionKindNames() {
-    std::array<bool, kInteractionKinds> all{};
-    std::string names;
-    for (std::size_t i = 0; i < kInteractionKinds; ++i) {
-        all = {};
-        all[i] = true;
-        names += (names.empty() ? "" : ", ") + interactionKindsText(all);
-    }
-    return names;
-}
+std::string interactionKindNames() { return joinWords(kindNames()); }
 
 void parseInteractionColor(std::string_view text, ContactOptions& contacts) {
     if (text.empty()) return contacts.colors.fill(0);

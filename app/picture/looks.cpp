@@ -9,22 +9,20 @@
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
 #include "app/picture/saved_view.h"
-#include "engine/molecule/nearest_word.h"
 
 namespace nacre::app {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-const Option* lookOption(std::string_view key) {
-    const Option* found = findOption(key);
-    return found && found->look ? found : nullptr;
-}
-
-std::string toJsonText(const std::vector<std::pair<std::string, std::string>>& options) {
-    OrderedJson json = OrderedJson::object();
-    for (const auto& [key, value] : options) json[key] = value;
-    return jsonText(json);
+/// The options of a saved view that belong to looks.
+Look lookOfView(const std::string& json, const std::string& name) {
+    Look look{name, "", {}};
+    const auto view = parseJson<OrderedJson>(json);
+    for (const auto& [key, value] : view.items())
+        if (const Option* found = findOption(key); found && found->look)
+            look.options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
+    return look;
 }
 
 }  // namespace
@@ -80,13 +78,8 @@ std::span<const Look> looks() {
 }
 
 Look lookFromText(const std::string& json, const std::string& name) {
-    Look look{name, "", {}};
     parseSavedView(json, name);  // checks every key and value
-    const auto keys = parseJson<OrderedJson>(json);
-    for (const auto& [key, value] : keys.items())
-        if (lookOption(key))
-            look.options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
-    return look;
+    return lookOfView(json, name);
 }
 
 std::optional<Look> lookAlone(const std::string& path) {
@@ -98,15 +91,12 @@ std::optional<Look> lookAlone(const std::string& path) {
 
 Look readLook(const std::string& nameOrFile) {
     std::vector<std::string> names;
-    std::string list;
     for (const Look& look : looks()) {
         if (look.name == nameOrFile) return look;
         names.push_back(look.name);
-        list += look.name + ", ";
     }
     if (nameOrFile.ends_with(".json")) return lookFromText(readViewText(nameOrFile), nameOrFile);
-    throw std::invalid_argument("expected " + list + "or a file that ends in .json, not '" + nameOrFile + "'" +
-                                suggestion(nameOrFile, names));
+    refuse(nameOrFile, joinWords(names) + ", or a file that ends in .json", names);
 }
 
 void applyLook(const Look& look, PictureDescription& view) {
@@ -117,15 +107,13 @@ void applyLook(const Look& look, PictureDescription& view) {
     for (const auto& [key, value] : look.options) option(key).value.parse(value, view);
 }
 
-std::string lookJson(const Look& look) { return toJsonText(look.options); }
-
-std::string lookJson(const PictureDescription& view) {
-    const auto all = OrderedJson::parse(savedViewJson(view));
-    std::vector<std::pair<std::string, std::string>> options;
-    for (const auto& [key, value] : all.items())
-        if (lookOption(key)) options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
-    return toJsonText(options);
+std::string lookJson(const Look& look) {
+    OrderedJson json = OrderedJson::object();
+    for (const auto& [key, value] : look.options) json[key] = value;
+    return jsonText(json);
 }
+
+std::string lookJson(const PictureDescription& view) { return lookJson(lookOfView(savedViewJson(view), "")); }
 
 void applyPocket(std::string_view text, PictureDescription& d) {
     if (text == "ligand") text = "mainligand";  // one of several equal ones, and no glycan

@@ -4,6 +4,7 @@
 
 #include "app/picture/words.h"
 #include "engine/molecule/nearest_word.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::app {
 namespace {
@@ -19,8 +20,6 @@ constexpr Letter kLetters[] = {
     {"Gamma", "Γ"}, {"Delta", "Δ"},   {"Theta", "Θ"},   {"Lambda", "Λ"}, {"Xi", "Ξ"},      {"Pi", "Π"},
     {"Sigma", "Σ"}, {"Phi", "Φ"},     {"Psi", "Ψ"},     {"Omega", "Ω"},  {"AA", "Å"},      {"deg", "°"},
     {"prime", "′"}, {"to", "→"},      {"cdot", "·"},    {"pm", "±"},     {"times", "×"}};
-
-bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 /// Length in bytes of the character at a position.
 std::size_t characterBytes(std::string_view text, std::size_t at) {
@@ -63,9 +62,9 @@ private:
             return std::string(text_.substr(at_ - bytes, bytes));
         }
         if (++at_ >= text_.size()) fail("nothing follows its last character");
-        if (!isAsciiLetter(text_[at_])) return std::string(1, text_[at_++]);
+        if (!isLetter(text_[at_])) return std::string(1, text_[at_++]);
         std::size_t end = at_;
-        while (end < text_.size() && isAsciiLetter(text_[end])) ++end;
+        while (end < text_.size() && isLetter(text_[end])) ++end;
         const std::string_view name = text_.substr(at_, end - at_);
         // "\alphaH" is a Greek letter followed by another letter.
         const Letter* longest = nullptr;
