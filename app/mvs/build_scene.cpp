@@ -46,19 +46,10 @@ private:
     double room_ = 0;
 };
 
-void addLabelBalls(const std::vector<Primitives::Label>& labels, std::vector<glm::dvec4>& balls) {
-    LabelBalls own;
-    for (const Primitives::Label& label : labels) own.add(label, 0);
-    const std::vector<glm::dvec4> more = own.balls();
-    balls.insert(balls.end(), more.begin(), more.end());
-}
-
 /// Whether a copy shows an atom.
 bool isPlaced(const Structure& s, std::uint32_t atom) {
     return listOfCopies(s, s.molecule->atoms[atom].residue) != UINT32_MAX;
 }
-
-bool isStill(const glm::dmat4x3& motion) { return motion == glm::dmat4x3(1.0); }
 
 class SceneBuilder {
 public:
@@ -261,7 +252,7 @@ private:
 
     static void putAtoms(Structure& s) {
         const glm::dmat4x3 motion = findFirstMotion(s);
-        if (isStill(motion)) return;
+        if (motion == glm::dmat4x3(1.0)) return;
         for (std::size_t i = 0; i < s.molecule->atoms.size(); ++i) {
             glm::vec3& position = s.molecule->atoms[i].position;
             position = glm::vec3(motion * glm::dvec4(glm::dvec3(position), 1.0));
@@ -351,7 +342,9 @@ private:
             }
             Primitives primitives = readPrimitives(*node, own, structures_, warnings_);
             std::vector<glm::dvec4> balls = outlinePoints(primitives);
-            addLabelBalls(primitives.labels, balls);
+            LabelBalls labels;
+            for (const Primitives::Label& label : primitives.labels) labels.add(label, 0);
+            std::ranges::copy(labels.balls(), std::back_inserter(balls));
             clipPrimitives(ClipRegions(*node, warnings_), primitives);
             if (node != group.node) clipPrimitives(ClipRegions(*group.node, warnings_), primitives);
             camera_.addDrawn(balls);

@@ -172,8 +172,7 @@ void paintChildren(const Node& node, const Structure& structure, SceneFiles& fil
 
 std::optional<SceneLayer> readRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms,
                                              Structure& structure, SceneFiles& files, SceneWarnings& warnings) {
-    const Json* type = node.param("type");
-    const std::string name = type && type->is_string() ? type->get<std::string>() : "";
+    const std::string name = nodeText(node, "type");
     SceneLayer layer;
     if (!setStyle(node, name, layer, warnings)) {
         warnings.add(node, "there is no representation '" + nacre::printable(name) + "': it is left out");
