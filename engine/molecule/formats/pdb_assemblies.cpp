@@ -89,8 +89,8 @@ void Remark350::addRow(std::string_view line) {
     if (row != '3' || !fault.empty()) return;
     try {
         limits_.spend(1, 0);
-        to.copies.transforms.push_back(toMatrix(rows_));
-        to.copies.operators.push_back(std::to_string(operators_));
+        if (to.transforms.empty()) to.first = static_cast<std::uint32_t>(operators_);
+        to.transforms.push_back(toMatrix(rows_));
     } catch (const AssemblyFault& found) {
         fault = found.what();
     }
@@ -101,13 +101,16 @@ void Remark350::resolve(Molecule& molecule) {
         Assembly assembly{given.id, given.details, {}};
         try {
             for (Part& part : given.parts) {
+                AssemblyPart copies{std::move(part.transforms), {}};
+                for (std::size_t i = 0; i < copies.transforms.size(); ++i)
+                    copies.operators.push_back(std::to_string(part.first + i));
                 const auto count = static_cast<std::uint32_t>(molecule.subchains.size());
                 limits_.spend(0, count);
                 for (std::uint32_t i = 0; i < count; ++i)
                     if (!part.named || (molecule.subchains[i].size() == 1 &&
                                         part.chains.find(molecule.subchains[i]) != std::string::npos))
-                        part.copies.subchains.push_back(i);
-                addPart(assembly, std::move(part.copies));
+                        copies.subchains.push_back(i);
+                addPart(assembly, std::move(copies));
             }
             if (!given.fault.empty()) throw AssemblyFault(given.fault);
             if (assembly.parts.empty()) throw AssemblyFault("it places no chain that is here");

@@ -24,9 +24,10 @@ public:
 
 private:
     struct Part {
-        bool named = false;  ///< false: all chains, as "NULL" means in old files
-        std::string chains;  ///< one character each
-        AssemblyPart copies;
+        bool named = false;       ///< false: all chains, as "NULL" means in old files
+        std::uint32_t first = 0;  ///< operator among those of the file; the others follow
+        std::string chains;       ///< one character each
+        std::vector<glm::mat4x3> transforms;
     };
     struct Biomolecule {
         std::string id, details, fault;
