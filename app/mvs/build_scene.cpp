@@ -260,7 +260,7 @@ private:
         }
     }
 
-    /// Adds the copies of a structure to those of the scene. @param firstResidue  of it in the joined molecule
+    /// Adds the copies of a structure to those of the scene.
     void placeCopies(const Structure& s) {
         const auto add = [&](const std::vector<glm::dmat4x3>& copies) {
             std::vector<std::uint32_t> list;
@@ -310,7 +310,7 @@ private:
             double depth = 0;
             guide_->primitives.labels.push_back(makeLabel(
                 label.text, label.atoms, s,
-                colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()]), &depth));
+                colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()]), depth));
             auto list = std::ranges::find_if(drawn, [&](const auto& d) { return d.first == label.source; });
             if (list == drawn.end()) list = drawn.insert(drawn.end(), {label.source, {}});
             list->second.add(guide_->primitives.labels.back(), depth);

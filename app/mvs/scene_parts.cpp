@@ -137,6 +137,32 @@ void placeAtoms(const Node& node, std::size_t frame, Molecule& molecule, SceneFi
     }
 }
 
+/// The motion of a transform or instance node. @param centroid  of what it moves
+/// @throws Error unless it is rigid and near
+glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& centroid) {
+    glm::dmat4x3 motion(1.0);
+    if (const std::vector<double> matrix = readNumbers(node, "matrix", 16); !matrix.empty()) {
+        motion = glm::dmat4x3(glm::make_mat4(matrix.data()));
+    } else {
+        const std::vector<double> turn = readNumbers(node, "rotation", 9), shift = readNumbers(node, "translation", 3);
+        for (std::size_t i = 0; i < turn.size(); ++i)
+            motion[static_cast<int>(i / 3)][static_cast<int>(i % 3)] = turn[i];
+        if (const Json* about = node.param("rotation_center")) {
+            glm::dvec3 center(0);
+            if (*about == "centroid") {
+                center = centroid();
+            } else {
+                const std::vector<double> point = readNumbers(node, "rotation_center", 3);
+                center = {point[0], point[1], point[2]};
+            }
+            motion[3] = center - glm::dmat3(motion[0], motion[1], motion[2]) * center;
+        }
+        for (std::size_t i = 0; i < shift.size(); ++i) motion[3][static_cast<int>(i)] += shift[i];
+    }
+    if (!isRigid(motion)) refuseNode(node, "its rotation stretches, skews or shrinks");
+    return motion;
+}
+
 }  // namespace
 
 Structure readStructure(const Node& parse, const Node& node, const std::string& uri, SceneFiles& files,
@@ -175,30 +201,6 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
         warnings.add(node, "there is no structure type '" + nacre::printable(type) + "': its model is shown");
     }
     return s;
-}
-
-glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& centroid) {
-    glm::dmat4x3 motion(1.0);
-    if (const std::vector<double> matrix = readNumbers(node, "matrix", 16); !matrix.empty()) {
-        motion = glm::dmat4x3(glm::make_mat4(matrix.data()));
-    } else {
-        const std::vector<double> turn = readNumbers(node, "rotation", 9), shift = readNumbers(node, "translation", 3);
-        for (std::size_t i = 0; i < turn.size(); ++i)
-            motion[static_cast<int>(i / 3)][static_cast<int>(i % 3)] = turn[i];
-        if (const Json* about = node.param("rotation_center")) {
-            glm::dvec3 center(0);
-            if (*about == "centroid") {
-                center = centroid();
-            } else {
-                const std::vector<double> point = readNumbers(node, "rotation_center", 3);
-                center = {point[0], point[1], point[2]};
-            }
-            motion[3] = center - glm::dmat3(motion[0], motion[1], motion[2]) * center;
-        }
-        for (std::size_t i = 0; i < shift.size(); ++i) motion[3][static_cast<int>(i)] += shift[i];
-    }
-    if (!isRigid(motion)) refuseNode(node, "its rotation stretches, skews or shrinks");
-    return motion;
 }
 
 Structure Structure::copied() const {
@@ -393,7 +395,7 @@ std::size_t countCopies(const Structure& s, std::uint32_t atom) {
 }  // namespace
 
 Primitives::Label makeLabel(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& s,
-                            std::optional<std::uint32_t> color, double* depth) {
+                            std::optional<std::uint32_t> color, double& depth) {
     std::size_t all = 0, heavy = 0;
     for (const std::uint32_t atom : atoms) {
         const std::size_t copies = countCopies(s, atom);
@@ -403,7 +405,7 @@ Primitives::Label makeLabel(const std::string& text, const std::vector<std::uint
     Primitives::Label label;
     const Bounds sphere = extremeSphere(placedBalls(s, atoms, 0));
     label.at = sphere.center;
-    if (depth) *depth = sphere.radius;
+    depth = sphere.radius;
     label.text = withoutMarkup(text);
     label.size = kEmOfSize * std::cbrt(static_cast<double>(heavy > 0 ? heavy : all));
     label.color = color;

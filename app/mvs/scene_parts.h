@@ -118,10 +118,6 @@ std::optional<std::uint32_t> readColor(const Json* value);
 Structure readStructure(const Node& parse, const Node& node, const std::string& uri, SceneFiles& files,
                         SceneWarnings& warnings);
 
-/// The motion of a transform or instance node. @param centroid  of what it moves
-/// @throws Error unless it is rigid and near
-glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& centroid);
-
 /// Reads the transform and instance nodes of a structure, or of a component. @param atoms  whose centroid they may turn
 /// about, in all copies @throws Error
 void takeMotions(const Node& node, Structure& structure, const std::vector<std::uint32_t>& atoms);
@@ -173,7 +169,7 @@ constexpr double kEmOfSize = 0.6;  ///< em of a label of size 1, Å: measured in
 /// The label of some atoms, in the midst of all copies, sized like Mol*'s: by the cube root of their number.
 /// @param atoms  of the structure, ascending, at least one @param depth  Å from its position to the farthest atom
 Primitives::Label makeLabel(const std::string& text, const std::vector<std::uint32_t>& atoms,
-                            const Structure& structure, std::optional<std::uint32_t> color, double* depth = nullptr);
+                            const Structure& structure, std::optional<std::uint32_t> color, double& depth);
 
 inline bool hasCopies(const Structure& s) { return s.transforms.size() > 1 || s.instances.size() > 1; }
 

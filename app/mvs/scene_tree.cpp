@@ -72,8 +72,6 @@ void takeMetadata(const Json& json, Snapshot& snapshot) {
     const auto metadata = json.find("metadata");
     if (metadata == json.end() || !metadata->is_object()) return;
     snapshot.title = textAt(*metadata, "title");
-    snapshot.description = textAt(*metadata, "description");
-    snapshot.key = textAt(*metadata, "key");
     const bool newer = metadata->contains("duration_ms");
     snapshot.lingerSeconds = readSeconds(*metadata, newer ? "duration_ms" : "linger_duration_ms");
     snapshot.transitionSeconds = readSeconds(*metadata, "transition_duration_ms");
@@ -133,14 +131,9 @@ SceneTree parseScene(const std::string& text, const std::string& name) {
     Json json = parseSceneJson(text, name);
     if (!json.is_object()) refuseScene(name, "it is no scene: no object");
     SceneTree tree;
-    if (const auto metadata = json.find("metadata"); metadata != json.end() && metadata->is_object()) {
-        tree.title = textAt(*metadata, "title");
-        tree.version = textAt(*metadata, "version");
-    }
     TreeReader reader(name);
     const auto snapshots = json.find("snapshots");
-    tree.several = snapshots != json.end() && snapshots->is_array();
-    if (!tree.several) {
+    if (snapshots == json.end() || !snapshots->is_array()) {
         tree.snapshots.push_back(readSnapshot(json, "", reader, name));
         return tree;
     }

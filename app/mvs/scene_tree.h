@@ -29,14 +29,12 @@ struct Node {
 struct Snapshot {
     Node root;
     Node animation;  ///< without a kind: none
-    std::string title, description, key;
+    std::string title;
     double lingerSeconds = 0, transitionSeconds = 0;
 };
 
 struct SceneTree {
-    std::string title, version;
     std::vector<Snapshot> snapshots;  ///< at least one
-    bool several = false;             ///< the file is a list of snapshots
 };
 
 /// Whether a text may continue as a scene, by its beginning.

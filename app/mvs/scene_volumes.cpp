@@ -45,6 +45,26 @@ Bounds boundsOfBox(const DensityMap& map) {
     return boundsOfNodes(map, first, first + glm::dvec3(map.boxSize));
 }
 
+/// The ball around a contour by Mol*'s rules: around the box of the nodes that reach its level, plus one node on each
+/// side. Higher values, or lower ones for a negative level. Empty if no node reaches it.
+std::optional<Bounds> boundsOfContour(const DensityMap& map, double level) {
+    const glm::ivec3 first = map.firstNode(), size = map.boxSize;
+    glm::ivec3 low = size, high(-1);
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                glm::ivec3 node = first + glm::ivec3(x, y, z);
+                if (map.periodic)
+                    for (int i = 0; i < 3; ++i) node[i] = ((node[i] % map.size[i]) + map.size[i]) % map.size[i];
+                const double value = static_cast<double>(map.values[map.index(node)]);
+                if (!(level < 0 ? value <= level : value >= level)) continue;
+                low = glm::min(low, glm::ivec3(x, y, z));
+                high = glm::max(high, glm::ivec3(x, y, z));
+            }
+    if (high.x < 0) return std::nullopt;
+    return boundsOfNodes(map, glm::dvec3(first + low - 1), glm::dvec3(first + high + 1));
+}
+
 /// One volume node while it is read.
 class VolumeReader {
 public:
@@ -154,24 +174,6 @@ private:
 };
 
 }  // namespace
-
-std::optional<Bounds> boundsOfContour(const DensityMap& map, double level) {
-    const glm::ivec3 first = map.firstNode(), size = map.boxSize;
-    glm::ivec3 low = size, high(-1);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) {
-                glm::ivec3 node = first + glm::ivec3(x, y, z);
-                if (map.periodic)
-                    for (int i = 0; i < 3; ++i) node[i] = ((node[i] % map.size[i]) + map.size[i]) % map.size[i];
-                const double value = static_cast<double>(map.values[map.index(node)]);
-                if (!(level < 0 ? value <= level : value >= level)) continue;
-                low = glm::min(low, glm::ivec3(x, y, z));
-                high = glm::max(high, glm::ivec3(x, y, z));
-            }
-    if (high.x < 0) return std::nullopt;
-    return boundsOfNodes(map, glm::dvec3(first + low - 1), glm::dvec3(first + high + 1));
-}
 
 void addVolume(const Node& node, const std::string& uri, SceneFiles& files, SceneGuide& guide, CameraNodes& camera,
                SceneWarnings& warnings) {

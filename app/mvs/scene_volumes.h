@@ -15,8 +15,4 @@ constexpr std::size_t kMostVolumes = 200;  ///< representations of maps, each wi
 void addVolume(const Node& node, const std::string& uri, SceneFiles& files, SceneGuide& guide, CameraNodes& camera,
                SceneWarnings& warnings);
 
-/// The ball around a contour by Mol*'s rules: around the box of the nodes that reach its level, plus one node on each
-/// side. Higher values, or lower ones for a negative level. Empty if no node reaches it.
-std::optional<Bounds> boundsOfContour(const DensityMap& map, double level);
-
 }  // namespace nacre::app::mvs

@@ -171,6 +171,7 @@ TEST(Assemblies, OfRemark350) {
     ASSERT_EQ(m.assemblies[1].parts.size(), 2u);
     EXPECT_EQ(m.assemblies[1].parts[0].subchains, (std::vector<std::uint32_t>{1}));
     EXPECT_EQ(m.assemblies[1].parts[1].subchains, (std::vector<std::uint32_t>{0, 1}));
+    EXPECT_EQ(m.assemblies[1].parts[1].operators, std::vector<std::string>{"3"});
     EXPECT_EQ(m.file.biomtOperators, 3);
 }
 
