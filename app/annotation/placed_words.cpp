@@ -276,10 +276,6 @@ void placeDistances(const Representation& scene, PlacedWords& placed) {
     }
 }
 
-}  // namespace
-
-namespace {
-
 constexpr std::uint64_t kMostInSight = std::uint64_t{1} << 25;  // spheres that may hide labels: 640 MB
 
 }  // namespace

@@ -98,10 +98,6 @@ public:
     png_infop info;
 };
 
-}  // namespace
-
-namespace {
-
 constexpr std::size_t kWholeBytes = std::size_t{64} << 20;  ///< largest picture that is compressed in one piece
 
 std::size_t countRowBytes(const ImageRequest& request) {

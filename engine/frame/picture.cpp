@@ -43,10 +43,6 @@ std::uint64_t resolve(const ResolvedPart& part, Picture& to, const Add& add) {
     return covered;
 }
 
-}  // namespace
-
-namespace {
-
 /// Values of the bytes 0 to 255.
 struct ByteValues {
     std::array<float, 256> linear{}, share{};

@@ -51,10 +51,6 @@ std::string lower(std::string text) {
     return text;
 }
 
-}  // namespace
-
-namespace {
-
 vk::raii::Instance instanceWith(const vk::raii::Context& context, const InstanceExtensions& found,
                                 const std::vector<const char*>& extensions, const std::vector<const char*>& layers,
                                 const HeadsetSource* headset = nullptr) {
