@@ -140,6 +140,7 @@ if(NACRE_SOFTWARE)  # engine/tiles/lanes
         endforeach()
         string(TOUPPER ${data} define)
         nacre_shader(tileLayers${data} tile_layers.comp ${define})
+        nacre_shader(tileSamples${data} tile_samples.frag ${define})
         nacre_shader(tileTranslucent${data} tile_shade.frag ${define} CYLINDERS TRIANGLES COLOR DEPTH TRANSLUCENT)
     endforeach()
 endif()

@@ -52,6 +52,7 @@ uint listAt(uint i) { return lists[i]; }
 #endif
 layout(set = 0, binding = 3, std430) buffer Numbers { uint numbers[]; };
 layout(constant_id = kSeededId) const bool kSeeded = false;
+layout(constant_id = kListedId) const bool kListed = true;  // false: all lists are empty
 layout(constant_id = kClearsId) const bool kClears = false;
 #if defined(CYLINDERS)
 layout(constant_id = kSpheresId) const bool kSpheres = true;
@@ -235,7 +236,7 @@ void drawTile(uint index, bool last) {
     view.contourWidth = effects.lineWidth > 0.0 || width == 0.0 ? -1e30 : width;
 #endif
     bool more = true;  // the word before an empty list is the number of a primitive
-    do {
+    if (kListed) do {
 #ifdef TRIANGLES
         // In lists of triangles only, a chunk skips the loops of other kinds.
         uint balls, sticks;

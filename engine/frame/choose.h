@@ -166,6 +166,7 @@ enum class Shading : std::uint8_t {
     fragments,  ///< by numbers of primitives in a buffer
     image,      ///< by numbers in an image, like `deferred`: where no subgroup draws a tile
     compute,    ///< compute shades
+    picture,    ///< the resolve of samples into the picture shades: each sphere of a pixel once
 };
 
 /// How a tile frame with samples at edges knows its edge pixels.
@@ -242,6 +243,7 @@ struct FrameChoice {
     bool drawsEdges() const { return samples.where == Samples::Where::edges; }
     bool drawnByTiles() const { return geometry == Geometry::hostLists || geometry == Geometry::deviceLists; }
     bool shadedByCompute() const { return shading == Shading::compute; }
+    bool shadedInPicture() const { return shading == Shading::picture; }
     bool shadedByImage() const { return shading == Shading::image; }
     /// Samples per pixel of the frame's attachments.
     std::uint32_t attachmentSamples() const { return samples.where == Samples::Where::resolved ? samples.count : 1; }

@@ -96,9 +96,8 @@ bool Chooser::hasSmallSpheres() const {
 
 /// Whether nearly every pixel of a picture has an edge, and the host finds the spheres of all samples.
 bool Chooser::isCrowd() const {
-    constexpr double kCrowdedPixels = 1.75;  // a radius; samples of larger spheres at edges alone take less time
     return mayCompute() && !device_.tiles.lists && !scene_.leveled && !scene_.blends() && request_.quarterTurns == 0 &&
-           hasFrontSpheres() && hasSmallSpheres() && scene_.radiusPixels <= kCrowdedPixels;
+           hasFrontSpheres() && hasSmallSpheres();
 }
 
 /// Why a picture with one sample per pixel may miss places that need more; null: it finds them all.

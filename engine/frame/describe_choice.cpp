@@ -54,7 +54,8 @@ std::string effectsText(const EffectList& effects) {
 }  // namespace
 
 std::vector<Decision> describe(const FrameChoice& choice) {
-    constexpr const char* kShading[] = {"fragments", "fragments, by an image of numbers", "compute"};
+    constexpr const char* kShading[] = {"fragments", "fragments, by an image of numbers", "compute",
+                                        "fragments of the picture"};
     constexpr const char* kGeometry[] = {"instanced", "fetched by fragments", "lists of the host",
                                          "lists of the device"};
     constexpr const char* kHost[] = {"nothing", "hidden spheres", "front spheres"};

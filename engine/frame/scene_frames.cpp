@@ -123,7 +123,7 @@ void SceneFrames::count(PreparedFrame& prepared) {
     static_cast<passes::PrimitiveCounts&>(counts) = countPrimitives(view);
     if (view.light) counts.light = countPrimitives(*view.light);
     if (view.translucent) counts.layers = countPrimitives(*view.translucent);
-    if (view.tiles) counts.spheres = view.tiles->shownSpheres().value_or(counts.spheres);
+    if (prepared.choice().host == HostWork::frontSpheres) counts.spheres = 0;  // the device gets one number per pixel
     if (view.tiles) counts.lists = view.tiles->counts();
 }
 

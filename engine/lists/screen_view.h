@@ -17,9 +17,11 @@ struct ScreenView {
     int quarterTurns = 0;                            ///< as in View
     glm::vec2 axis{};                                ///< position of the view axis, pixels
     float pixels = 1;                                ///< per Å at z = 0
+    float pixel = 1;                                 ///< its reciprocal
     float origin = 0;                                ///< Z is origin - z; in perspective the eye is there
     float nearest = 0;                               ///< Z of the nearest depth
     float range = 1;                                 ///< from nearest to farthest, Å
+    float perRange = 1;                              ///< its reciprocal
     static constexpr float kNoPlane = 1e30f;         ///< Z of a far plane that clips nothing; of a near one -kNoPlane
     float clipNear = -kNoPlane, clipFar = kNoPlane;  ///< Z of clipping planes
     float contour = 0;                               ///< outline width of primitives, Å at z = 0

@@ -2,7 +2,6 @@
 // A frame of the `tiles` path, as other passes see it (engine/tiles).
 
 #include <cstdint>
-#include <optional>
 #include <span>
 
 #include "engine/gpu/resources.h"
@@ -39,8 +38,6 @@ public:
     /// Where the device makes the lists: rounds in which it draws the tiles.
     virtual std::uint32_t rounds() const = 0;
     virtual TileCounts counts() const = 0;
-    /// Number of spheres that the host found to be visible; empty: it did not test them.
-    virtual std::optional<std::uint64_t> shownSpheres() const = 0;
     virtual std::span<const TileBins::Span> spans() const = 0;  ///< bins that show anything
     virtual float nearest() const = 0;                          ///< Z of the nearest depth
     virtual float farthest() const = 0;                         ///< Z of the farthest

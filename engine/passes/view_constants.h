@@ -45,9 +45,11 @@ inline ScreenView screenView(const layout::ViewConstants& c, const View& view, s
     v.quarterTurns = view.quarterTurns;
     v.axis = c.axisPixel;
     v.pixels = static_cast<float>(view.pixelsPerAngstrom);
+    v.pixel = c.pixel;
     v.origin = c.origin;
     v.nearest = c.depthStart;
     v.range = 1.0f / c.perRange;
+    v.perRange = c.perRange;
     return v;
 }
 

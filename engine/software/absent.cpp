@@ -21,6 +21,9 @@ void draw(gpu::PassContext&, const SceneView&, const NearestByTiles&) { refuse()
 void want(gpu::PipelineContext&, const SceneView&, const NearestByTiles&) { refuse(); }
 void draw(gpu::PassContext&, const SceneView&, const TileShading&) { refuse(); }
 void want(gpu::PipelineContext&, const SceneView&, const TileShading&) { refuse(); }
+void shadeSamples(gpu::PassContext&, const SceneView&, const SampledSpheres&, graph::Extent, const ResolvePlace&) {
+    refuse();
+}
 void drawLayersByTiles(gpu::PassContext&, const SceneView&, vk::ImageView, vk::ImageView) { refuse(); }
 void findEdgesByTiles(gpu::PassContext&, const SceneView&) { refuse(); }
 void drawEdgesByTiles(gpu::PassContext&, const SceneView&, vk::ImageView) { refuse(); }

@@ -8,20 +8,12 @@
 
 namespace nacre {
 
-void FrontBand::meet(std::size_t at, float Z, bool certain, std::uint32_t sphere) const {
-    const float there = z[at];
-    if (!certain || !(Z < there)) return ambiguous->push_back(sphere);
-    if (!(Z + 2 * margin < there)) ambiguous->push_back(number[at]);
-    z[at] = Z;
-    number[at] = sphere;
-}
-
 bool FrontBand::isHidden(const FrontRectangle& r) const {
     constexpr Mask kLane = {0, 1, 2, 3};
     const std::uint32_t x0 = pixelAt(r.left, 0, width), x1 = pixelAt(r.right, 0, width);
     const std::uint32_t y1 = pixelAt(r.bottom, first, end);
     for (std::uint32_t y = pixelAt(r.top, first, end); y < y1; ++y) {
-        const float* row = z + std::size_t{y} * pitch;
+        const float* row = depth + std::size_t{y} * pitch;
         for (std::uint32_t x = x0; x < x1; x += kLanes)
             if (any((loadLanes(row + x) >= r.near) & (kLane < static_cast<std::int32_t>(x1 - x)))) return false;
     }

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
-#include <vector>
 
 #include "engine/scene/build/representation.h"
 #include "engine/software/sphere_boxes.h"
@@ -14,39 +14,40 @@
 
 namespace nacre {
 
-/// Transform into pixels and Z.
+/// A transform.
 struct FrontPlace {
-    glm::vec4 x, y, z;
-    glm::vec3 spanX, spanY, spanZ;  // of a box with half sides of 1 Å
+    glm::vec4 x, y, z;                // into pixels and Z
+    glm::vec3 spanX, spanY, spanZ;    // of a box with half sides of 1 Å
+    glm::vec4 right, down, toViewer;  // into view space, turned as the picture, Å
 };
 
 /// Consecutive boxes with one transform.
 struct FrontGroup {
-    float near = 0;                                  // Z
+    float near = 0;                                  // depth
     float left = 0, top = 0, right = 0, bottom = 0;  // pixels
     std::uint32_t call = 0, group = 0;
 };
 
 /// Where a box or a sphere may be visible.
 struct FrontRectangle {
-    float near = 0;  // Z
+    float near = 0;  // depth
     float left = 0, top = 0, right = 0, bottom = 0;
 };
 
-/// Rows of a picture, and the nearest spheres of its pixels.
+/// Rows of a picture, and the nearest spheres of its pixels. Depths are the encoded ones of the shaders, 0 to 1.
 struct FrontBand {
     std::uint32_t first = 0, end = 0;  ///< rows
     std::uint32_t width = 0, pitch = 0;
-    float* z = nullptr;               ///< of each pixel's sphere; `pitch` per row
+    float* depth = nullptr;           ///< of each pixel's sphere; `pitch` per row
     std::uint32_t* number = nullptr;  ///< its number, if any
-    std::vector<std::uint32_t>* ambiguous = nullptr;
-    float pixels = 1, perPixel = 1;
-    float room = 0;    ///< largest shift of a sphere by rounding, pixels
-    float margin = 0;  ///< likewise of Z, Å
-    float edge = 0;    ///< hits nearer than this to the sphere's edge do not count; fraction of the squared radius
+    float pixels = 1;                 ///< per Å
+    float room = 0;                   ///< largest shift of a sphere or box by rounding, pixels
+    float margin = 0;                 ///< likewise in depth
+    // As in ViewConstants:
+    glm::vec2 axis{};
+    float pixel = 1, origin = 0, perRange = 1;
+    float start = 0;  ///< depthStart * perRange
 
-    /// Draws a sphere that may contain a pixel's centre, and is not certainly hidden.
-    void meet(std::size_t at, float Z, bool certain, std::uint32_t sphere) const;
     /// Whether everything from r.near on is hidden in all of a rectangle's pixels. True without a pixel centre.
     bool isHidden(const FrontRectangle& r) const;
 };

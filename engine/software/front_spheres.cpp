@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -23,7 +21,11 @@ FrontPlace makePlace(const TileView& view, const TileCall& call) {
     // As toPixel().
     const glm::vec4 across = rows[0] * view.pixels, up = rows[1] * view.pixels;
     const glm::vec4 turned[4][2] = {{across, -up}, {up, across}, {-across, up}, {-up, -across}};
-    FrontPlace p{turned[view.quarterTurns & 3][0], turned[view.quarterTurns & 3][1], -rows[2], {}, {}, {}};
+    const glm::vec4 turnedSpheres[4][2] = {
+        {rows[0], -rows[1]}, {rows[1], rows[0]}, {-rows[0], rows[1]}, {-rows[1], -rows[0]}};
+    const int turns = view.quarterTurns & 3;
+    FrontPlace p{turned[turns][0],        turned[turns][1],        -rows[2], {}, {}, {},
+                 turnedSpheres[turns][0], turnedSpheres[turns][1], rows[2]};
     p.x.w += view.axis.x;
     p.y.w += view.axis.y;
     p.z.w += view.origin;
@@ -42,23 +44,22 @@ void FrontSpheres::begin(const TileView& view, const Scenery& s) {
     shared_.width = width_;
     shared_.pitch = pitch_;
     shared_.pixels = view.pixels;
-    shared_.perPixel = 1 / view.pixels;
     float far = 0;  // Å from the origin, of anything
     for (const TileCall& call : s.calls)
         far = std::max({far, std::abs(call.rows[0].w), std::abs(call.rows[1].w), std::abs(call.rows[2].w)});
     // Bound of a position's terms: three products with a unit vector, and a shift; half the picture.
     far += 1.75f * s.boxes.reach;
     const float wide = (static_cast<float>(std::max(width_, height_)) + std::abs(view.axis.x) + std::abs(view.axis.y)) *
-                       0.5f * shared_.perPixel;
-    // Each step has a relative error. Shaders take three for a position, the host five of half the size, both two or
-    // three for a pixel.
+                       0.5f / view.pixels;
+    // Each step has a relative error: five for a position, three for a pixel.
     constexpr float kStep = 0x1p-23f;
-    const float room = (6 * far + 5 * wide) * kStep;
-    shared_.room = room * view.pixels;
-    // A square root's error grows towards the sphere's edge.
-    constexpr float kLeast = 1.0f / 6;  // of a radius
-    shared_.edge = kLeast * kLeast;
-    shared_.margin = room / kLeast + (6 * far + 4 * (std::abs(view.origin) + view.range)) * kStep;
+    shared_.room = (6 * far + 5 * wide) * kStep * view.pixels;
+    shared_.margin = (18 * far + 12 * (std::abs(view.origin) + view.range)) * kStep / view.range;
+    shared_.axis = view.axis;
+    shared_.pixel = view.pixel;
+    shared_.origin = view.origin;
+    shared_.perRange = view.perRange;
+    shared_.start = view.nearest * view.perRange;
 }
 
 /// Replaces calls by their whole runs: in the order of the boxes, a part of a run is scattered. Spheres of a run in no
@@ -101,56 +102,6 @@ void FrontSpheres::list(const TileView& view, const Scenery& s) {
     }
 }
 
-/// @param drawn  contains the calls as parts
-void FrontSpheres::listDoubts(std::span<const TileCall> drawn, std::span<const TileCall> calls) {
-    std::uint32_t most = 0;
-    for (const TileCall& call : drawn) most = std::max(most, call.number + call.first + call.count);
-    marks_.assign(most / 64 + 1, 0);
-    shown_ = 0;
-    for (std::size_t b = 0; b < bands_.size(); ++b)
-        for (const std::uint32_t number : ambiguous_[b]) shown_ += mark(number);
-    ambiguousCalls_.clear();
-    for (const TileCall& call : calls) {
-        const std::uint32_t end = call.number + call.first + call.count;
-        for (std::uint32_t at = call.number + call.first; at < end;) {
-            const std::uint64_t rest = marks_[at / 64] >> at % 64;
-            if (rest == 0) {
-                at = (at / 64 + 1) * 64;
-                continue;
-            }
-            at += static_cast<std::uint32_t>(std::countr_zero(rest));
-            if (at >= end) break;
-            const std::uint32_t first = at;
-            while (at < end && (marks_[at / 64] >> at % 64 & 1)) ++at;
-            ambiguousCalls_.push_back({call.rows, first - call.number, at - first, call.number});
-        }
-    }
-}
-
-/// Marks a sphere; thread-safe. @returns whether it was unmarked
-bool FrontSpheres::mark(std::uint32_t number) {
-    std::uint64_t& word = marks_[number / 64];
-    const std::uint64_t bit = std::uint64_t{1} << number % 64;
-    if (__atomic_load_n(&word, __ATOMIC_RELAXED) & bit) return false;
-    return (__atomic_fetch_or(&word, bit, __ATOMIC_RELAXED) & bit) == 0;
-}
-
-/// Marks and counts the spheres seen at pixels, in addition to the ambiguous ones.
-void FrontSpheres::countShown() {
-    std::atomic<std::size_t> shown = 0;
-    inParallel(bands_.size(), [&](std::size_t b) {
-        std::size_t mine = 0;
-        for (std::size_t y = bands_[b].first; y < bands_[b].end; ++y) {
-            const float* z = z_.data() + y * pitch_;
-            const std::uint32_t* number = number_.data() + y * pitch_;
-            for (std::uint32_t x = 0; x < width_; ++x)
-                if (z[x] != kNoDepth && (x == 0 || number[x] != number[x - 1])) mine += mark(number[x]);
-        }
-        shown += mine;
-    });
-    shown_ += shown;
-}
-
 void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, const SphereBoxes& boxes,
                         std::span<const TileCall> calls) {
     constexpr std::size_t kWorth = 512;  // groups per additional thread
@@ -158,22 +109,20 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
     const Scenery s{own ? boxes.spheres : spheres, boxes, own ? wholeRuns(boxes, calls) : calls};
     begin(view, s);
     list(view, s);
-    sortNearFirst<2048>(view, std::span(&groups_, 1), sorted_);
+    sortNearFirst<2048>(ScreenView{}, std::span(&groups_, 1), sorted_);  // by depths from 0 to 1
     partRows(
         height_, std::min<std::size_t>(groups_.size() / kWorth + 1, threadsPerTask()), groups_,
         [&](const FrontGroup& group) { return pixelAt((group.top + group.bottom) * 0.5f, 0, height_ - 1); }, inRow_,
         bands_);
-    if (ambiguous_.size() < bands_.size()) ambiguous_.resize(bands_.size());
-    z_.resize(std::max(z_.size(), std::size_t{pitch_} * height_));
-    number_.resize(z_.size());
+    depth_.resize(std::max(depth_.size(), std::size_t{pitch_} * height_));
+    number_.resize(depth_.size());
     inParallel(bands_.size(), [&](std::size_t b) {
         FrontBand band = shared_;
         band.first = bands_[b].first, band.end = bands_[b].end;
-        band.z = z_.data(), band.number = number_.data(), band.ambiguous = &ambiguous_[b];
-        ambiguous_[b].clear();
+        band.depth = depth_.data(), band.number = number_.data();
         for (std::size_t y = band.first; y < band.end; ++y) {
-            std::fill_n(z_.data() + y * pitch_, width_, kNoDepth);
-            std::fill_n(z_.data() + y * pitch_ + width_, pitch_ - width_, kHidesAll);
+            std::fill_n(depth_.data() + y * pitch_, width_, kNoDepth);
+            std::fill_n(depth_.data() + y * pitch_ + width_, pitch_ - width_, kHidesAll);
         }
         const auto top = static_cast<float>(band.first), bottom = static_cast<float>(band.end);
         for (const FrontGroup& group : sorted_) {
@@ -183,13 +132,11 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
                             group.group);
         }
     });
-    listDoubts(s.calls, calls);
-    countShown();
 }
 
 bool FrontSpheres::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const {
     for (; y < std::min(endY, height_); ++y) {
-        const float* row = z_.data() + std::size_t{y} * pitch_;
+        const float* row = depth_.data() + std::size_t{y} * pitch_;
         for (std::uint32_t at = x; at < std::min(endX, width_); ++at)
             if (row[at] != kNoDepth) return true;
     }
@@ -199,7 +146,7 @@ bool FrontSpheres::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, 
 void FrontSpheres::write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const {
     for (const std::uint32_t end = x + count; x < end; ++x) {
         const std::size_t at = std::size_t{y} * pitch_ + x;
-        *to++ = y < height_ && x < width_ && z_[at] != kNoDepth ? number_[at] : 0;
+        *to++ = y < height_ && x < width_ && depth_[at] != kNoDepth ? number_[at] : 0;
     }
 }
 

@@ -41,7 +41,6 @@ public:
     TileCounts counts() const override {
         return {lists.tiles().size(), lists.kept(), lists.keptSpheres(), lists.entries(), lists.longest()};
     }
-    std::optional<std::uint64_t> shownSpheres() const override { return lists.shownSpheres(); }
     bool holds(std::size_t bin) const override { return lists.holds(bin); }
     std::size_t words() const override { return lists.words(); }
     void write(std::uint32_t* to) override { lists.write(to); }

@@ -316,9 +316,10 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     small_.clear();
     mask(view);
     drawsSpheres_ = s.boxes != nullptr;
-    if (drawsSpheres_) frontSpheres_.draw(view, s.spheres, *s.boxes, s.sphereCalls);
-    for (const TileCall& call : drawsSpheres_ ? frontSpheres_.ambiguous() : s.sphereCalls)
-        addSpheres(view, s.spheres, call);
+    if (drawsSpheres_)
+        frontSpheres_.draw(view, s.spheres, *s.boxes, s.sphereCalls);
+    else
+        for (const TileCall& call : s.sphereCalls) addSpheres(view, s.spheres, call);
     keptSpheres_ = kept_.size();
     for (const TileCall& call : s.cylinderCalls) addCylinders(view, s, call);
     const bool drawsTriangles =

@@ -46,8 +46,8 @@ struct TileScenery {
 };
 
 /// Lists of a picture's primitives. Where pixels are sampled at their centres only, most triangles enter no list: the
-/// host knows the nearest one of nearly every pixel. The same holds for spheres with boxes. Where edges are drawn,
-/// triangles enter unless all surrounding pixels hide them.
+/// host knows the nearest one of nearly every pixel. Spheres with boxes enter none: the host finds all of them. Where
+/// edges are drawn, triangles enter unless all surrounding pixels hide them.
 ///
 /// Tiles are those of bins with a non-empty list, or with initial triangles. Keeps its memory between frames.
 class TileLists : public TileSet {
@@ -73,10 +73,6 @@ public:
             frontSpheres_.write(x, y, count, to);
         else
             front_.write(x, y, count, to);
-    }
-    /// Number of spheres, drawn by the host, that may be visible. Empty: all.
-    std::optional<std::size_t> shownSpheres() const {
-        return drawsSpheres_ ? std::optional(frontSpheres_.shown()) : std::nullopt;
     }
     std::size_t kept() const { return kept_.size(); }  ///< primitives in any list
     std::size_t keptSpheres() const { return keptSpheres_; }

@@ -65,9 +65,6 @@ public:
     }
     std::uint32_t rounds() const override { return byDevice ? byDevice->rounds.count : 1; }
     TileCounts counts() const override { return byDevice ? TileCounts() : host->counts(); }  // the host knows none
-    std::optional<std::uint64_t> shownSpheres() const override {
-        return byDevice ? std::nullopt : host->shownSpheres();
-    }
     std::span<const TileBins::Span> spans() const override { return tiles().spans(); }
     float nearest() const override { return constants.depthStart; }
     float farthest() const override { return constants.depthStart + 1 / constants.perRange; }

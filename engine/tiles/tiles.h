@@ -38,7 +38,7 @@ struct TileWork {
     TileResult result = TileResult::words;
     bool edges = false;              ///< edges are drawn
     bool edgesAlone = false;         ///< only edges are shaded, from primitive numbers
-    bool frontSpheres = false;       ///< the host finds the nearest sphere of most pixels
+    bool frontSpheres = false;       ///< the host finds the nearest sphere of each pixel
     bool subsamples = false;         ///< pixels are samples of a picture's pixels, and are not tested at their centres
     std::uint32_t kept = 1;          ///< words per pixel; more than 1: of several layers
     std::uint32_t longestList = 0;   ///< a frame with a longer list is not uploaded
@@ -66,9 +66,8 @@ public:
     virtual const TileSet& tiles() const = 0;
     virtual std::uint32_t longest() const = 0;  ///< entries of a list
     virtual TileCounts counts() const = 0;
-    virtual std::optional<std::uint64_t> shownSpheres() const = 0;  ///< as in TileFrame
-    virtual bool holds(std::size_t bin) const = 0;                  ///< whether anything may be visible there
-    virtual std::size_t words() const = 0;                          ///< of the device's data
+    virtual bool holds(std::size_t bin) const = 0;  ///< whether anything may be visible there
+    virtual std::size_t words() const = 0;          ///< of the device's data
     virtual void write(std::uint32_t* to) = 0;
     virtual bool seeded() const = 0;  ///< whether pixels begin with a primitive from writeSeeds()
     virtual void writeSeeds(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const = 0;

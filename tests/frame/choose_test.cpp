@@ -242,7 +242,7 @@ TEST(Choose, DrawsAllSamplesOfManySmallSpheres) {
     settings.supersample = RenderSettings::kEdges;
     SceneFacts facts;
     facts.boxed = true;
-    facts.radiusPixels = 1.75;
+    facts.radiusPixels = 2.5;
     facts.spheres = 100'000;
     const auto but = [&](auto change) {
         FrameRequest request = makeRequest(settings);
@@ -251,7 +251,7 @@ TEST(Choose, DrawsAllSamplesOfManySmallSpheres) {
         return choose(request, scene, caps).refinement;
     };
     EXPECT_EQ(but([](auto&, auto&) {}), Refinement::everywhere);
-    EXPECT_EQ(but([](auto&, auto& f) { f.radiusPixels = 1.8; }), Refinement::none);
+    EXPECT_EQ(but([](auto&, auto& f) { f.radiusPixels = 2.6; }), Refinement::none);
     EXPECT_EQ(but([](auto&, auto& f) { f.spheres = 99'999; }), Refinement::none);
     EXPECT_EQ(but([](auto&, auto& f) { f.leveled = true; }), Refinement::none);
     EXPECT_EQ(but([](auto&, auto& f) { f.triangles = 1; }), Refinement::none);
@@ -261,6 +261,9 @@ TEST(Choose, DrawsAllSamplesOfManySmallSpheres) {
     block.part = Part::block;
     facts.radiusPixels = 10;
     EXPECT_EQ(choose(block, facts, caps).host, HostWork::frontSpheres);
+    EXPECT_EQ(choose(block, facts, caps).shading, Shading::picture);
+    facts.hasCylinders = true;
+    EXPECT_EQ(choose(block, facts, caps).shading, Shading::compute);
     // Where the device lists primitives, the host finds none.
     FrameCaps device = caps;
     device.tiles.lists = true;

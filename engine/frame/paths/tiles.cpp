@@ -115,6 +115,7 @@ void declareTiles(Frame& f, const FrameShape& shape) {
     if (choice.shadedByCompute()) return declareShadedByCompute(f, shape);
     if (choice.shadedByImage()) return declareShadedByImage(f, shape);
     f.numbers = addPixels(f, shape, "primitive numbers", kWord);
+    if (choice.shadedInPicture()) return;  // the host found all spheres
     declareNearest(f, shape, [&] { fromLists(f, "nearest primitive").writes(f.numbers).record(nearestByTiles(f)); });
 
     if (choice.drawsEdges()) {

@@ -7,6 +7,7 @@
 
 #include "engine/gpu/execute.h"
 #include "engine/passes/output.h"
+#include "engine/passes/resolve.h"
 #include "engine/passes/scene_view.h"
 
 namespace nacre::passes {
@@ -32,6 +33,16 @@ struct TileShading {
 void draw(gpu::PassContext& context, const SceneView& view, const TileShading& pass);
 /// Requests the pipeline.
 void want(gpu::PipelineContext& context, const SceneView& view, const TileShading& pass);
+
+/// Input of shadeSamples().
+struct SampledSpheres {
+    vk::ImageView atlas;
+    std::optional<vk::ImageView> mask;  ///< as large as the picture: 0 where pixels stay
+};
+/// Writes a frame of RenderSettings::kBlockSamples x kBlockSamples samples per pixel, whose pixels() are numbers of
+/// spheres, into its picture. @param frame  its extent
+void shadeSamples(gpu::PassContext& context, const SceneView& view, const SampledSpheres& input, graph::Extent frame,
+                  const ResolvePlace& place);
 
 /// Compute: writes for each pixel of the view's tiles the numbers of the nearest primitives, and adds up the rest in
 /// front of opaque shapes: layout::kLayerWords.

@@ -75,6 +75,8 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
     }
     d.constants.set(layout::kNumberedId, f.edgeData.drawn && !f.edgeData.alone);
     d.constants.set(layout::kSeededId, f.seeded());
+    const bool found = f.seeded() && tileScene(scene) == TileScene::spheres;  // by the host, at all pixels
+    d.constants.set(layout::kListedId, !found);
     d.constants.set(layout::kClearsId, f.byDevice != nullptr);
     d.constants.set(layout::kLanesId, caps.lanes);
     return d;
