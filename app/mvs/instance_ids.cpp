@@ -47,13 +47,17 @@ private:
         for (const auto& [key, inner] : value.items())
             if (key != "field_remapping") addNamed(inner);
     }
+    const std::string& bytes(const std::string& uri) try { return files_.bytes(uri); } catch (const Error&) {
+        failed_ = true;
+        throw;
+    }
     /// Adds the ids in the file that a node names. Faults are told where the node is drawn.
     void addFromFile(const Node& node, const std::string& uri) try {
         const bool primitives = node.kind == "primitives_from_uri";
         const std::string column = primitives ? kField : findColumn(node, kField);
         if (column.empty() || failed_) return;
         const auto [known, isNew] = mentions_.emplace(std::pair(uri, column), false);
-        if (isNew) known->second = files_.bytes(uri).find(column) != std::string::npos;
+        if (isNew) known->second = bytes(uri).find(column) != std::string::npos;
         if (!known->second || !read_.emplace(uri, primitives ? "" : node.params.dump()).second) return;
         if (primitives) {
             for (const Node& child : parseNode(files_.bytes(uri), uri).children) addNamed(child.params);
@@ -66,7 +70,6 @@ private:
             if (row.expression.instance) addId(*row.expression.instance);
         }
     } catch (const Error&) {
-        failed_ = true;
     }
 
     SceneFiles& files_;
