@@ -106,7 +106,11 @@ const char* Chooser::blind() const {
     if (request_.quarterTurns != 0) return "blocks of a turned view are its whole rows";
     if (settings_.effects.linesByGroups() && settings_.effects.contours.width < 1)
         return "outlines thinner than a pixel may lie between pixel centres";
-    if (scene_.smallestPixels < kSmallPixels) return "shapes thinner than a pixel may lie between pixel centres";
+    // Where the host lists all shapes, its lists mark them.
+    const bool listed = pickPath(device_) == Visibility::tiles && !device_.tiles.lists &&
+                        settings_.effects.contours.width <= 0 && hostWorkOfTiles() == HostWork::none;
+    if (scene_.smallestPixels < kSmallPixels && !listed)
+        return "shapes thinner than a pixel may lie between pixel centres";
     return nullptr;
 }
 

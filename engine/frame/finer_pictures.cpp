@@ -78,6 +78,16 @@ std::vector<PictureRect> findShown(std::span<const TileBins::Span> spans, const 
     return parts;
 }
 
+/// Adds the bins of a frame that may show shapes between pixel centres; without lists of tiles, all.
+void addSmall(FinerPlaces& places, const passes::SceneView& view, graph::Extent image) {
+    constexpr std::uint32_t kBin = TileBins::kPixels;
+    if (!view.tiles) return places.add({0, 0, image.width, image.height});
+    for (std::uint32_t y = 0; y * kBin < image.height; ++y)
+        for (std::uint32_t x = 0; x * kBin < image.width; ++x)
+            if (view.tiles->showsSmall(x, y)) places.add({x * kBin, y * kBin, kBin, kBin});
+    if (view.translucent) addSmall(places, *view.translucent, image);
+}
+
 PictureRect wholeRect(graph::Extent image) { return {0, 0, image.width, image.height}; }
 
 }  // namespace
@@ -137,6 +147,7 @@ FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Want
     coarse.shape.name = "coarse screen";
     endInPicture(coarse, wanted.view, 1);
     const bool fine = coarse.choice().color == ColorFormat::linear;
+    const std::shared_ptr<const passes::SceneView> seen = coarse.view;
     const Drawn drawn = run(std::move(coarse), settings);
     const auto [pixels, rowPixels] = pictureRows(drawn, wanted.view, 1);
     const graph::Extent image = imageExtent(wanted.view);
@@ -144,6 +155,7 @@ FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Want
                               : FinerPlaces(reinterpret_cast<const std::uint32_t*>(pixels), rowPixels, image);
     // At some pixels a thin outline misses the centre.
     if (settings.effects.linesByGroups() && kThinOutline * settings.effects.contours.width < 1) places.grow();
+    if (seen->smallestPixels < passes::TileWork::kSmallPixels) addSmall(places, *seen, image);
     return places;
 }
 

@@ -54,6 +54,13 @@ FinerPlaces::FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, gra
 FinerPlaces::FinerPlaces(const float* seen, graph::Extent image)
     : FinerPlaces(toSteps(seen, std::size_t{image.width} * image.height).data(), image.width, image) {}
 
+void FinerPlaces::add(const PictureRect& part) {
+    const std::size_t down = across_ == 0 ? 0 : pixels_.size() / across_;
+    const std::uint32_t right = std::min(part.x + part.width, across_);
+    for (std::size_t y = part.y; y < std::min<std::size_t>(part.y + part.height, down); ++y)
+        for (std::uint32_t x = part.x; x < right; ++x) pixels_[y * across_ + x] = 0xff;
+}
+
 void FinerPlaces::grow() {
     const std::size_t down = across_ == 0 ? 0 : pixels_.size() / across_;
     std::vector<std::uint8_t> wide = pixels_;

@@ -21,6 +21,8 @@ public:
     /// @param seen  four linear floats per pixel, premultiplied
     FinerPlaces(const float* seen, graph::Extent image);
 
+    /// Adds all pixels of a part.
+    void add(const PictureRect& part);
     /// Adds the eight pixels around each finer one.
     void grow();
 

@@ -59,6 +59,11 @@ void SceneFrames::dropHidden(passes::SceneView& view, const FrameChoice& choice,
         hidden_->drop(view, shown_->representation, shown_->chunks, inputs.view, imageExtent(inputs.view), centers);
 }
 
+/// Whether a coarse frame may miss primitives. Shapes that it marks are not tested at pixel centres.
+static bool marksSmall(const passes::SceneView& view, const FrameRequest& request) {
+    return request.part == Part::coarse && view.smallestPixels < passes::TileWork::kSmallPixels;
+}
+
 std::shared_ptr<const passes::TileFrame> SceneFrames::listTiles(const passes::SceneView& view,
                                                                 const FrameChoice& choice, const FrameRequest& request,
                                                                 const FrameInputs& inputs) {
@@ -70,6 +75,7 @@ std::shared_ptr<const passes::TileFrame> SceneFrames::listTiles(const passes::Sc
     work.edges = choice.drawsEdges();
     work.edgesAlone = choice.edgePixels == EdgePixels::alone;
     work.longestList = choice.overflow.longestList;
+    work.marksSmall = marksSmall(view, request);
     work.subsamples = view.rims.any() && request.part == Part::block;
     // The device finds edges in whole bins.
     if (!work.edges || choice.edgePixels != EdgePixels::found) work.mask = inputs.mask;
@@ -96,6 +102,7 @@ void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request,
     if (!choice.has(Effect::Kind::tileTranslucency)) return;
     passes::TileWork work;
     work.kept = layout::kLayerWords;
+    work.marksSmall = marksSmall(view, request);
     work.mask = inputs.mask;
     work.longestList = choice.overflow.longestListOfLayers;
     const std::shared_ptr<const passes::TileFrame> layers =
@@ -123,7 +130,6 @@ void SceneFrames::count(PreparedFrame& prepared) {
     static_cast<passes::PrimitiveCounts&>(counts) = countPrimitives(view);
     if (view.light) counts.light = countPrimitives(*view.light);
     if (view.translucent) counts.layers = countPrimitives(*view.translucent);
-    if (prepared.choice().host == HostWork::frontSpheres) counts.spheres = 0;  // the device gets one number per pixel
     if (view.tiles) counts.lists = view.tiles->counts();
 }
 

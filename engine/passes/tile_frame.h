@@ -39,9 +39,11 @@ public:
     virtual std::uint32_t rounds() const = 0;
     virtual TileCounts counts() const = 0;
     virtual std::span<const TileBins::Span> spans() const = 0;  ///< bins that show anything
-    virtual float nearest() const = 0;                          ///< Z of the nearest depth
-    virtual float farthest() const = 0;                         ///< Z of the farthest
-    virtual std::uint32_t rowPixels() const = 0;                ///< pixels per row of the buffers
+    /// Whether a bin may show a primitive that lies between pixel centres, where the host makes the lists.
+    virtual bool showsSmall(std::uint32_t x, std::uint32_t y) const = 0;
+    virtual float nearest() const = 0;            ///< Z of the nearest depth
+    virtual float farthest() const = 0;           ///< Z of the farthest
+    virtual std::uint32_t rowPixels() const = 0;  ///< pixels per row of the buffers
     /// Numbers of the nearest primitives from 1, or colours where compute shades; row by row of all bins. Empty where
     /// numbers are in an image.
     virtual const gpu::Buffer& pixels() const = 0;

@@ -81,7 +81,7 @@ void SoftwareLister::build(HostLists& lists, const ListedView& v, const TileWork
     const SphereBoxes* boxes = work.frontSpheres ? &sceneBoxes(r, seen) : nullptr;
     const TileScenery scenery{r.spheres,      spheres_,   r.cylinders,       cylinders_, r.wires, r.triangles,
                               r.meshVertices, triangles_, r.coarseTriangles, r.meshes,   boxes,   work.triangleChunks};
-    TileView asked = tileView(seen, v.view, v.image, !work.edges && !work.subsamples);
+    TileView asked = tileView(seen, v.view, v.image, !work.edges && !work.subsamples && !work.marksSmall);
     asked.layers = work.kept;
     asked.edges = work.edges;
     asked.small = work.small();

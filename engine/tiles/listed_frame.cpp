@@ -156,41 +156,39 @@ void ListedFrames::prepareWords(PixelWords& words, const ListedFrame& f, graph::
     if (grows && device_.caps().tiles.shade && !device_.caps().tiles.texels)
         words.picture = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32Uint, name);
     if (f.byDevice) return;
-    if (grows || words.across != tiles.across()) {
-        words.written.clear();
-        words.across = tiles.across();
-        words.cleared = 0;
-    }
-    if (words.cleared < bytes) {  // only the used part of a buffer that has room to grow
-        std::memset(words.buffer.mapped + words.cleared, 0, bytes - words.cleared);
-        words.cleared = bytes;
-    }
     const std::size_t pitch = kept * tiles.across() * kBin;
     auto* pixels = reinterpret_cast<std::uint32_t*>(words.buffer.mapped);
-    for (const TileSet::Span& s : words.written)
-        for (std::size_t x = s.x; x < s.endX; ++x) {
-            const std::size_t bin = s.y * std::size_t{tiles.across()} + x;
-            if (s.y < tiles.down() && f.holds(bin)) continue;
-            for (std::size_t y = s.y * kBin; y < (s.y + 1) * kBin; ++y)
-                std::fill_n(pixels + y * pitch + kept * x * kBin, kept * kBin, 0u);
+    const auto clear = [&](std::size_t x, std::size_t y, std::size_t across, std::size_t down) {
+        for (std::size_t row = y; row < y + down; ++row)
+            std::fill_n(pixels + row * pitch + kept * x, kept * across, 0u);
+    };
+    if (kept == 1) {  // of layers, only spans are read
+        if (grows || words.across != tiles.across()) {
+            words.written.clear();
+            words.across = tiles.across();
+            words.cleared = 0;
         }
-    words.written.assign(tiles.spans().begin(), tiles.spans().end());
-    if (f.cleared && (&words != &f.numbers || !f.seeded()))
+        if (words.cleared < bytes) {  // only the used part of a buffer that has room to grow
+            std::memset(words.buffer.mapped + words.cleared, 0, bytes - words.cleared);
+            words.cleared = bytes;
+        }
         for (const TileSet::Span& s : words.written)
-            for (std::size_t y = s.y * kBin; y < (s.y + std::size_t{1}) * kBin; ++y)
-                std::fill_n(pixels + y * pitch + kept * s.x * kBin, kept * (s.endX - s.x) * kBin, 0u);
+            for (std::size_t x = s.x; x < s.endX; ++x)
+                if (s.y >= tiles.down() || !f.holds(s.y * std::size_t{tiles.across()} + x))
+                    clear(x * kBin, s.y * kBin, kBin, kBin);
+        words.written.assign(tiles.spans().begin(), tiles.spans().end());
+        if (f.cleared && (&words != &f.numbers || !f.seeded()))
+            for (const TileSet::Span& s : words.written) clear(s.x * kBin, s.y * kBin, (s.endX - s.x) * kBin, kBin);
+    }
     if (!tiles.masked()) return;
     constexpr std::size_t kTile = TileSet::kTilePixels;
-    for (const TileSet::Span& s : words.written)
+    for (const TileSet::Span& s : tiles.spans())
         for (std::uint32_t y = s.y * TileSet::kTilesInBin; y < s.endY * TileSet::kTilesInBin; ++y)
-            for (std::uint32_t x = s.x * TileSet::kTilesInBin; x < s.endX * TileSet::kTilesInBin; ++x) {
-                if (tiles.draws(x, y)) continue;
-                for (std::size_t row = y * kTile; row < (y + 1) * kTile; ++row)
-                    std::fill_n(pixels + row * pitch + kept * x * kTile, kept * kTile, 0u);
-            }
+            for (std::uint32_t x = s.x * TileSet::kTilesInBin; x < s.endX * TileSet::kTilesInBin; ++x)
+                if (!tiles.draws(x, y)) clear(x * kTile, y * kTile, kTile, kTile);
 }
 
-/// Writes each pixel's initial triangle, if the device reads it. The device replaces it by its result.
+/// Writes the primitive that each pixel begins with, if the device reads it.
 void ListedFrames::writeSeeds(ListedFrame& f) {
     constexpr std::uint32_t kBin = TileSet::kBinPixels;
     auto* words = reinterpret_cast<std::uint32_t*>(f.numbers.buffer.mapped);

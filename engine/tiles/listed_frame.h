@@ -68,6 +68,7 @@ public:
     std::span<const TileBins::Span> spans() const override { return tiles().spans(); }
     float nearest() const override { return constants.depthStart; }
     float farthest() const override { return constants.depthStart + 1 / constants.perRange; }
+    bool showsSmall(std::uint32_t x, std::uint32_t y) const override { return tiles().showsSmall(x, y); }
     std::uint32_t rowPixels() const override { return tiles().across() * TileSet::kBinPixels; }
     const gpu::Buffer& pixels() const override { return numbers.buffer; }
     vk::BufferView pixelTexels() const override { return *numbers.texels ? *numbers.texels : *numbers.picture; }

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -39,6 +38,7 @@ struct TileWork {
     bool edges = false;              ///< edges are drawn
     bool edgesAlone = false;         ///< only edges are shaded, from primitive numbers
     bool frontSpheres = false;       ///< the host finds the nearest sphere of each pixel
+    bool marksSmall = false;         ///< TileFrame::showsSmall() is asked
     bool subsamples = false;         ///< pixels are samples of a picture's pixels, and are not tested at their centres
     std::uint32_t kept = 1;          ///< words per pixel; more than 1: of several layers
     std::uint32_t longestList = 0;   ///< a frame with a longer list is not uploaded
@@ -48,7 +48,7 @@ struct TileWork {
 
     /// Half width in pixels below which a primitive may be missed by all pixels around it.
     static constexpr double kSmallPixels = 0.75;
-    float small() const { return edges ? static_cast<float>(kSmallPixels) : 0.0f; }
+    float small() const { return edges || marksSmall ? static_cast<float>(kSmallPixels) : 0.0f; }
 };
 
 /// The view of a frame whose lists are made.

@@ -271,6 +271,23 @@ TEST(Choose, DrawsAllSamplesOfManySmallSpheres) {
     EXPECT_EQ(choose(makeRequest(settings), facts, device).refinement, Refinement::none);
 }
 
+TEST(Choose, KnowsWhereShapesAreThinFromTheHostsLists) {
+    const FrameCaps caps = software();
+    RenderSettings settings;
+    settings.view.width = settings.view.height = 640;
+    settings.supersample = RenderSettings::kEdges;
+    SceneFacts facts;
+    facts.hasTranslucent = true;  // no samples at edges
+    facts.smallestPixels = 0.5;
+    const auto refinement = [&] { return choose(makeRequest(settings), facts, caps).refinement; };
+    EXPECT_EQ(refinement(), Refinement::blocks);
+    facts.spheres = settings.tuning.hideFrom;  // the lists lack hidden ones
+    EXPECT_EQ(refinement(), Refinement::everywhere);
+    facts.spheres = 0;
+    settings.effects.contours.width = 1;
+    EXPECT_EQ(refinement(), Refinement::everywhere);
+}
+
 TEST(Choose, ExplainsEveryDecision) {
     for (const auto& [kind, devices] : devicesByKind())
         for (const Drawn& drawn : kParts)
