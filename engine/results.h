@@ -109,7 +109,7 @@ struct OcclusionStats {
 
 /// Lists of the `tiles` path.
 struct TileCounts {
-    std::uint64_t tiles = 0;                  ///< tiles with entries; 0: no lists were used
+    std::uint64_t tiles = 0;                  ///< tiles that may show something; 0: no lists were used
     std::uint64_t kept = 0, keptSpheres = 0;  ///< primitives in any list, and the spheres among them
     std::uint64_t entries = 0;                ///< in all lists; 0: the host drew the primitives
     std::uint32_t longestList = 0;            ///< entries

@@ -7,6 +7,7 @@
 #define COPY_OF_PIXEL
 #define STREAMS 4
 #define LOOKS 6
+#define MEAN_NORMALS
 #ifdef TEXELS
 #define CELLS 7
 #endif
@@ -37,6 +38,7 @@ void main() {
     for (int y = 0; y < kSide; ++y) sampled[y] = numbersAt((first + uint(y) * pitch) / 4u);
     vec2 corner = planePoint(float(kSide) * (gl_FragCoord.xy - 0.5) + 0.5);  // the first sample
     vec4 sum = vec4(0.0);
+    // lavapipe 22.3 runs the last round of a lane again while others go on: that round must change nothing.
     bool more = true;
     do {
         uint number = 0u;

@@ -6,7 +6,6 @@
 #include "engine/frame/chooser.h"
 #include "engine/frame/effects/lens/choice.h"
 #include "engine/frame/effects/shadow/choice.h"
-#include "engine/frame/frame.h"
 
 namespace nacre {
 

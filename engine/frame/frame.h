@@ -88,7 +88,7 @@ struct Frame {
     graph::Image atlas;                            ///< imported
     std::optional<graph::Image> shadow;            ///< what the light sees
     std::optional<graph::Image> density;           ///< imported: fragments for each part of the picture
-    std::vector<graph::Image> targets;             ///< none where compute shades: `numbers` are the picture
+    std::vector<graph::Image> targets;             ///< none where compute or the resolve shades `numbers`
     std::optional<graph::Image> samples;           ///< several per pixel; the first target is their mean
     // Translucent primitives:
     std::vector<graph::Image> layers;           ///< numbers of the nearest layer first

@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-/// @param near  Z
+/// @param near  Z, or depth with the default ScreenView
 template <std::uint32_t kDepths>
 std::uint32_t depthStep(const ScreenView& view, float near) {
     const float share = (near - view.nearest) / view.range;

@@ -7,10 +7,10 @@
 
 namespace nacre {
 
-/// 8 with AVX2 and FMA, else 4.
+/// 8 with AVX2, else 4.
 inline std::uint32_t processorLanes() {
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return 8;
+    if (__builtin_cpu_supports("avx2")) return 8;
 #endif
     return 4;
 }

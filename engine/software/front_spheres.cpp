@@ -109,7 +109,7 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
     const Scenery s{own ? boxes.spheres : spheres, boxes, own ? wholeRuns(boxes, calls) : calls};
     begin(view, s);
     list(view, s);
-    sortNearFirst<2048>(ScreenView{}, std::span(&groups_, 1), sorted_);  // by depths from 0 to 1
+    sortNearFirst<2048>(ScreenView{}, std::span(&groups_, 1), sorted_);  // `near` is a depth
     partRows(
         height_, std::min<std::size_t>(groups_.size() / kWorth + 1, threadsPerTask()), groups_,
         [&](const FrontGroup& group) { return pixelAt((group.top + group.bottom) * 0.5f, 0, height_ - 1); }, inRow_,

@@ -13,9 +13,10 @@
 namespace nacre {
 
 /// Draws spheres on the host from near to far, and culls groups and boxes as a whole. Computes hits as shaders do, in
-/// the same order: a driver on the same processor finds the same spheres. Several threads take one band of rows each.
-/// Keeps its memory between frames, so that later frames allocate only the threads.
-/// Views are orthographic, sampled at pixel centres, in one layer, without clipping planes or outlines.
+/// the same order: lavapipe 22.3 and SwiftShader find the same spheres. They compile fma() as two operations; where a
+/// driver rounds otherwise, either of two spheres that are equally near may win. Several threads take one band of rows
+/// each. Keeps its memory between frames, so that later frames allocate only the threads. Views are orthographic,
+/// sampled at pixel centres, in one layer, without clipping planes or outlines.
 class FrontSpheres {
 public:
     /// @param lanes  number of spheres drawn at once

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,7 +48,7 @@ struct TileScenery {
 /// host knows the nearest one of nearly every pixel. Spheres with boxes enter none: the host finds all of them. Where
 /// edges are drawn, triangles enter unless all surrounding pixels hide them.
 ///
-/// Tiles are those of bins with a non-empty list, or with initial triangles. Keeps its memory between frames.
+/// Tiles are those of bins with a non-empty list, or with initial primitives. Keeps its memory between frames.
 class TileLists : public TileSet {
 public:
     explicit TileLists(const TriangleLanes& lanes = triangleLanes().back()) : lanes_(lanes), front_(lanes) {}
@@ -67,7 +66,7 @@ public:
     }
     /// Whether pixels begin with a primitive from writeSeeds().
     bool seeded() const { return seeded_; }
-    /// Numbers of the nearest triangles or spheres for some pixels of a row; 0: none is certain.
+    /// Numbers of the nearest triangles or spheres for some pixels of a row; 0: none, or no triangle is certain.
     void writeSeeds(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const {
         if (drawsSpheres_)
             frontSpheres_.write(x, y, count, to);

@@ -25,6 +25,15 @@ float glossy(float x, float strength) {
     return x42;
 }
 
+#ifdef MEAN_NORMALS
+/// Mean of cos^power over the normals of a piece of surface: Toksvig, "Mipmapping Normal Maps" (2005).
+/// @param facing  cosine of their mean, not normalised @param close  length of that mean: 1 if all are equal
+float meanPower(float facing, float close, float power) {
+    float share = close / (close + power * (1.0 - close));
+    return (1.0 + share * power) / (1.0 + power) * pow(facing / close, share * power);
+}
+#endif
+
 /// Fractions of the light at a point.
 struct Reach {
     float direct, ambient;
@@ -79,13 +88,22 @@ vec3 shade(int material, vec3 base, vec3 normal, vec4 baked, float sun) {
     precise vec3 ambient = fma(vec3(normal.y), slope * kAmbient, level * kAmbient);
     vec3 half_ = normalize(light + vec3(0.0, 0.0, 1.0));
     float facing = max(dot(normal, half_), 0.0);
-    precise float highlight = material == kMatte || kHighlight == 0.0 ? 0.0 : glossy(facing, 0.16 * kHighlight) * sun;
+#ifdef MEAN_NORMALS
+    float close = max(length(normal), 1e-3), gloss = 0.16 * kHighlight * meanPower(facing, close, kGloss);
+#else
+    float gloss = glossy(facing, 0.16 * kHighlight);
+#endif
+    precise float highlight = material == kMatte || kHighlight == 0.0 ? 0.0 : gloss * sun;
     Reach reach = computeReach(base, baked.x);
     precise vec3 arriving = fma(ambient, vec3(reach.ambient), vec3(direct * reach.direct));
     if (kBounce) arriving += level * kAmbient * bounced(reach.direct, baked.yzw);
     if (material == kMetal) {
         precise float x2 = facing * facing, x4 = x2 * x2;
-        precise float shine = x4 * x4 * (kShine * kHighlight * sun * reach.direct);
+        precise float x8 = x4 * x4;
+#ifdef MEAN_NORMALS
+        x8 = meanPower(facing, close, 8.0);
+#endif
+        precise float shine = x8 * (kShine * kHighlight * sun * reach.direct);
         precise vec3 metal = base * fma(arriving, vec3(kDull), vec3(shine));
         return metal;
     }

@@ -1,9 +1,10 @@
-// Initial hits of pixels that the host found (engine/software/front_triangles.h).
+// Initial hits of pixels that the host found (engine/software/front_triangles.h, front_spheres.h).
 
-/// A pixel starts with the nearest triangle or sphere if the host found it; lists then omit that primitive.
+/// A pixel starts with the nearest triangle or sphere if the host found it; lists then omit that primitive. Without
+/// lists it stays, however the device rounds: nothing else could fill the pixel.
 void begin(int i, uint seed, Hit hit) {
     float depth = encodedDepth(hit.order);
-    bool sees = seed != 0u && hit.inside && depth < nearest[i];
+    bool sees = seed != 0u && (!kListed || (hit.inside && depth < nearest[i]));
     nearest[i] = sees ? depth : nearest[i];
     number[i] = sees ? seed : 0u;
 }

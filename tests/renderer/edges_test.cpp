@@ -232,6 +232,45 @@ TEST(EdgesOf, CrowdsHaveSamplesEverywhere) {
     EXPECT_EQ(renderer->planText().find("edge samples"), std::string::npos);
 }
 
+/// Each sphere of a pixel is shaded once, and looks like all its samples.
+TEST(EdgesOf, CrowdsLookLikeTheirSamples) {
+    if (!addsByCompute()) return;
+    Molecule m = molecule("sample:dna");
+    std::vector<glm::vec3> places;
+    for (int i = 0; i < 240; ++i) places.emplace_back(i % 8 * 26, i / 8 % 5 * 40, i / 40 * 26);
+    addCopies(m, places);
+    RepresentationOptions options{.style = Style::spacefill, .color = ColorScheme::element, .assembly = "1"};
+    const Representation r = represent(m, drawnAtoms(m), options);
+    ValidatedRenderer renderer(Visibility::tiles, r);
+    for (const bool metal : {false, true})
+        for (const bool effects : {false, true}) {
+            RenderSettings s = settings(r, 64, Projection::orthographic, {10, 30, 0});
+            s.view.width = 161, s.view.height = 119;
+            s.background = {0, 0, 0, 0};
+            if (metal) s.effects.light.material = Material::metal;
+            if (effects) s.effects.fog.range = Fog::Range::automatic, s.effects.shadow.strength = 0.6;
+            s.supersample = 4;
+            const Picture truth = renderer->render(s);
+            s.supersample = RenderSettings::kEdges;
+            const Picture picture = renderer->render(s);
+            EXPECT_GT(likeness(picture, truth), 38) << metal << effects;
+            EXPECT_EQ(renderer->planText().find("edge samples"), std::string::npos);
+            EXPECT_NE(renderer->planText().find("picture, shaded"), std::string::npos);
+            double bias = 0, covered = 0;
+            for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
+                const bool alpha = i % 4 == 3;
+                bias += alpha ? 0 : coded(picture.rgba[i]) - coded(truth.rgba[i]);
+                covered += alpha ? 3 * truth.rgba[i] : 0;
+                ASSERT_NEAR(picture.rgba[i], truth.rgba[i], alpha ? 1e-2 : 1);
+            }
+            EXPECT_LT(std::abs(bias / covered), 0.01) << metal << effects;
+            const Picture part = renderer->renderPart(s, {32, 48, 64, 32});
+            for (std::size_t row = 0; row < 32; ++row)
+                ASSERT_TRUE(std::equal(part.rgba.begin() + 4 * 64 * row, part.rgba.begin() + 4 * 64 * (row + 1),
+                                       picture.rgba.begin() + 4 * (161 * (48 + row) + 32)));
+        }
+}
+
 /// Halos wider than a bin, over the borders of blocks and of parts.
 TEST(EdgesOf, HalosHaveNoSeams) {
     const Representation r = scene("sample:dna", Style::spacefill);

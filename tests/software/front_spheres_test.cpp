@@ -134,11 +134,8 @@ void eachPixel(const TileView& v, const Ball& b, double room, const Work& work) 
         }
 }
 
-/// fma() as drivers compile it for a processor with this many lanes.
-float fused(std::uint32_t lanes, float a, float b, float c) { return lanes == 8 ? std::fma(a, b, c) : a * b + c; }
-
 /// The nearest sphere of each pixel by the arithmetic of shaders/common/hit.glsl.
-Numbers nearestAsShaded(const Crowd& c, std::uint32_t lanes) {
+Numbers nearestAsShaded(const Crowd& c) {
     const TileView& v = c.view;
     std::vector<float> depths(std::size_t{v.width} * v.height, 1.0f);
     Numbers numbers(depths.size(), 0);
@@ -147,9 +144,9 @@ Numbers nearestAsShaded(const Crowd& c, std::uint32_t lanes) {
     for (const TileCall& call : c.calls)
         for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
             const Sphere& s = c.spheres[i];
-            const auto along = [&](int row) {
+            const auto along = [&](int row) {  // lavapipe and SwiftShader compile fma() as two operations
                 const glm::vec4& r = call.rows[row];
-                return fused(lanes, r.x, s.center.x, fused(lanes, r.y, s.center.y, fused(lanes, r.z, s.center.z, r.w)));
+                return r.x * s.center.x + (r.y * s.center.y + (r.z * s.center.z + r.w));
             };
             const glm::vec3 center(along(0), along(1), along(2));
             eachPixel(v, *ball++, 0.01, [&](std::size_t pixel, double) {
@@ -160,7 +157,7 @@ Numbers nearestAsShaded(const Crowd& c, std::uint32_t lanes) {
                 const float h = s.radius * s.radius - (w.x * w.x + w.y * w.y);
                 if (!(h > 0)) return;
                 const float Z = (v.origin - center.z) - std::sqrt(h);
-                const float depth = fused(lanes, Z, v.perRange, -(v.nearest * v.perRange));
+                const float depth = Z * v.perRange - v.nearest * v.perRange;
                 if (depth > depths[pixel] || (depth == depths[pixel] && call.number + i < numbers[pixel])) return;
                 depths[pixel] = depth;
                 numbers[pixel] = call.number + i;
@@ -178,7 +175,7 @@ TEST_P(FrontSpheresTest, FindWhatShadersFind) {
     for (std::uint32_t seed = 0; seed < 4; ++seed) {
         const Crowd c(seed, radius, static_cast<int>(seed % 4));
         const Numbers numbers = found(front, c, own);
-        EXPECT_EQ(numbers, nearestAsShaded(c, frontLanes()[lanes].lanes)) << "seed " << seed;
+        EXPECT_EQ(numbers, nearestAsShaded(c)) << "seed " << seed;
         std::set<std::uint32_t> shown;
         for (std::size_t pixel = 0; pixel < numbers.size(); ++pixel) {
             const auto x = static_cast<std::uint32_t>(pixel % c.view.width),

@@ -1,5 +1,7 @@
 // Shades the samples of a picture's block, whose spheres the host found.
 
+#include <array>
+
 #include "engine/settings.h"
 #include "engine/tiles/lanes/lane_passes.h"
 #include "engine/tiles/lanes/tile_spans.h"
@@ -17,9 +19,8 @@ constexpr auto kBuffers = asStorage(kTexels);
 constexpr std::uint32_t kSide = RenderSettings::kBlockSamples;
 
 /// Constants for fragments of the picture, in place of those of the frame.
-layout::TileConstants inPicture(layout::TileConstants t, const TileSet& tiles, const ResolvePlace& place) {
-    const glm::ivec2 shift(place.x - static_cast<std::int32_t>(place.rect.x),
-                           place.y - static_cast<std::int32_t>(place.rect.y));
+/// @param shift  from a pixel of the picture to that of the frame
+layout::TileConstants inPicture(layout::TileConstants t, const TileSet& tiles, const glm::ivec2& shift) {
     t.axisPixel -= glm::vec2(shift) * static_cast<float>(kSide);
     const std::uint32_t pitch = tiles.across() * TileSet::kBinPixels;
     t.offsets = kSide * (static_cast<std::uint32_t>(shift.y) * pitch + static_cast<std::uint32_t>(shift.x));
@@ -35,6 +36,7 @@ void shadeSamples(gpu::PassContext& context, const SceneView& view, const Sample
     const SceneBuffers& scene = *view.buffers;
     const bool texels = context.device.caps().tiles.texels;
     if (f.tiles().spans().empty()) return;
+    const glm::ivec2 first(place.rect.x, place.rect.y), shift = glm::ivec2(place.x, place.y) - first;
     const gpu::Layout& layout = context.pipelines.layout(
         {"samples of spheres", texels ? kTexels : kBuffers, kDraw, sizeof(layout::TileConstants)});
     gpu::GraphicsPipeline d = context.pipeline();
@@ -47,7 +49,7 @@ void shadeSamples(gpu::PassContext& context, const SceneView& view, const Sample
     d.streams = spanStreams();
     d.layout = *layout.pipeline;
     d.colorsWritten = 1;
-    bindTiles(context, layout, d, inPicture(f.constants, f.tiles(), place), [&](TileBindings& to) {
+    bindTiles(context, layout, d, inPicture(f.constants, f.tiles(), shift), [&](TileBindings& to) {
         to.sample(input.atlas);
         to.uniform(*view.effectConstants);
         to.sample(describeShadow(context, view, input.atlas));
@@ -62,14 +64,10 @@ void shadeSamples(gpu::PassContext& context, const SceneView& view, const Sample
             to.store(scene.looks);
         to.sample(input.mask.value_or(input.atlas));
     });
-    const auto at = [](std::uint32_t picture, std::int32_t inFrame) {
-        return static_cast<std::int32_t>(picture) - inFrame;
-    };
     context.commands.setViewport(
-        0, vk::Viewport(static_cast<float>(at(place.rect.x, place.x)), static_cast<float>(at(place.rect.y, place.y)),
+        0, vk::Viewport(static_cast<float>(-shift.x), static_cast<float>(-shift.y),
                         static_cast<float>(frame.width) / kSide, static_cast<float>(frame.height) / kSide, 0, 1));
-    context.commands.setScissor(
-        0, vk::Rect2D({at(place.rect.x, 0), at(place.rect.y, 0)}, {place.rect.width, place.rect.height}));
+    context.commands.setScissor(0, vk::Rect2D({first.x, first.y}, {place.rect.width, place.rect.height}));
     drawSpans(context, f);
 }
 
