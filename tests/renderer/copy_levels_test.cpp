@@ -87,7 +87,9 @@ TEST_P(CopyLevels, ShowWhatTheAtomsShow) {
             if (zoom > 2) {
                 EXPECT_EQ(renderer->stats().copyLevels.back().error, 0);
             }
-            EXPECT_GE(measureDecibels(whole, levels), 38) << zoom << ", " << supersample;
+            // Levels have samples at edges, and small atoms without perspective everywhere.
+            const bool apart = supersample == RenderSettings::kEdges && zoom > 2;
+            EXPECT_GE(measureDecibels(whole, levels), apart ? 32 : 38) << zoom << ", " << supersample;
         }
 }
 
