@@ -22,8 +22,7 @@ TEST(ViewCapture, F12CapturesTheNextFrame) {
     const WindowPicture before = session.picture();
     EXPECT_TRUE(pressF12(session));
     session.type("Escape");
-    session.settle();
-    EXPECT_EQ(session.picture(), before);
+    EXPECT_TRUE(session.waitUntil([&] { return session.picture() == before; }));
     EXPECT_EQ(session.quit(), 0) << session.errors();
 
     const nlohmann::json listing = inspect(session.folder() / "glucose.rdc");
