@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostMapBytes = std::size_t{2} << 30;  // of the values of all maps
 
-/// What `find` returns or throws, found once. @param known  empty at first
+/// Calls `find` once. Later calls return, or throw, the same. @param known  keeps the result; empty at first
 template <typename Result, typename Find>
 const Result& once(std::shared_future<Result>& known, const Find& find) {
     if (!known.valid()) known = std::async(std::launch::deferred, find);

@@ -20,7 +20,7 @@ void declareCopy(Frame& f, graph::Image picture, graph::Extent extent, const Pic
     f.graph.output(picture);
 }
 
-/// Samples of spheres are numbers. Shades them.
+/// Shades samples that are numbers of spheres.
 void declareShadedSamples(Frame& f, const FrameShape& shape, const PictureImage& to) {
     const PictureEnd& end = shape.picture;
     std::optional<graph::Clear> clear;

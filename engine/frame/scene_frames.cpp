@@ -59,7 +59,7 @@ void SceneFrames::dropHidden(passes::SceneView& view, const FrameChoice& choice,
         hidden_->drop(view, shown_->representation, shown_->chunks, inputs.view, imageExtent(inputs.view), centers);
 }
 
-/// Whether a coarse frame may miss primitives. Shapes that it marks are not tested at pixel centres.
+/// Whether a coarse frame may miss small primitives. Its lists then mark them, and keep those between pixel centres.
 static bool marksSmall(const passes::SceneView& view, const FrameRequest& request) {
     return request.part == Part::coarse && view.smallestPixels < passes::TileWork::kSmallPixels;
 }

@@ -14,11 +14,11 @@
 
 namespace nacre {
 
-/// A transform.
+/// A transform for boxes and for spheres.
 struct FrontPlace {
-    glm::vec4 x, y, z;                // into pixels and Z
+    glm::vec4 x, y, z;                // of boxes: into pixels and Z
     glm::vec3 spanX, spanY, spanZ;    // of a box with half sides of 1 Å
-    glm::vec4 right, down, toViewer;  // into view space, turned as the picture, Å
+    glm::vec4 right, down, toViewer;  // of spheres: into view space, turned like the picture, Å
 };
 
 /// Consecutive boxes with one transform.

@@ -19,13 +19,9 @@ constexpr std::uint32_t kMostLanes = 16;
 FrontPlace makePlace(const TileView& view, const TileCall& call) {
     const glm::vec4* rows = call.rows;
     // As toPixel().
-    const glm::vec4 across = rows[0] * view.pixels, up = rows[1] * view.pixels;
-    const glm::vec4 turned[4][2] = {{across, -up}, {up, across}, {-across, up}, {-up, -across}};
-    const glm::vec4 turnedSpheres[4][2] = {
-        {rows[0], -rows[1]}, {rows[1], rows[0]}, {-rows[0], rows[1]}, {-rows[1], -rows[0]}};
-    const int turns = view.quarterTurns & 3;
-    FrontPlace p{turned[turns][0],        turned[turns][1],        -rows[2], {}, {}, {},
-                 turnedSpheres[turns][0], turnedSpheres[turns][1], rows[2]};
+    const glm::vec4 turned[4][2] = {{rows[0], -rows[1]}, {rows[1], rows[0]}, {-rows[0], rows[1]}, {-rows[1], -rows[0]}};
+    const auto& [right, down] = turned[view.quarterTurns & 3];
+    FrontPlace p{right * view.pixels, down * view.pixels, -rows[2], {}, {}, {}, right, down, rows[2]};
     p.x.w += view.axis.x;
     p.y.w += view.axis.y;
     p.z.w += view.origin;

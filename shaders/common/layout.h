@@ -65,12 +65,13 @@ const int kTilesInBinId = 51;  // per side, of tiles that share a list
 const int kSeededId = 52;      // bool: pixels start with the nearest triangle or sphere that the host found
 const int kNumberedId = 53;    // bool: the frame has edges: numbers are sights, which shading also writes
 const int kEverywhereId = 54;  // bool: draw every pixel as an edge, where a bin may show a small primitive
-const int kListedId = 55;      // bool: lists are searched: by samples of an edge beside neighbours; by pixels of a tile
-const int kRowsId = 56;        // bool: edges are coded words among the other pixels
-const int kLayerId = 57;       // of translucent primitives: 0 the nearest, kOrderedLayers the rest
-const int kMaskedId = 72;      // bool: only pixels of a mask are replaced
-const int kClearsId = 58;      // bool: compute also writes pixels that show nothing
-const int kWritesId = 59;      // bool: entries of bins are written; false: counted
+const int kListedId =
+    55;  // bool: lists are searched; false: samples of an edge look at neighbours, and a tile has only seeds
+const int kRowsId = 56;    // bool: edges are coded words among the other pixels
+const int kLayerId = 57;   // of translucent primitives: 0 the nearest, kOrderedLayers the rest
+const int kMaskedId = 72;  // bool: only pixels of a mask are replaced
+const int kClearsId = 58;  // bool: compute also writes pixels that show nothing
+const int kWritesId = 59;  // bool: entries of bins are written; false: counted
 // Density maps between translucent layers.
 const int kBehindLayerId = 70;  // bool: only parts behind a layer
 const int kBeforeLayerId = 71;  // bool: only parts in front of a layer
