@@ -29,7 +29,7 @@ struct Rule {
 struct State {
     std::vector<Rule> rules;
     std::uint64_t struck = 0;
-    bool lost = false, faultData = false, fromEnvironment = false;
+    bool lost = false, faultData = false, fromEnvironment = false, printsCounts = false;
     std::set<std::string> hidden;
     VkExtent2D window{0, 0};
     std::vector<Call> calls;
@@ -80,8 +80,9 @@ void readEnvironment() {
     State& s = state();
     const char* data = std::getenv("NACRE_FAULT_DATA");
     if (data && *data == '1') s.faultData = true;
+    if (std::getenv("NACRE_FAULT_COUNTS")) s.fromEnvironment = s.printsCounts = true;
     const char* fault = std::getenv("NACRE_FAULT");
-    if (!fault || s.fromEnvironment) return;
+    if (!fault || !s.rules.empty()) return;
     s.fromEnvironment = true;
     std::istringstream faults(fault);
     for (std::string text; std::getline(faults, text, ';');) {
@@ -142,6 +143,9 @@ void instanceGone() {
     for (const auto& [kind, count] : state().alive)
         if (count != 0)
             std::fprintf(stderr, "fault layer: %lld x %s left\n", static_cast<long long>(count), kind.c_str());
+    if (!state().printsCounts) return;
+    for (const auto& [function, count] : state().counts)
+        std::fprintf(stderr, "fault layer: called %s %llu\n", function.c_str(), static_cast<unsigned long long>(count));
 }
 
 void reset() {

@@ -4,9 +4,9 @@
 //
 // In the test's own process these functions steer it; in another one the environment does, read when the instance is
 // made: NACRE_FAULT=FUNCTION:NUMBER:RESULT (`*` for any call that may run out of memory; NUMBER+ for that call and all
-// behind it; `DEVICE_LOST`, ... without VK_ERROR_), and NACRE_FAULT_DATA=1 for a device that offers
-// VK_EXT_device_fault. Such a process is told on standard error when the instance goes while something made from it is
-// left, or the fault never came.
+// behind it; `DEVICE_LOST`, ... without VK_ERROR_), NACRE_FAULT_DATA=1 for a device that offers VK_EXT_device_fault,
+// and NACRE_FAULT_COUNTS=1 for a line per function with the number of its calls. When the instance goes, such a process
+// prints these, what made from it is left, and whether the fault never came, on standard error.
 //
 // For one instance with one device at a time. Calls may come from several threads; lists are read when those are done.
 
