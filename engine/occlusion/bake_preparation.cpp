@@ -5,6 +5,7 @@
 
 #include "engine/error.h"
 #include "engine/occlusion/bounced_light.h"
+#include "engine/occlusion/hidden_spheres.h"
 #include "engine/occlusion/primitive_tree.h"
 #include "engine/scene/build/translucency.h"
 #include "engine/scene/instances/sphere_levels.h"
@@ -79,6 +80,14 @@ bool givesWay(const OcclusionLayout& layout, const OcclusionLayout& coarser, std
            bytes(coarser, texels / step) <= roomBesideBatch;
 }
 
+/// Spheres that the only view does not show. Empty: any may be seen.
+std::vector<bool> spheresNotShown(const Representation& r, const BakeOptions& options) {
+    // Sticks and small balls hide few others entirely.
+    const bool sticks = 2 * r.cylinders.size() > r.spheres.size();
+    if (!options.viewDirection || sticks || !r.copies.transforms.empty() || !translucentParts(r).empty()) return {};
+    return hiddenSpheres(r.spheres, options.viewDirection->towards);
+}
+
 /// Device memory for patches: beside one depth map, and beside a whole batch; 0 if no batch fits.
 struct PatchRoom {
     std::uint64_t besideMap = 0, besideBatch = 0;
@@ -120,7 +129,8 @@ Patches finestPatches(const gpu::Caps& caps, const Representation& representatio
         if (i + 1 < layouts.size() && givesWay(layout, layouts[i + 1], guess, rooms.besideBatch)) continue;
         result.layout = layout;
         if (layout.sphereEdge < least) return result;
-        if (!few) result.open = openTexels(layout, representation, tree, stop);
+        if (!few)
+            result.open = openTexels(layout, representation, tree, stop, spheresNotShown(representation, options));
         result.bytes = bakeBytes(layout, result.open.texels.size(), result.open.words.size());
         if (result.bytes > room) continue;
         result.fit = true;

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>
+#include <utility>
 
 #include "engine/occlusion/open_patch.h"
 #include "engine/occlusion/patch_coordinates.h"
@@ -24,19 +25,20 @@ constexpr float kDeep = 1e-3f;
 /// as open. This costs work but changes no light: no direction reaches it.
 constexpr std::size_t kMostNeighbours = 512;
 
-bool inside(const Sphere& s, const glm::vec3& p) {
-    const glm::vec3 d = p - s.center;
+/// Which of several places are inside a primitive.
+Mask inside(const Sphere& s, Lanes x, Lanes y, Lanes z) {
+    x -= s.center.x, y -= s.center.y, z -= s.center.z;
     const float r = s.radius - kDeep;
-    return glm::dot(d, d) < r * r;
+    return x * x + y * y + z * z < Lanes{} + r * r;
 }
 
-bool inside(const Cylinder& c, const glm::vec3& p) {
-    const glm::vec3 axis = c.b - c.a, d = p - c.a;
-    const float t = glm::dot(d, axis) / glm::dot(axis, axis);
-    if (t <= 0.0f || t >= 1.0f) return false;
-    const glm::vec3 side = d - axis * t;
+Mask inside(const Cylinder& c, Lanes x, Lanes y, Lanes z) {
+    const glm::vec3 axis = c.b - c.a;
+    x -= c.a.x, y -= c.a.y, z -= c.a.z;
+    const Lanes t = (x * axis.x + y * axis.y + z * axis.z) / glm::dot(axis, axis);
+    x -= axis.x * t, y -= axis.y * t, z -= axis.z * t;
     const float r = c.radius - kDeep;
-    return glm::dot(side, side) < r * r;
+    return (t > Lanes{}) & (t < Lanes{} + 1.0f) & (x * x + y * y + z * z < Lanes{} + r * r);
 }
 
 /// Octahedral normals of a patch, as in shaders/common/patch.glsl.
@@ -67,7 +69,13 @@ private:
 class Finder {
 public:
     Finder(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree)
-        : layout_(layout), r_(r), tree_(tree), normals_(layout.sphereEdge) {}
+        : layout_(layout), r_(r), tree_(tree), normals_(layout.sphereEdge) {
+        for (std::uint32_t x = 0; x < layout.around; ++x) {
+            const float angle = (static_cast<float>(x) / static_cast<float>(layout.around - 1) - 0.5f) * 2.0f *
+                                std::numbers::pi_v<float>;
+            circle_.emplace_back(std::cos(angle), std::sin(angle));
+        }
+    }
 
     /// @param wanted  also collect the words
     void sphere(std::uint32_t i, bool wanted = true) {
@@ -76,16 +84,17 @@ public:
         collect(i);
         begin({edge, edge}, true);
         for (std::uint32_t k = 0; k < edge * edge; k += kLanes) {
-            const std::uint32_t lanes = std::min(edge * edge - k, kLanes);
-            std::uint32_t bits = openLanes(r_.spheres[i], k) & ((1u << lanes) - 1);
-            for (; bits != 0; bits &= bits - 1) {
-                const std::uint32_t texel = k + static_cast<std::uint32_t>(std::countr_zero(bits));
-                open(texel, i * edge * edge + texel);
-            }
+            const Sphere& s = r_.spheres[i];
+            const Lanes x = s.center.x + loadLanes(&normals_.x[k]) * s.radius;
+            const Lanes y = s.center.y + loadLanes(&normals_.y[k]) * s.radius;
+            const Lanes z = s.center.z + loadLanes(&normals_.z[k]) * s.radius;
+            openEach(openLanes(x, y, z), k, std::min(edge * edge - k, kLanes), i * edge * edge);
         }
         if (wanted) words({edge, edge}, i, 0);
         found.sphereTexels = found.texels.size();
     }
+
+    void skipSphere() { found.firstOfSphere.push_back(static_cast<std::uint32_t>(found.texels.size())); }
 
     void cylinder(std::uint32_t i, bool wanted = true) {
         const Cylinder& c = r_.cylinders[i];
@@ -95,14 +104,18 @@ public:
         glm::vec3 u, v;
         frameAbout(glm::normalize(c.b - c.a), u, v);
         const auto base = static_cast<std::uint32_t>(layout_.sphereTexels()) + i * around * along;
-        for (std::uint32_t y = 0; y < along; ++y)
-            for (std::uint32_t x = 0; x < around; ++x) {
-                const float angle =
-                    (static_cast<float>(x) / static_cast<float>(around - 1) - 0.5f) * 2.0f * std::numbers::pi_v<float>;
-                const glm::vec3 p = glm::mix(c.a, c.b, static_cast<float>(y) / static_cast<float>(along - 1)) +
-                                    c.radius * (u * std::cos(angle) + v * std::sin(angle));
-                if (!buried(p)) open(y * around + x, base + y * around + x);
+        const std::uint32_t count = around * along;
+        for (std::uint32_t k = 0; k < count; k += kLanes) {
+            Lanes x{}, y{}, z{};
+            const std::uint32_t lanes = std::min(count - k, kLanes);
+            for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+                const glm::vec2 turn = circle_[(k + lane) % around];
+                const float way = static_cast<float>((k + lane) / around) / static_cast<float>(along - 1);
+                const glm::vec3 p = glm::mix(c.a, c.b, way) + c.radius * (u * turn.x + v * turn.y);
+                x[lane] = p.x, y[lane] = p.y, z[lane] = p.z;
             }
+            openEach(openLanes(x, y, z), k, lanes, base);
+        }
         if (wanted) words({around, along}, i, layout_.sphereRows);
     }
 
@@ -116,7 +129,6 @@ private:
             around_.push_back(item);
             return around_.size() < kMostNeighbours;
         });
-        last_ = 0;
     }
     bool isOpaque(std::uint32_t item) const {
         const std::size_t spheres = r_.spheres.size();
@@ -126,44 +138,29 @@ private:
             return classifyTranslucency(r_.cylinderLooks[item - spheres]) == Translucency::opaque;
         return true;
     }
-    bool holds(std::uint32_t item, const glm::vec3& p) const {
-        return item < r_.spheres.size() ? inside(r_.spheres[item], p)
-                                        : inside(r_.cylinders[item - r_.spheres.size()], p);
-    }
-    bool buried(const glm::vec3& p) {
-        // The neighbour that buried the last texel usually buries this one: test it first.
-        if (last_ < around_.size() && holds(around_[last_], p)) return true;
-        for (std::size_t i = 0; i < around_.size(); ++i)
-            if (holds(around_[i], p)) return last_ = i, true;
-        return false;
-    }
-    /// Bits for kLanes successive texels of a sphere's patch; set: open.
-    std::uint32_t openLanes(const Sphere& s, std::uint32_t first) const {
-        const Lanes x = s.center.x + loadLanes(&normals_.x[first]) * s.radius;
-        const Lanes y = s.center.y + loadLanes(&normals_.y[first]) * s.radius;
-        const Lanes z = s.center.z + loadLanes(&normals_.z[first]) * s.radius;
+    /// Bits for kLanes places; set: outside all primitives around.
+    std::uint32_t openLanes(Lanes x, Lanes y, Lanes z) const {
         Mask in{};
         for (const std::uint32_t item : around_) {
-            if (item < r_.spheres.size()) {
-                const Sphere& other = r_.spheres[item];
-                const Lanes dx = x - other.center.x, dy = y - other.center.y, dz = z - other.center.z;
-                const float r = other.radius - kDeep;
-                in |= dx * dx + dy * dy + dz * dz < Lanes{} + r * r;
-            } else {
-                const Cylinder& stick = r_.cylinders[item - r_.spheres.size()];
-                for (std::uint32_t k = 0; k < kLanes; ++k) in[k] |= inside(stick, {x[k], y[k], z[k]}) ? -1 : 0;
-            }
+            if (item < r_.spheres.size())
+                in |= inside(r_.spheres[item], x, y, z);
+            else
+                in |= inside(r_.cylinders[item - r_.spheres.size()], x, y, z);
             if (packSigns(in) == kAllLanes) return 0;
         }
         return ~packSigns(in) & kAllLanes;
     }
+    /// Opens successive texels of a patch by bits. @param base  of the patch in the linear order
+    void openEach(std::uint32_t bits, std::uint32_t first, std::uint32_t lanes, std::uint32_t base) {
+        for (bits &= (1u << lanes) - 1; bits != 0; bits &= bits - 1) {
+            const std::uint32_t texel = first + static_cast<std::uint32_t>(std::countr_zero(bits));
+            patch_.open(texel, static_cast<std::uint16_t>(found.texels.size() - base_));
+            found.texels.push_back(base + texel);
+        }
+    }
     void begin(const glm::ivec2& size, bool sphere) {
         patch_.begin(size, sphere);
         base_ = static_cast<std::uint32_t>(found.texels.size());
-    }
-    void open(std::uint32_t local, std::uint32_t texel) {
-        patch_.open(local, static_cast<std::uint16_t>(found.texels.size() - base_));
-        found.texels.push_back(texel);
     }
     /// Appends the words of one patch.
     void words(const glm::uvec2& size, std::uint32_t shape, std::uint32_t top) {
@@ -177,10 +174,10 @@ private:
     const Representation& r_;
     const PrimitiveTree& tree_;
     OctahedralNormals normals_;
+    std::vector<glm::vec2> circle_;  // directions around a cylinder
     std::vector<std::uint32_t> around_;
     OpenPatch patch_;
     std::uint32_t base_ = 0;
-    std::size_t last_ = 0;
 };
 
 /// One value per sphere: all open.
@@ -200,7 +197,11 @@ std::uint32_t sampledEach(std::size_t count) {
     return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count / kSample));
 }
 
-void append(OpenTexels& all, const OpenTexels& part) {
+void append(OpenTexels& all, OpenTexels&& part) {
+    if (all.firstOfSphere.empty()) {
+        all = std::move(part);
+        return;
+    }
     const auto base = static_cast<std::uint32_t>(all.texels.size());
     all.texels.insert(all.texels.end(), part.texels.begin(), part.texels.end());
     all.sphereTexels += part.sphereTexels;
@@ -229,7 +230,7 @@ void addVertices(OpenTexels& all, const OcclusionLayout& layout) {
 }  // namespace
 
 OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree,
-                      const std::stop_token& stop) {
+                      const std::stop_token& stop, const std::vector<bool>& hidden) {
     OpenTexels all;
     const auto spheres = static_cast<std::uint32_t>(r.spheres.size());
     const auto count = spheres + static_cast<std::uint32_t>(r.cylinders.size());
@@ -247,12 +248,14 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
             return i;
         };
         for (std::uint32_t i = bound(part); i < bound(part + 1) && !stop.stop_requested(); ++i)
-            if (i < spheres)
+            if (i >= spheres)
+                finders[part].cylinder(i - spheres);
+            else if (hidden.empty() || !hidden[i])
                 finders[part].sphere(i);
             else
-                finders[part].cylinder(i - spheres);
+                finders[part].skipSphere();
     });
-    for (const Finder& finder : finders) append(all, finder.found);
+    for (Finder& finder : finders) append(all, std::move(finder.found));
     all.firstOfSphere.push_back(static_cast<std::uint32_t>(all.sphereTexels));
     addVertices(all, layout);
     return all;

@@ -38,8 +38,9 @@ struct OpenTexels {
 
 /// Linear in the number of primitives at any density; uses every core.
 /// @param stop  when requested, returns early with an incomplete result
+/// @param hidden  spheres whose patches nothing shows: theirs are left out. Empty: none
 OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree,
-                      const std::stop_token& stop = {});
+                      const std::stop_token& stop = {}, const std::vector<bool>& hidden = {});
 
 /// Updates the words after entries were dropped.
 /// @param keptBefore  for each entry, the number of kept entries before it; last: their total
