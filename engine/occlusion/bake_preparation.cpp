@@ -168,7 +168,7 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
     std::uint32_t pixels = 0;
     double pixel = 0;
     const auto choose = [&](std::uint64_t room, std::uint32_t detail, double least = 0) {
-        pixels = DepthMapSizes::pixelsFor(representation, room, detail);
+        pixels = DepthMapSizes::pixelsFor(representation, room, detail, options.moving);
         pixel = 2 * representation.radius / pixels;
         const std::uint64_t ofMap = DepthMapSizes::mostBytes(pixels),
                             ofBatch = DepthMapSizes::batchBytes(representation, pixels, half);

@@ -34,7 +34,8 @@ struct DepthMapSizes {
                   std::uint64_t room);
     /// Width of a map, for the scene and the memory of one map. It affects the texels, so it is the same on every path
     /// and device. @param detail  maximum width of a sphere's patch, texels
-    static std::uint32_t pixelsFor(const Representation& representation, std::uint64_t room, std::uint32_t detail);
+    static std::uint32_t pixelsFor(const Representation& representation, std::uint64_t room, std::uint32_t detail,
+                                   bool moving = false);
     /// Device memory of one map, on the path that needs the most.
     static std::uint64_t mostBytes(std::uint32_t pixels);
     /// Device memory of maps by tiles and of lists for them. @param primitives  listed per map

@@ -44,9 +44,10 @@ std::uint64_t countUnseen(const std::vector<bool>& seen) {
 /// Everything except the shapes that affects texels.
 std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
     return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
-           std::to_string(options.detail) + " texels, " + (options.bounce ? "bounced, " : "") + mapsName(options.path) +
-           ", " + std::string(caps.encodedMaps.name) + ", " + caps.deviceName + ", " + caps.driverName + ", " +
-           std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
+           std::to_string(options.detail) + " texels, " + (options.bounce ? "bounced, " : "") +
+           (options.moving ? "moving, " : "") + mapsName(options.path) + ", " + std::string(caps.encodedMaps.name) +
+           ", " + caps.deviceName + ", " + caps.driverName + ", " + std::to_string(caps.driverVersion) + ", " +
+           std::to_string(caps.maxImageSize);
 }
 
 /// Whether an atlas would hold anything: lines have no occlusion.
@@ -116,7 +117,8 @@ void SceneOcclusion::prepare(const OcclusionSettings& asked, const std::optional
     const OcclusionSettings settings = settingsForMotion(asked, *of_.representation);
     options_ = {settings.directions, computeBudget(settings.bytes, of_.representation->meshVertices.size()),
                 settings.maps,       settings.detail,
-                viewDirection,       settings.bounce && of_.representation->copies.colors.empty()};
+                viewDirection,       settings.bounce && of_.representation->copies.colors.empty(),
+                settings.moving};
     if (options_.path == OcclusionMaps::automatic) options_.path = automaticMaps_;
     cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // positions of moving atoms do not recur
     worthKeeping_ = settings.worthKeeping;
