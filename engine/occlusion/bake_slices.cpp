@@ -143,7 +143,7 @@ bool Bake::advance() {
     work_.reset();
     asked_ += std::uint64_t{w.count} * w.texels;
     doneOf_[w.model] += static_cast<int>(w.count);
-    return w.first < kTellsDeepTexels && directionsDone() == kTellsDeepTexels;
+    return w.first < kTellsDeepTexels && directionsDone() == kTellsDeepTexels && !complete();
 }
 
 void Bake::sliceDone() {

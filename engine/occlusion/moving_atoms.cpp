@@ -6,8 +6,8 @@ namespace nacre::occlusion {
 
 OcclusionSettings settingsForMotion(const OcclusionSettings& settings, const Representation& scene) {
     constexpr float kSmall = 0.8f;  // mean radius, weighted by area, Å
-    constexpr std::uint32_t kTexelsOfAtoms = 10, kTexelsOfSmall = 3;
-    constexpr int kDirectionsOfAtoms = 32, kDirectionsOfSmall = 16;
+    constexpr std::uint32_t kTexelsOfAtoms = 9, kTexelsOfSmall = 3;
+    constexpr int kDirectionsOfAtoms = 32, kDirectionsOfSmall = 12;
     if (!settings.moving) return settings;
     float radii = 0, weights = 0;
     for (const Sphere& s : scene.spheres) {

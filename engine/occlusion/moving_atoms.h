@@ -6,7 +6,7 @@
 
 namespace nacre::occlusion {
 
-/// The settings to bake with. If atoms move: at most 32 directions and 10 x 10 texels for atoms, 16 and 3 x 3 for
+/// The settings to bake with. If atoms move: at most 32 directions and 9 x 9 texels for atoms, 12 and 3 x 3 for
 /// sticks and small balls. docs/ambient_occlusion.md states the difference.
 OcclusionSettings settingsForMotion(const OcclusionSettings& settings, const Representation& scene);
 

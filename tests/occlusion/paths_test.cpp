@@ -127,7 +127,7 @@ TEST_P(OcclusionOfScene, OfAMovedSceneIsThatOfItsNewPlaces) {
     renderer->moveScene(moved);
     while (advance(false) < 1) {
     }
-    EXPECT_EQ(renderer->stats().occlusion.done, GetParam().style == Style::spacefill ? 32 : 16);
+    EXPECT_EQ(renderer->stats().occlusion.done, GetParam().style == Style::spacefill ? 32 : 12);
     EXPECT_LE(renderer->stats().occlusion.patchTexels, 10u);
     settings_.occlusion.directions = 8;
     settings_.occlusion.moving = false;
