@@ -21,6 +21,8 @@ uint primitiveHere() { return texelFetch(primitivesOfView, ivec2(gl_FragCoord.xy
 #endif
 layout(set = 0, binding = 4, std430) readonly buffer Shapes { uvec4 shapes[]; };
 vec4 shapeAt(uint i) { return uintBitsToFloat(shapes[i]); }
+uint countShapes() { return uint(shapes.length()); }
+#include "common/balls.glsl"
 layout(set = 0, binding = 5, std430) readonly buffer Looks { uint looks[]; };  // 2 per sphere or vertex, 4 per cylinder
 layout(set = 0, binding = 6, std430) readonly buffer CopyRows { vec4 copyRows[]; };  // three per copy
 // Primitives of the scene; absent kinds cost nothing.
@@ -80,7 +82,7 @@ void showCylinder(uint index, inout Shown shown) {
 void showSphere(uint index, inout Shown shown) {
     vec4 shape = shapeAt(index);
     precise vec3 center = toView(shape.xyz);
-    shown.hit = sphereHit(vec4(center, shape.w), gl_FragCoord.xy);
+    shown.hit = ballHitThrough(index, vec4(center, shape.w), planePoint(gl_FragCoord.xy));
     shown.look = 2u * index;
     shown.at = sphereCoordinate(shown.hit);
     shown.texels = vec2(sphereEdge());

@@ -44,7 +44,12 @@ void drawSphere(uint index) {
         for (uint x = box.x; x < box.z; ++x) {
             vec2 away = planePoint(vec2(x, y) + 0.5) - center.xy;
             float h = shape.w * shape.w - away.x * away.x - away.y * away.y;
-            if (h > 0.0) raise(uvec2(x, y), center.z + sqrt(h));
+            if (kEllipsoids == 0) {
+                if (h > 0.0) raise(uvec2(x, y), center.z + sqrt(h));
+            } else {
+                Hit hit = ballHitThrough(index, vec4(center, shape.w), away + center.xy);
+                if (hit.inside) raise(uvec2(x, y), view.origin - hit.Z);
+            }
         }
 }
 

@@ -15,6 +15,9 @@
 #extension GL_KHR_shader_subgroup_shuffle : require
 #endif
 #include "common/layout.h"
+#if !defined(VERTEX) && !defined(CYLINDER)
+#define BALLS
+#endif
 #include "common/texel.glsl"
 #include "common/encoding.glsl"
 #include "common/ordered.glsl"
@@ -55,8 +58,14 @@ float ownHeight(vec3 center, vec3 axis, float radius, vec2 q, float z) {
     return h > 0.0 ? center.z + t0 + sqrt(h / A) : z;
 }
 #else
+mat3 mapToUnit;  // of an ellipsoid: from an offset in the map
 float ownHeight(vec3 center, vec3 axis, float radius, vec2 q, float z) {
     vec2 from = q - center.xy;
+    if (kEllipsoids != 0) {
+        vec3 way = mapToUnit[2], w = mapToUnit * vec3(from, 0.0);
+        float t0 = -dot(w, way) / dot(way, way), left = 1.0 - dot(w + way * t0, w + way * t0);
+        return left > 0.0 ? center.z + t0 + sqrt(left / dot(way, way)) : z;
+    }
     float h = radius * radius - dot(from, from);
     return h > 0.0 ? center.z + sqrt(h) : z;
 }
@@ -82,6 +91,16 @@ bool frontmost(int i, vec3 center, vec3 axis, float radius, vec3 at, vec2 aside,
     return shows(i, ivec2(place), front + 1.0 + room);
 }
 
+#ifdef BALLS
+/// The place of an ellipsoid with a normal, from its centre.
+vec3 onEllipsoid(mat3 toUnit, vec3 normal) {
+    mat3 rows = transpose(toUnit);
+    vec3 a = rows[0] / dot(rows[0], rows[0]), b = rows[1] / dot(rows[1], rows[1]), c = rows[2] / dot(rows[2], rows[2]);
+    vec3 shares = vec3(dot(a, normal), dot(b, normal), dot(c, normal));
+    return (a * shares.x + b * shares.y + c * shares.z) / length(shares);
+}
+#endif
+
 /// Contribution of direction d to a texel, as in Sums. @param i  of the direction in the batch
 vec2 asked(int i, Direction d, Texel texel) {
     vec3 center = placed(d, texel.a);
@@ -89,6 +108,7 @@ vec2 asked(int i, Direction d, Texel texel) {
 #ifdef WHOLE
     // A sphere embedded in a surface is visible from half of all directions; that half is its visible part.
     float cosine = 0.5 * dot(d.w.xyz, d.w.xyz), counted = 2.0 * cosine;
+    vec3 top = d.w.xyz * bake.pixel;
     vec3 at = vec3(center.xy, center.z + radius);
     vec3 axis = vec3(0.0);
 #else
@@ -96,6 +116,15 @@ vec2 asked(int i, Direction d, Texel texel) {
     float cosine = max(normal.z, 0.0), counted = cosine;
     vec3 at = center + texel.radius * normal;
     vec3 axis = turned(d, texel.axis) * bake.pixel;
+#ifdef BALLS
+    vec3 top = texel.normal;
+#endif
+#endif
+#ifdef BALLS
+    if (kEllipsoids != 0) {
+        mapToUnit = texel.toUnit * mat3(d.u.xyz, d.v.xyz, d.w.xyz) * (bake.pixel * bake.pixel);
+        at = center + turned(d, onEllipsoid(texel.toUnit, top));
+    }
 #endif
     float seen = 0.0;
     [[unroll]] for (int tap = 0; tap < kTaps; ++tap) {

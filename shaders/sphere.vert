@@ -11,6 +11,8 @@
 #include "common/outline.glsl"
 
 layout(location = 0) in vec4 inSphere;
+layout(location = 4) in vec4 inRowA;  // of an ellipsoid
+layout(location = 5) in vec4 inRowB;
 layout(location = 3) in vec3 inCorner;  // engine/passes/corners.h
 #if defined(FETCHED)
 layout(location = 0) flat out uvec4 passed;
@@ -29,11 +31,15 @@ layout(location = 2) flat out vec2 place;  // of its patch
 #ifdef NUMBER
 layout(location = 4) flat out uint primitive;
 #endif
+layout(location = 5) flat out vec4 rowA;
+layout(location = 6) flat out vec4 rowB;
 invariant gl_Position;
 
 void main() {
     precise vec3 center = toView(inSphere.xyz);
     float radius = inSphere.w;
+    rowA = kEllipsoids == 0 ? vec4(0.0) : rowToView(inRowA);
+    rowB = kEllipsoids == 0 ? vec4(0.0) : rowToView(inRowB);
 #ifdef FETCHED
     passed = uvec4(floatBitsToUint(center), sphereCell(uint(gl_InstanceIndex)));
 #else

@@ -74,13 +74,22 @@ void main() {
         bool mine = at + lane < end && copyIndex - firstCopy < copies;
         uint balls = ballotLanes(mine && e.meets && !e.cylinder);
         do {
-            vec4 sphere = handed(e.a, lowestBit(balls));
-            // sphereHitThrough() with the terms common to a column hoisted.
-            float square = balls != 0u ? sphere.w * sphere.w : -1.0;
-            for (int i = 0; i < kPixels; ++i) {
-                vec2 away = through[i] - sphere.xy;
-                float h = square - away.x * away.x - away.y * away.y;
-                top[i] = max(top[i], h > 0.0 ? sphere.z + sqrt(h) : kNothing);
+            uint from = lowestBit(balls);
+            vec4 sphere = handed(e.a, from);
+            if (kEllipsoids == 0) {
+                // sphereHitThrough() with the terms common to a column hoisted.
+                float square = balls != 0u ? sphere.w * sphere.w : -1.0;
+                for (int i = 0; i < kPixels; ++i) {
+                    vec2 away = through[i] - sphere.xy;
+                    float h = square - away.x * away.x - away.y * away.y;
+                    top[i] = max(top[i], h > 0.0 ? sphere.z + sqrt(h) : kNothing);
+                }
+            } else {
+                uint candidate = subgroupShuffle(e.number, from);
+                for (int i = 0; i < kPixels; ++i) {
+                    Hit hit = numberedBallHit(candidate, sphere, through[i]);
+                    top[i] = max(top[i], balls != 0u && hit.inside ? view.origin - hit.Z : kNothing);
+                }
             }
             balls &= balls - 1u;
         } while (balls != 0u);

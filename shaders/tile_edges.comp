@@ -76,7 +76,7 @@ void keepStick(Stick stick, uint number, bool live) {
 void keepSphere(vec4 sphere, uint number, bool live) {
     if (kPerspective || !kPlain) {
         for (int i = 0; i < kSamples; ++i) {
-            Hit hit = sphereHitThrough(sphere, planePoint(corner + sampleAt(i)));
+            Hit hit = numberedBallHit(number, sphere, planePoint(corner + sampleAt(i)));
             keep(i, live && hit.inside, hit.order, packSight(hit, number));
         }
         return;
@@ -263,13 +263,16 @@ void sampleNeighbours(ivec2 pixel) {
 vec3 shadeAt(uint sight, vec2 place) {
     vec2 q = planePoint(place);
     Seen seen = findSeen(sight & kNumber, q);
+    // The middle of what is seen beside a band may lie in it.
+    if (kEllipsoids != 0 && seen.hit.corner >= kEllipsoidMark)
+        seen.hit.corner = (seen.hit.corner & ~kBandMark) | ((sight & kSecondHalf) != 0u ? kBandMark : 0u);
     return clamp(computeLight(seen.hit, storedColor(seen), seen.baked, q), 0.0, 1.0);
 }
 
-/// Position for shading some samples: their centre. An outline or a clipped primitive may not be there: then the
-/// nearest of the samples. @param bits  of the samples
+/// Position for shading some samples: their centre. An outline, a clipped primitive or the face of a cut may not be
+/// there: then the nearest of the samples. @param bits  of the samples
 vec2 shadingPoint(uint bits, vec2 middle) {
-    if (kPlain) return middle;
+    if (!kClip && !kContours && kEllipsoids < 2) return middle;
     vec2 place = middle;
     float least = 4.0;
     for (int i = 0; i < kSamples; ++i) {

@@ -133,7 +133,7 @@ void findLayers(uint at, uint end, uint lane, vec2 middle, vec2 reach) {
             vec4 sphere = handed(e.a, from);
             uint candidate = subgroupShuffle(e.number, from);
             bool live = balls != 0u;
-            for (int i = 0; i < kPixels; ++i) keep(i, sphereHitThrough(sphere, through[i]), candidate, live);
+            for (int i = 0; i < kPixels; ++i) keep(i, numberedBallHit(candidate, sphere, through[i]), candidate, live);
             balls &= balls - 1u;
         } while (balls != 0u);
         if (kCylinders) do {
@@ -183,8 +183,9 @@ void addRest(uint at, uint end, uint lane, vec2 middle, vec2 reach) {
             do {
                 uint from = lowestBit(balls);
                 vec4 sphere = handed(e.a, from);
+                uint candidate = subgroupShuffle(e.number, from);
                 bool live = balls != 0u;
-                for (int i = 0; i < kPixels; ++i) mark(from, i, sphereHitThrough(sphere, through[i]), live);
+                for (int i = 0; i < kPixels; ++i) mark(from, i, numberedBallHit(candidate, sphere, through[i]), live);
                 balls &= balls - 1u;
             } while (balls != 0u);
             addHits(kBall, e.number);

@@ -119,7 +119,7 @@ uint sightAt(uint number, vec2 q) {
 #endif
     if (!kPlain) {
         vec4 shape = shapeAt(index);
-        sight = packSight(sphereHitThrough(vec4(toView(shape.xyz), shape.w), q), number);
+        sight = packSight(ballHitThrough(index, vec4(toView(shape.xyz), shape.w), q), number);
     }
     return number == 0u ? 0u : sight;
 }
@@ -160,7 +160,7 @@ uint rimmed(vec4 seen, uint rimWord) {
 
 Hit ballHit(uint index, vec2 q) {
     vec4 shape = shapeAt(index);
-    return sphereHitThrough(vec4(toView(shape.xyz), shape.w), q);
+    return ballHitThrough(index, vec4(toView(shape.xyz), shape.w), q);
 }
 #define KIND kBalls
 #define FIRST 0u
@@ -269,7 +269,7 @@ void drawTile(uint index, bool last) {
             vec4 sphere = handed(e.a, from);
             uint candidate = subgroupShuffle(e.number, from);
             bool live = balls != 0u;
-            for (int i = 0; i < kPixels; ++i) keep(i, sphereHitThrough(sphere, through[i]), candidate, live);
+            for (int i = 0; i < kPixels; ++i) keep(i, numberedBallHit(candidate, sphere, through[i]), candidate, live);
             balls &= balls - 1u;
         } while (balls != 0u);
 #ifdef CYLINDERS

@@ -61,7 +61,7 @@ Hit hitOf(uint i, vec2 through) {
             Stick(a.xyz, a.w, axis.xyz, axis.w, seen.xy, seen.z, seen.w, fourth[i].x, fourth[i].y), through);
     }
 #endif
-    return sphereHitThrough(first[i], through);
+    return numberedBallHit(candidates[i], first[i], through);
 }
 
 /// The number of a pixel's nearest primitive. @param wanted  the pixel matters

@@ -13,7 +13,6 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/molecule/text.h"
-#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/instances/sphere_levels.h"
 
 namespace nacre::app {
@@ -117,20 +116,11 @@ struct DrawnAtoms {
         }
     }
 
-    /// Positions of atoms that cartoons and surfaces represent. Labels of cut ellipsoids stand where those of whole
-    /// ones would.
+    /// Positions of atoms that cartoons and surfaces represent.
     void addMeshAtoms(const Molecule& molecule, const Representation& scene) {
-        std::vector<bool> isCut(places.size());
-        for (std::size_t i = 0; i < places.size(); ++i)
-            isCut[i] = places[i].radius >= 0 && places[i].radius <= double{kCutBall};
         const auto put = [&](const Triangle& triangle, const glm::dmat4x3& transform) {
             for (const std::uint32_t vertex : {triangle.a, triangle.b, triangle.c}) {
                 const std::uint32_t atom = scene.meshLooks[scene.meshVertices[vertex].look].atom - 1;
-                if (isCut[atom]) {
-                    const glm::dvec3 at(decodePosition(scene.meshVertices[vertex], triangle.step()));
-                    const double reach = glm::distance(transform * glm::dvec4(at, 1.0), places[atom].at);
-                    places[atom].radius = std::max(places[atom].radius, reach);
-                }
                 if (places[atom].radius >= 0) continue;
                 const glm::dvec3 center = glm::dvec3(molecule.atoms[atom].position) - scene.center;
                 places[atom] = {transform * glm::dvec4(center, 1.0),
@@ -142,8 +132,6 @@ struct DrawnAtoms {
         for (const PrimitiveRun& run : scene.copies.triangles)
             for (std::size_t i = run.first; i < run.first + run.count; ++i)
                 put(scene.triangles[i], scene.copies.transforms[scene.copies.lists[run.list].front()]);
-        for (std::uint32_t i = 0; i < places.size(); ++i)
-            if (isCut[i]) places[i].radius = ballOfWhole(molecule, i, places[i].radius);
     }
 };
 

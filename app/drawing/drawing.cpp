@@ -103,7 +103,7 @@ Rebuild rebuildFor(const PictureDescription& before, const PictureDescription& a
     const bool uncovers = by == CameraBy::hand
                               ? before.aim.uncover != after.aim.uncover
                               : parts && (uncoveredBy(before.aim) || uncoveredBy(after.aim) || before.aim.spares ||
-                                          after.aim.spares || drawsOctants(after.look));  // depends on the view
+                                          after.aim.spares);  // depends on the view
     Rebuild rebuild{.molecule = has(parts, Facet::input) || has(parts, Facet::frame)};
     // Maps and primitives decide whether all atoms may be hidden.
     rebuild.scene = has(parts, Facet::scene) || uncovers || before.drawsBeside() != after.drawsBeside();
@@ -154,10 +154,7 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
     const bool another =
         !scene_ || rebuild.molecule || rebuild.scene || first.atoms.empty() || (cutsScene_ && has(parts, Facet::view));
     description_ = description;
-    if (another) {
-        viewer_.reset();
-        rebuildScene(frame, now);
-    }
+    if (another) rebuildScene(frame, now);
     Aimed aim{.camera = cameraFor(description_.stereo, description_.camera)};
     if (description_.aim.center) aim.camera.center = scene_->center;
     const bool follow = description_.maps.aroundFocus && !description_.maps.files.empty();
@@ -188,7 +185,6 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
         if (description_.capture.empty()) settings.occlusion.cache = cacheFolder(description_.input.cache, "occlusion");
         seen = applySceneFile();
     }
-    if (another && drawsOctants(description_.look)) cutOctants(first, frame, now);
     if (seen) {
         dropOutside(*scene_, *seen);
         dropOutside(maps_.shown, *seen);
@@ -202,7 +198,6 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
 void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* now) {
     moving_.reset();
     PictureDescription picture = description_;
-    picture.look.viewer = viewer_;
     if (kept_) picture.camera.center = kept_->center;
     if (now) {
         moving_ = std::make_shared<MovingPicture>(facts_->molecule(), picture,
@@ -382,9 +377,7 @@ void Drawing::setStats() {
 // --- atoms that move
 
 void Drawing::startMoving(const Molecule& first) {
-    PictureDescription picture = description_;
-    picture.look.viewer = viewer_;
-    moving_ = std::make_shared<MovingPicture>(first, picture, recolor);
+    moving_ = std::make_shared<MovingPicture>(first, description_, recolor);
 }
 
 void Drawing::moveTo(const Molecule& molecule) {

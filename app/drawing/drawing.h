@@ -122,8 +122,6 @@ public:
     Bounds frame() const { return {scene_->center, radius_}; }
     /// Whether keepFrame() changed the radius.
     bool reframed() const { return reframed_; }
-    /// Whether the octants that are cut out of ellipsoids, if any, are those that face a camera.
-    bool octantsFace(const Camera& camera) const;
     /// Makes a camera relative to the scene. A given eye distance sets the scene's radius for cameras.
     void takeCamera(Camera& camera);
 
@@ -169,7 +167,6 @@ public:
 private:
     bool update(const PictureDescription& description, const std::optional<Bounds>& frame, const Molecule* now);
     void rebuildScene(const std::optional<Bounds>& frame, const Molecule* now);
-    void cutOctants(const Molecule& first, const std::optional<Bounds>& frame, const Molecule* now);
     void setView(const PictureDescription& picture, const Camera& camera);
     std::optional<SceneView> applySceneFile();
     void uncoverTarget(std::optional<double> plane);
@@ -183,7 +180,6 @@ private:
     PictureDescription description_;     ///< of the scene
     std::optional<ResidueFacts> facts_;  ///< of the molecule
     std::optional<Representation> scene_;
-    std::optional<glm::dvec4> viewer_;  ///< whom octants of scene_ face (RepresentationOptions::viewer)
     MapLayers maps_;
     std::optional<Bounds> kept_;  ///< from keepFrame()
     bool reframed_ = false;

@@ -8,7 +8,9 @@
 #include <unordered_map>
 
 #include "engine/error.h"
+#include "engine/mesh/ellipsoids.h"
 #include "engine/mesh/solids.h"
+#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/color/colors.h"
 
 namespace nacre::app {
@@ -122,18 +124,37 @@ private:
             group.occlusion.push_back(getOcclusion(group.mesh.positions[v], group.mesh.normals[v]));
     }
 
+    void addEllipsoid(Mesh& mesh, const glm::vec3& center, const EllipsoidRows& rows, std::uint32_t color) const {
+        Ellipsoid ellipsoid{glm::dvec3(center)};
+        std::ranges::copy(rows.axes(), ellipsoid.axes.begin());
+        const Mesh own = ellipsoidMesh({&ellipsoid, 1}, {}, scene_.ellipsoids.size());
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (std::size_t v = 0; v < own.positions.size(); ++v)
+            addVertex(mesh, own.positions[v], own.normals[v], own.atoms[v] & kEllipsoidBand ? bandColor(color) : color);
+        for (const glm::uvec3& triangle : own.triangles) mesh.triangles.push_back(triangle + first);
+    }
+
     void addSphere(std::size_t i, std::uint32_t list) {
         const Sphere& sphere = scene_.spheres[i];
         const SphereLook& look = scene_.sphereLooks[i];
         if (!instances_) {
             GroupMesh& group = findMesh(list, look.atom, "atoms");
-            addBall(group.mesh, sphere.center, sphere.radius, look.color, result_.sides);
+            if (const EllipsoidRows* rows = scene_.ellipsoid(i))
+                addEllipsoid(group.mesh, sphere.center, *rows, look.color);
+            else
+                addBall(group.mesh, sphere.center, sphere.radius, look.color, result_.sides);
             return occlude(group, [&](const glm::vec3&, const glm::vec3& normal) {
                 return baked_->ofSphere(static_cast<std::uint32_t>(i), normal);
             });
         }
-        placed_[{list, chainName(look.atom), "atoms", look.color}].push_back(
-            {sphere.center, glm::quat(1, 0, 0, 0), glm::vec3(sphere.radius)});
+        ExportInstances::Place place{sphere.center, glm::quat(1, 0, 0, 0), glm::vec3(sphere.radius)};
+        if (const EllipsoidRows* rows = scene_.ellipsoid(i)) {
+            const auto [a, b, c] = rows->axes();
+            place.scale = {glm::length(a), glm::length(b), glm::length(c)};
+            place.turn =
+                glm::normalize(glm::quat_cast(glm::mat3(a / place.scale.x, b / place.scale.y, c / place.scale.z)));
+        }
+        placed_[{list, chainName(look.atom), "atoms", look.color}].push_back(place);
     }
 
     void addStick(std::size_t i, std::uint32_t list) {

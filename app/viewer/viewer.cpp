@@ -268,12 +268,12 @@ bool Viewer::focusMoved() const {
     return glm::distance(focus, *followed) > kFollows * reach;
 }
 
-/// Redraws what depends on the camera, once that rests: maps around its focus, and octants of ellipsoids that face it.
+/// Redraws maps around the camera's focus, once that rests.
 void Viewer::followCamera(double now) {
     if (!stage_.shown() || followed_ == stage_.changes()) return;
     if (stage_.moving(now) || playback_.playing() || reading_.loader().busy()) return;
     followed_ = stage_.changes();
-    if (focusMoved() || !stage_.document.drawing.octantsFace(view().camera)) reading_.build();
+    if (focusMoved()) reading_.build();
 }
 
 std::string Viewer::explanation() const {

@@ -113,11 +113,11 @@ void Chooser::choosePath() {
 HostWork Chooser::chooseHostWork(Visibility path) const {
     // Where depth is tested late, shading hidden fragments takes a CPU longer than finding hidden spheres.
     const bool late = device_.kind == DeviceKind::software && !platesReject(path, device_.plan);
-    return settings_.tuning.cull && late ? HostWork::hiddenSpheres : HostWork::none;
+    return settings_.tuning.cull && late && !scene_.hasEllipsoids ? HostWork::hiddenSpheres : HostWork::none;
 }
 
 HostWork Chooser::hostWorkOfTiles() const {
-    const bool many = settings_.tuning.cull && scene_.spheres >= settings_.tuning.hideFrom;
+    const bool many = settings_.tuning.cull && !scene_.hasEllipsoids && scene_.spheres >= settings_.tuning.hideFrom;
     if ((many || hasSmallSpheres()) && hasFrontSpheres() && !choice_.drawsEdges()) return HostWork::frontSpheres;
     return many ? HostWork::hiddenSpheres : HostWork::none;
 }
@@ -125,7 +125,8 @@ HostWork Chooser::hostWorkOfTiles() const {
 bool Chooser::needsPrepass(Visibility path, PlateShape plates) const {
     if (debugs()) return true;  // views show the prepass
     // Without plates, passes that write depth themselves need no prepass.
-    const bool wanted = plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);
+    const bool wanted = (plates != PlateShape::none && !scene_.hasEllipsoids) ||
+                        (path != Visibility::fragdepth && path != Visibility::deferred);
     return wanted && platesReject(path, device_.plan);
 }
 
@@ -149,8 +150,9 @@ void Chooser::chooseGeometry() {
     }
     if (request_.part == Part::edges && choice_.shadedByCompute()) {
         // The number of a sphere is enough if nothing cuts or outlines it.
-        const bool alone = !scene_.hasCylinders && !scene_.hasWires && scene_.meshTriangles == 0 && !rims() &&
-                           settings_.effects.contours.width <= 0 && !settings_.effects.clip.on();
+        const bool alone = !scene_.hasCylinders && !scene_.hasWires && scene_.meshTriangles == 0 &&
+                           !scene_.hasEllipsoids && !rims() && settings_.effects.contours.width <= 0 &&
+                           !settings_.effects.clip.on();
         choice_.edgePixels = alone ? EdgePixels::alone : EdgePixels::listed;
     }
     if (!reasons_) return;
@@ -162,9 +164,10 @@ void Chooser::chooseGeometry() {
                                      "finding hidden spheres costs less than shading them",
                                      "many small spheres: lists would take longer"};
     because("host", kHost[static_cast<std::size_t>(choice_.host)]);
-    because("prepass", tiles             ? "compute draws no plates"
-                       : choice_.prepass ? "plates reject fragments before they are shaded"
-                                         : "the path tests depth after shading: plates reject nothing");
+    because("prepass", tiles                  ? "compute draws no plates"
+                       : scene_.hasEllipsoids ? "ellipsoids do not fill their spheres: no plates hide what is behind"
+                       : choice_.prepass      ? "plates reject fragments before they are shaded"
+                                              : "the path tests depth after shading: plates reject nothing");
     because("effects", "those with passes or images of their own");
 }
 

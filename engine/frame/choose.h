@@ -68,6 +68,7 @@ struct SceneFacts : passes::PrimitiveCounts {
     std::uint64_t meshTriangles = 0;   ///< of the finest level
     bool leveled = false;              ///< each view has its own levels of detail
     bool boxed = false;                ///< the scene's spheres have finite bounding boxes
+    bool hasEllipsoids = false;        ///< some spheres are bounds of ellipsoids: none hides what it covers
     /// Whether anything is blended over opaque surfaces.
     bool blends() const { return hasTranslucent || hasVolume; }
     // Of the view:

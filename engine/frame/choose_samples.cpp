@@ -83,7 +83,7 @@ bool Chooser::hasFrontSpheres() const {
     const Effects& effects = settings_.effects;
     return settings_.tuning.cull && settings_.view.projection == Projection::orthographic && !effects.clip.on() &&
            effects.contours.width <= 0 && effects.halos.width <= 0 && scene_.triangles == 0 && scene_.boxed &&
-           !scene_.hasTranslucentAtoms;
+           !scene_.hasEllipsoids && !scene_.hasTranslucentAtoms;
 }
 
 /// Whether lists of spheres would take longer than finding the nearest one of each pixel.

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <glm/geometric.hpp>
 
 #include "engine/frame/effects/halos/halos.h"
 #include "engine/frame/effects/outlines/outlines.h"
 #include "engine/frame/effects/shadow/shadow.h"
 #include "engine/frame/picture.h"
 #include "engine/passes/view_constants.h"
-#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/atom_groups.h"
 #include "engine/scene/build/mesh_caps.h"
 #include "engine/scene/instances/mesh_levels.h"
@@ -45,13 +45,21 @@ bool isOrdered(const std::vector<T>& ordered, const std::vector<T>& stream, cons
     return true;
 }
 
+/// @param now  in order
+bool hasSameEllipsoids(const Representation& now, const Representation& r, const std::vector<std::uint32_t>& order) {
+    std::vector<EllipsoidRows> rows = r.ellipsoids;
+    if (!rows.empty()) rows.resize(r.spheres.size());
+    return rows.empty() ? now.ellipsoids.empty() : isOrdered(now.ellipsoids, rows, order);
+}
+
 /// Whether a representation has the scene's shapes in its order. Not for assemblies, whose copies may differ.
 bool hasSameShapes(const Scene& scene, const Representation& r) {
     const Representation& now = scene.representation;
     return r.copies.transforms.empty() && now.copies.transforms.empty() && r.radius == now.radius &&
            r.meshLooks.size() == now.meshLooks.size() && r.sphereLooks.size() == now.sphereLooks.size() &&
            r.cylinderLooks.size() == now.cylinderLooks.size() && r.wireLooks.size() == now.wireLooks.size() &&
-           isOrdered(now.spheres, r.spheres, scene.order.spheres) &&
+           isOrdered(now.spheres, r.spheres, scene.order.spheres) && now.cutsOctants == r.cutsOctants &&
+           hasSameEllipsoids(now, r, scene.order.spheres) &&
            isOrdered(now.cylinders, r.cylinders, scene.order.cylinders) && sameBytes(r.wires, now.wires) &&
            sameBytes(r.triangles, now.triangles) && sameBytes(r.coarseTriangles, now.coarseTriangles) &&
            sameBytes(r.meshVertices, now.meshVertices) && sameBytes(r.sphereModels, now.sphereModels) &&
@@ -87,20 +95,18 @@ void completeScene(const gpu::Device& device, Scene& scene) {
 SceneSizes measureSizes(const Representation& r) {
     SceneSizes sizes;
     double sum = 0;
-    std::size_t seen = 0;
     const auto smallest = [&](float radius) {
         sizes.smallestRadius = std::min(sizes.smallestRadius, static_cast<double>(radius));
     };
-    for (const Sphere& s : r.spheres) {
-        if (s.radius <= kCutBall) continue;
-        sum += s.radius;
-        ++seen;
-        smallest(s.radius);
+    for (std::size_t i = 0; i < r.spheres.size(); ++i) {
+        sum += r.spheres[i].radius;
+        const EllipsoidRows* rows = r.ellipsoid(i);
+        smallest(rows ? glm::length(rows->axes()[2]) : r.spheres[i].radius);
     }
     for (const Cylinder& c : r.cylinders) smallest(c.radius);
     for (const Cylinder& wire : r.wires)
         sizes.thinnestWire = std::min(sizes.thinnestWire, -static_cast<double>(wire.radius));
-    sizes.meanRadius = sum / static_cast<double>(std::max<std::size_t>(seen, 1));
+    sizes.meanRadius = sum / static_cast<double>(std::max<std::size_t>(r.spheres.size(), 1));
     return sizes;
 }
 
@@ -113,6 +119,7 @@ SceneFacts collectFacts(const Representation& r, const Chunks& chunks, const Tra
     facts.meshTriangles = r.triangles.size();
     facts.boxed = chunks.finiteSpheres();
     facts.hasVolume = r.volume != nullptr;
+    facts.hasEllipsoids = !r.ellipsoids.empty();
     return facts;
 }
 
@@ -190,6 +197,7 @@ bool recolor(Scene& scene, Representation& r) {
     if (!hasSameOpacities(scene, r)) return false;
     putInOrder(r, scene.order);
     // The shapes stay where they are: a running bake may read them. The meshes keep the levels that fit a buffer.
+    r.ellipsoids = std::move(now.ellipsoids);
     r.spheres = std::move(now.spheres), r.cylinders = std::move(now.cylinders), r.wires = std::move(now.wires);
     r.triangles = std::move(now.triangles), r.coarseTriangles = std::move(now.coarseTriangles);
     r.meshVertices = std::move(now.meshVertices), r.meshes = std::move(now.meshes);
@@ -251,6 +259,7 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     seen->ownMaterials = scene.representation.ownMaterials;
     if (shadowPixels(settings) > 0) seen->light = lightScene(scene, settings, view, views);
     seen->buffers = &scene.buffers;
+    seen->octants = 2;
     const glm::dvec3 shift = view.seen(glm::dvec3(0));
     for (int i = 0; i < 3; ++i)
         seen->still[static_cast<std::size_t>(i)] =

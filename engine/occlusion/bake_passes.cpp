@@ -84,7 +84,7 @@ Accumulation Bake::accumulation(OcclusionCopies::Run::Of of, std::uint32_t batch
     return {vertices              ? Texels::vertices
             : of == Of::cylinders ? Texels::cylinders
                                   : spheres,
-            batch, maps_.encoded(), maps_.tiles() != nullptr, narrow_, maps_.across(batch),
+            batch, maps_.encoded(), maps_.tiles() != nullptr, scene_.ellipsoidOffset > 0, narrow_, maps_.across(batch),
             vertices ? spreadOfVertices() : spreadOfTaps(),
             // Neighbouring vertices of a mesh sample the map too, so two taps suffice: they raise the RMS error of
             // 4HHB's cartoon by 0.001 against four.

@@ -84,7 +84,9 @@ bool givesWay(const OcclusionLayout& layout, const OcclusionLayout& coarser, std
 std::vector<bool> spheresNotShown(const Representation& r, const BakeOptions& options) {
     // Sticks and small balls hide few others entirely.
     const bool sticks = 2 * r.cylinders.size() > r.spheres.size();
-    if (!options.viewDirection || sticks || !r.copies.transforms.empty() || !translucentParts(r).empty()) return {};
+    if (!options.viewDirection || sticks || !r.ellipsoids.empty() || !r.copies.transforms.empty() ||
+        !translucentParts(r).empty())
+        return {};
     return hiddenSpheres(r.spheres, options.viewDirection->towards);
 }
 

@@ -99,6 +99,8 @@ std::string occlusionCacheName(const Representation& representation, std::string
     hash.add(kOcclusionVersion).add(std::uint64_t{how.size()}).add(how.data(), how.size());
     hash.add(std::uint64_t{representation.spheres.size()});
     hash.add(representation.spheres.data(), representation.spheres.size() * sizeof(Sphere));
+    if (!representation.ellipsoids.empty())
+        hash.add(representation.ellipsoids.data(), representation.ellipsoids.size() * sizeof(EllipsoidRows));
     hash.add(representation.cylinders.data(), representation.cylinders.size() * sizeof(Cylinder));
     hash.add(std::uint64_t{representation.triangles.size()}).add(std::uint64_t{representation.meshVertices.size()});
     for (const Triangle& t : representation.triangles)

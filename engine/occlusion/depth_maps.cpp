@@ -10,7 +10,6 @@
 #include "engine/passes/select_opacity.h"
 #include "engine/passes/vertex_costs.h"
 #include "engine/passes/view_constants.h"
-#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre::occlusion {
@@ -120,7 +119,6 @@ double wantedResolution(const Representation& r) {
     double sum = 0;
     std::size_t spheres = 0;
     for (const Sphere& s : r.spheres) {
-        if (s.radius <= kCutBall) continue;
         sum += kPixelsPerSphere / s.radius;
         ++spheres;
     }

@@ -45,16 +45,15 @@ public:
     }
 
     void sphere(std::uint32_t i, std::vector<SeenSpot>& seen, std::vector<std::uint32_t>& ends) const {
-        const Sphere& s = r_.spheres[i];
-        if (ofSphere_.size() == 1) all(i, s, seen), ends.push_back(static_cast<std::uint32_t>(seen.size()));
+        if (ofSphere_.size() == 1) all(i, seen), ends.push_back(static_cast<std::uint32_t>(seen.size()));
         if (ofSphere_.size() == 1) return;
         const NearSpheres near = surfaces_.findNear(i);
         std::vector<glm::vec3> open;
         for (const glm::vec3& normal : ofSphere_)
-            if (!near.bury(s.center + s.radius * normal)) open.push_back(normal);
+            if (!near.bury(r_.pointOfBall(i, normal))) open.push_back(normal);
         for (const glm::vec3& normal : ofSphere_) {
-            if (const std::optional<glm::vec3> there = outside(s, normal, open, near)) {
-                const glm::vec3 point = s.center + s.radius * *there;
+            if (const std::optional<glm::vec3> there = outside(i, normal, open, near)) {
+                const glm::vec3 point = r_.pointOfBall(i, *there);
                 if (spheresAlone_)
                     each(
                         *there, [&](const glm::vec3& d) { return surfaces_.from(i, point, d, near); }, seen);
@@ -92,7 +91,7 @@ private:
 
     /// The normal where a texel of a sphere looks from: its own or, where that is inside of another sphere, one at the
     /// crease on the way to the next open texel. @param open  normals of the sphere's open texels
-    std::optional<glm::vec3> outside(const Sphere& s, const glm::vec3& normal, const std::vector<glm::vec3>& open,
+    std::optional<glm::vec3> outside(std::uint32_t sphere, const glm::vec3& normal, const std::vector<glm::vec3>& open,
                                      const NearSpheres& near) const {
         constexpr float kNear = 0.5f;  // cosine of the angle to a texel next to this one
         constexpr int kHalvings = 5;   // to a 32nd of that angle
@@ -105,7 +104,7 @@ private:
         glm::vec3 inside = normal, out = *next;
         for (int k = 0; k < kHalvings; ++k) {
             const glm::vec3 middle = glm::normalize(inside + out);
-            (near.bury(s.center + s.radius * middle) ? inside : out) = middle;
+            (near.bury(r_.pointOfBall(sphere, middle)) ? inside : out) = middle;
         }
         return out;
     }
@@ -124,9 +123,9 @@ private:
         }
     }
     /// Of a sphere that has one value.
-    void all(std::uint32_t i, const Sphere& s, std::vector<SeenSpot>& seen) const {
+    void all(std::uint32_t i, std::vector<SeenSpot>& seen) const {
         for (const glm::vec3& direction : directions_) {
-            const glm::vec3 point = s.center + s.radius * direction;
+            const glm::vec3 point = r_.pointOfBall(i, direction);
             if (surfaces_.buries(i, point)) continue;
             if (const auto met = surfaces_.from(i, point, direction)) seen.push_back(spotAt(*met, 1));
         }

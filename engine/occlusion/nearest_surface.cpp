@@ -23,6 +23,20 @@ std::optional<SurfaceHit> meetSphere(const Sphere& s, const glm::vec3& start, co
     return SurfaceHit{.distance = distance, .normal = (d + direction * distance) / s.radius};
 }
 
+/// @param item  of a sphere or ellipsoid
+std::optional<SurfaceHit> meetBall(const Representation& r, std::uint32_t item, const glm::vec3& start,
+                                   const glm::vec3& direction) {
+    const EllipsoidRows* rows = r.ellipsoid(item);
+    if (!rows) return meetSphere(r.spheres[item], start, direction);
+    const glm::vec3 way = rows->toUnit(direction);
+    const float length = glm::length(way);
+    auto met = meetSphere({{}, 1}, rows->toUnit(start - r.spheres[item].center), way / length);
+    if (!met) return {};
+    met->distance /= length;
+    met->normal = rows->gradient(met->normal);
+    return met;
+}
+
 /// With flat ends.
 std::optional<SurfaceHit> meetCylinder(const Cylinder& c, const glm::vec3& start, const glm::vec3& direction) {
     const glm::vec3 span = c.b - c.a, d = start - c.a;
@@ -101,7 +115,9 @@ NearSpheres NearestSurface::findNear(std::uint32_t sphere) const {
         near.items.push_back(item);
         near.x.push_back(s.center.x), near.y.push_back(s.center.y), near.z.push_back(s.center.z);
         near.square.push_back(s.radius * s.radius);
-        near.squareWithin.push_back((s.radius - kWithin) * (s.radius - kWithin));
+        const EllipsoidRows* rows = r_.ellipsoid(item);
+        const float within = (rows ? glm::length(rows->axes()[2]) : s.radius) - kWithin;  // certainly
+        near.squareWithin.push_back(within * within);
         return true;
     };
     tree_.near(sphere, visit, NearSpheres::kReach);
@@ -118,7 +134,9 @@ bool NearestSurface::buries(std::uint32_t self, const glm::vec3& point) const {
         if (!isOpaque(item) || item >= r_.spheres.size()) return true;
         const glm::vec3 d = point - r_.spheres[item].center;
         const float radius = r_.spheres[item].radius - kWithin;
-        buried = glm::dot(d, d) < radius * radius;
+        const EllipsoidRows* rows = r_.ellipsoid(item);
+        buried = rows ? glm::length(rows->toUnit(d)) < 1 - kWithin / glm::length(rows->axes()[2])
+                      : glm::dot(d, d) < radius * radius;
         return !buried;
     });
     return buried;
@@ -127,7 +145,7 @@ bool NearestSurface::buries(std::uint32_t self, const glm::vec3& point) const {
 std::optional<SurfaceHit> NearestSurface::meet(std::uint32_t item, const glm::vec3& start,
                                                const glm::vec3& direction) const {
     const std::size_t spheres = r_.spheres.size(), solids = spheres + r_.cylinders.size();
-    if (item < spheres) return meetSphere(r_.spheres[item], start, direction);
+    if (item < spheres) return meetBall(r_, item, start, direction);
     if (item < solids) return meetCylinder(r_.cylinders[item - spheres], start, direction);
     return meetTriangle(r_, r_.triangles[item - solids], start, direction);
 }
@@ -147,7 +165,7 @@ std::optional<SurfaceHit> NearestSurface::from(std::uint32_t self, const glm::ve
         const Mask meets = (dx * dx + dy * dy + dz * dz - middle * middle < loadLanes(&near.square[i])) & (middle > 0);
         for (std::uint32_t bits = packSigns(meets); bits != 0; bits &= bits - 1) {
             const std::uint32_t item = near.items[i + static_cast<std::uint32_t>(std::countr_zero(bits))];
-            std::optional<SurfaceHit> met = meetSphere(r_.spheres[item], start, direction);
+            std::optional<SurfaceHit> met = meetBall(r_, item, start, direction);
             if (!met || (found && met->distance >= found->distance)) continue;
             found = met;
             found->item = item;

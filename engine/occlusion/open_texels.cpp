@@ -85,9 +85,14 @@ public:
         begin({edge, edge}, true);
         for (std::uint32_t k = 0; k < edge * edge; k += kLanes) {
             const Sphere& s = r_.spheres[i];
-            const Lanes x = s.center.x + loadLanes(&normals_.x[k]) * s.radius;
-            const Lanes y = s.center.y + loadLanes(&normals_.y[k]) * s.radius;
-            const Lanes z = s.center.z + loadLanes(&normals_.z[k]) * s.radius;
+            Lanes x = s.center.x + loadLanes(&normals_.x[k]) * s.radius;
+            Lanes y = s.center.y + loadLanes(&normals_.y[k]) * s.radius;
+            Lanes z = s.center.z + loadLanes(&normals_.z[k]) * s.radius;
+            for (std::uint32_t lane = 0; r_.ellipsoid(i) && lane < std::min(edge * edge - k, kLanes); ++lane) {
+                const std::size_t n = std::size_t{k} + lane;
+                const glm::vec3 p = r_.pointOfBall(i, {normals_.x[n], normals_.y[n], normals_.z[n]});
+                x[lane] = p.x, y[lane] = p.y, z[lane] = p.z;
+            }
             openEach(openLanes(x, y, z), k, std::min(edge * edge - k, kLanes), i * edge * edge);
         }
         if (wanted) words({edge, edge}, i, 0);
@@ -142,7 +147,13 @@ private:
     std::uint32_t openLanes(Lanes x, Lanes y, Lanes z) const {
         Mask in{};
         for (const std::uint32_t item : around_) {
-            if (item < r_.spheres.size())
+            if (const EllipsoidRows* rows = r_.ellipsoid(item)) {
+                const float most = 1 - kDeep / glm::length(rows->axes()[2]);
+                for (std::uint32_t k = 0; k < kLanes; ++k) {
+                    const glm::vec3 p = glm::vec3(x[k], y[k], z[k]) - r_.spheres[item].center;
+                    in[k] |= glm::length(rows->toUnit(p)) < most ? -1 : 0;
+                }
+            } else if (item < r_.spheres.size())
                 in |= inside(r_.spheres[item], x, y, z);
             else
                 in |= inside(r_.cylinders[item - r_.spheres.size()], x, y, z);

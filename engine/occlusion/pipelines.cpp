@@ -74,6 +74,7 @@ gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const A
     d.constants.set(layout::kDepthChannelsId, accumulation.encoded ? encoded.channels : 1);
     d.constants.set(layout::kDepthStepsId, accumulation.encoded ? encoded.steps : 0);
     d.constants.set(layout::kMapsAcrossId, accumulation.across);
+    d.constants.set(layout::kEllipsoidsId, accumulation.ellipsoids ? 1 : 0);
     if (texels) d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
     if (accumulation.spread > 0) {
         d.constants.set(layout::kTapsId, accumulation.taps);

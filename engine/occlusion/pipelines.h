@@ -20,6 +20,7 @@ struct Accumulation {
     std::uint32_t batch = 1;   ///< depth maps in the image: 1, 4 or 16
     bool encoded = false;      ///< maps hold encoded depth, not depth itself
     bool heights = false;      ///< maps are a buffer of heights
+    bool ellipsoids = false;   ///< among the spheres
     bool narrow = false;       ///< directions are layout::NarrowDirections
     std::uint32_t across = 1;  ///< maps per row
     float spread = 0;          ///< distance of the taps per texel, pixels; 0: one tap

@@ -16,20 +16,33 @@ constexpr auto kGraphics = vk::PipelineBindPoint::eGraphics;
 
 constexpr auto kInstance = vk::VertexInputRate::eInstance, kVertex = vk::VertexInputRate::eVertex;
 constexpr auto kVec4 = vk::Format::eR32G32B32A32Sfloat;
-constexpr vk::VertexInputBindingDescription kSphereBindings[] = {
-    {0, sizeof(Sphere), kInstance}, {2, sizeof(glm::vec3), kVertex}, {1, sizeof(SphereLook), kInstance}};
+constexpr vk::VertexInputBindingDescription kSphereBindings[] = {{3, sizeof(EllipsoidRows), kInstance},
+                                                                 {0, sizeof(Sphere), kInstance},
+                                                                 {2, sizeof(glm::vec3), kVertex},
+                                                                 {1, sizeof(SphereLook), kInstance}};
 constexpr vk::VertexInputAttributeDescription kSphereAttributes[] = {
     {0, 0, kVec4, 0}, {3, 2, vk::Format::eR32G32B32Sfloat, 0}, {1, 1, vk::Format::eR32G32Uint, 0}};
+/// Of impostors. Without ellipsoids their rows have an attribute that no shader uses.
+constexpr vk::VertexInputAttributeDescription kImpostorAttributes[] = {
+    {4, 0, kVec4, 0}, {5, 0, kVec4, 0}, kSphereAttributes[0], kSphereAttributes[1], kSphereAttributes[2]};
+constexpr vk::VertexInputAttributeDescription kEllipsoidAttributes[] = {
+    {4, 3, kVec4, 0}, {5, 3, kVec4, 16}, kSphereAttributes[0], kSphereAttributes[1], kSphereAttributes[2]};
 constexpr vk::VertexInputBindingDescription kCylinderBindings[] = {{0, sizeof(Cylinder), kInstance},
                                                                    {1, sizeof(CylinderLook), kInstance}};
 constexpr vk::VertexInputAttributeDescription kCylinderAttributes[] = {
     {0, 0, kVec4, 0}, {1, 0, kVec4, 16}, {2, 1, vk::Format::eR32G32B32A32Uint, 0}};
 
 /// Streams A and B, or A alone. Triangles, and looks of fetched spheres, are fetched by number instead.
-gpu::VertexStreams chooseStreams(Primitive primitive, bool looks) {
+/// @param ellipsoids  there are some, drawn as impostors
+gpu::VertexStreams chooseStreams(Primitive primitive, bool looks, bool plates, bool ellipsoids) {
     if (primitive == Primitive::triangle) return {};
-    if (primitive == Primitive::sphere)
-        return {std::span(kSphereBindings).first(looks ? 3 : 2), std::span(kSphereAttributes).first(looks ? 3 : 2)};
+    if (primitive == Primitive::sphere) {
+        const std::size_t plain = looks ? 3 : 2;
+        const auto bindings = std::span(kSphereBindings).subspan(ellipsoids ? 0 : 1);
+        if (plates) return {bindings.first(plain), std::span(kSphereAttributes).first(plain)};
+        if (!ellipsoids) return {bindings.first(plain), std::span(kImpostorAttributes).first(plain + 2)};
+        return {bindings.first(plain + 1), std::span(kEllipsoidAttributes).first(plain + 2)};
+    }
     return {std::span(kCylinderBindings).first(looks ? 2 : 1), std::span(kCylinderAttributes).first(looks ? 3 : 2)};
 }
 
@@ -118,7 +131,7 @@ void eachDraw(const gpu::PipelineContext& context, const SceneView& view, const 
     if (has(Primitive::sphere, sphere)) {
         if (!pass.plates)
             work(makeImpostors(pass, caps, view, view.radiusPixels));
-        else
+        else if (view.buffers->ellipsoidOffset == 0)  // ellipsoids do not fill their spheres
             for (const Plate& plate : listPlates(choosePlates(view.plates, caps, view.radiusPixels)))
                 work(platesAs(pass, plate));
     }
@@ -176,7 +189,8 @@ gpu::GraphicsPipeline describePipeline(gpu::PipelineContext& context, const Scen
     if (drawn.plate) d.constants.set(layout::kRimId, drawn.plate->rim);
     // A fragment finds one hit, which may differ from those of its samples.
     if (drawn.plate) d.constants.set(layout::kPlateRoomId, view.samples > 1 ? 0.6f : 0.0f);
-    d.streams = chooseStreams(drawn.primitive, pass.looks && !drawn.fetched);
+    d.streams = chooseStreams(drawn.primitive, pass.looks && !drawn.fetched, drawn.plate != nullptr,
+                              view.buffers->ellipsoidOffset > 0);
     d.layout = *passLayout(context, view, pass, drawn).pipeline;
     d.colorsWritten = pass.colorsWritten;
     d.depth = pass.depth;
@@ -253,6 +267,7 @@ void record(gpu::PassContext& context, const SceneView& view, const GeometryPass
         commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
                                    {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});
     if (sphere) commands.bindVertexBuffers(2, *scene.corners.handle, vk::DeviceSize{0});
+    if (sphere && scene.ellipsoidOffset > 0) commands.bindVertexBuffers(3, *scene.shapes.handle, scene.ellipsoidOffset);
     if (pyramid) commands.bindIndexBuffer(*scene.pyramid.handle, 0, vk::IndexType::eUint16);
     layout::ViewConstants constants = view.constants;
     // The vertex stage finds triangles by these counts, for a viewer, a light or a bake.
@@ -295,9 +310,14 @@ vk::DescriptorImageInfo describeShadow(gpu::PassContext& context, const SceneVie
             vk::ImageLayout::eShaderReadOnlyOptimal};
 }
 
+void setEllipsoids(gpu::Specialization& constants, const SceneBuffers& scene, int octants) {
+    constants.set(layout::kEllipsoidsId, scene.ellipsoidOffset == 0 ? 0 : scene.cutsOctants ? octants : 1);
+}
+
 void setGeometryConstants(gpu::Specialization& constants, const SceneView& view, float rim) {
     constants.set(layout::kPerspectiveId, view.perspective);
     constants.set(layout::kWiresId, view.wireScale > 0);
+    setEllipsoids(constants, *view.buffers, view.octants);
     constants.set(layout::kQuarterTurnsId, view.quarterTurns);
     constants.set(layout::kWholeImageId, view.wholeImage);
     constants.set(layout::kCutId, view.cut);

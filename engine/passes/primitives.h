@@ -79,6 +79,9 @@ void want(gpu::PipelineContext& context, const SceneView& view, const GeometryPa
 /// 2^16).
 constexpr std::uint32_t kMostInstances = 512;
 
+/// Whether some spheres are ellipsoids. @param octants  as SceneView::octants
+void setEllipsoids(gpu::Specialization& constants, const SceneBuffers& scene, int octants = 1);
+
 /// Sets the constants of the view and, for stages that shade, of light. @param rim  GeometryPass::rim
 void setGeometryConstants(gpu::Specialization& constants, const SceneView& view, float rim = 0);
 void setShadingConstants(gpu::Specialization& constants, const SceneView& view);

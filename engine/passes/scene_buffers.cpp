@@ -72,6 +72,16 @@ std::vector<MeshVertex> placedVertices(const Representation& r) {
     return vertices;
 }
 
+/// Rows of all spheres, where some are ellipsoids.
+std::vector<EllipsoidRows> placedEllipsoids(const Representation& r) {
+    std::vector<EllipsoidRows> rows = r.ellipsoids;
+    if (rows.empty()) return rows;
+    rows.resize(r.spheres.size());
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (!rows[i].any()) rows[i] = sphereRows(r.spheres[i].radius);
+    return rows;
+}
+
 /// Linear values of sRGB bytes: linearFromSrgb() of shaders/common/srgb.glsl in lavapipe's steps, for equal bits. GPUs
 /// that fuse products and sums may differ in the last bit.
 std::array<float, 256> linearBytes() {
@@ -139,8 +149,11 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     checkFits(device, r);
     scene.cylinderOffset = r.spheres.size() * sizeof(Sphere);
     scene.cylinderLookOffset = r.spheres.size() * sizeof(SphereLook);
-    scene.shapes =
-        joined(device, "stream A: shapes", r.spheres, placedCylinders(r), placedTriangles(r), placedVertices(r));
+    const std::vector<EllipsoidRows> ellipsoids = placedEllipsoids(r);
+    if (!ellipsoids.empty()) scene.ellipsoidOffset = shapeBytes(r) - ellipsoids.size() * sizeof(EllipsoidRows);
+    scene.cutsOctants = r.cutsOctants;
+    scene.shapes = joined(device, "stream A: shapes", r.spheres, placedCylinders(r), placedTriangles(r),
+                          placedVertices(r), ellipsoids);
     scene.looks =
         joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.wireLooks, r.meshLooks, listGroups(r));
     if (device.caps().plan.geometry.storesVaryings && !r.spheres.empty())

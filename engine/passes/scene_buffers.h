@@ -7,7 +7,7 @@ namespace nacre::passes {
 
 /// The streams of a representation on the device. Geometry passes fetch stream A, shading passes A and B.
 struct SceneBuffers {
-    gpu::Buffer shapes;            ///< stream A: spheres, cylinders, triangles, and the triangles' vertices
+    gpu::Buffer shapes;            ///< stream A: spheres, cylinders, triangles, their vertices, rows of ellipsoids
     gpu::Buffer looks;             ///< stream B: of spheres, cylinders and vertices; then the groups of their atoms
     gpu::Buffer balls;             ///< stream C, if fragments fetch spheres: linear colour; radius, negative for tints
     gpu::Buffer corners, pyramid;  ///< from passes/corners.h: stream, indices
@@ -15,6 +15,8 @@ struct SceneBuffers {
     std::uint32_t sphereCount = 0, cylinderCount = 0, triangleCount = 0;
     std::uint32_t firstGroup = 0;                               ///< index of the first group in looks, words
     vk::DeviceSize cylinderOffset = 0, cylinderLookOffset = 0;  ///< byte offsets into shapes and looks
+    vk::DeviceSize ellipsoidOffset = 0;                         ///< of the spheres' rows; 0: there are none
+    bool cutsOctants = false;                                   ///< of the Representation
 
     std::uint32_t primitives() const { return sphereCount + cylinderCount + triangleCount; }
     bool empty() const { return primitives() == 0; }  ///< an empty scene has no buffers

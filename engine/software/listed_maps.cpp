@@ -30,12 +30,14 @@ const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context) {
                                      passes::kCompute, sizeof(layout::MapConstants)});
 }
 
-gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylinders) {
+gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, const passes::SceneBuffers& scene) {
+    const bool cylinders = scene.cylinderCount > 0;
     const bool texels = context.device.caps().tiles.texels;
     const auto code = texels ? (cylinders ? shaders::tileDepthTexelsCylinders : shaders::tileDepthTexelsSpheres)
                              : (cylinders ? shaders::tileDepthStorageCylinders : shaders::tileDepthStorageSpheres);
     gpu::ComputePipeline d{"depth maps by tiles", code, {}, *tileMapsLayout(context).pipeline};
     d.constants.set(layout::kCopiesId, true);
+    passes::setEllipsoids(d.constants, scene);
     d.constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
     d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
     return d;
@@ -119,8 +121,7 @@ void ListedMaps::begin(std::span<const passes::PlacedCopies> maps) {
 }
 
 void ListedMaps::wantPipelines(gpu::PipelineContext& context) const {
-    if (scene_.sphereCount + scene_.cylinderCount > 0)
-        context.pipelines.want(tileMapsPipeline(context, scene_.cylinderCount > 0));
+    if (scene_.sphereCount + scene_.cylinderCount > 0) context.pipelines.want(tileMapsPipeline(context, scene_));
 }
 
 TileView ListedMaps::view() const {
@@ -220,7 +221,7 @@ void ListedMaps::record(gpu::PassContext& context, const Part& part) const {
     c.offsets = static_cast<std::uint32_t>(lists.tiles().size());
     c.binsOfMap = apart_ / TileLists::kBinPixels;
     c.copies = copies_;
-    const gpu::ComputePipeline pipeline = tileMapsPipeline(context, scene_.cylinderCount > 0);
+    const gpu::ComputePipeline pipeline = tileMapsPipeline(context, scene_);
     passes::bindTiles(context, tileMapsLayout(context), pipeline, c, [&](passes::TileBindings& to) {
         to.read(scene_.shapes, scene_.shapeTexels);
         to.read(rowTexels_);

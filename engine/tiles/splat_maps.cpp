@@ -34,6 +34,7 @@ gpu::ComputePipeline splatPipeline(gpu::PipelineContext& context, const passes::
     using passes::TileScene;
     gpu::ComputePipeline d{"depth maps by compute", NACRE_TILE_SCENE(mapHeights), {}, *splatLayout(context).pipeline};
     d.constants.set(layout::kCopiesId, true);
+    passes::setEllipsoids(d.constants, buffers);
     return d;
 }
 

@@ -172,6 +172,16 @@ float capShade(vec2 q) {
     return mix(1.0, 0.45, clamp(inside + 0.5, 0.0, 1.0));
 }
 
+/// The colour of bands and lines on ellipsoids, or between the lines on the faces of a cut. @param base  linear
+vec3 markedColor(vec3 base, uint mark) {
+    precise vec3 coded = srgbFromLinear(clamp(base, 0.0, 1.0));
+    const float kDark = 3.0 * 60.0 / 255.0;
+    precise vec3 band = coded.r + coded.g + coded.b < kDark ? (coded + 1.0) * 0.5 : coded * 0.3;
+    precise vec3 face = (coded + 3.0) * 0.25;
+    uint kind = mark - kEllipsoidMark;
+    return kind == 0u ? base : linearFromSrgb((kind & kBandMark) != 0u ? band : face);
+}
+
 /// In linear light. @param base  linear colour @param q  planePoint() of the pixel
 vec3 computeLight(Hit hit, vec3 base, vec4 baked, vec2 q) {
     baked.x = max(baked.x, leastOcclusion());
@@ -184,6 +194,7 @@ vec3 computeLight(Hit hit, vec3 base, vec4 baked, vec2 q) {
         base.r -= own;
         if (own > 0.0) material = int(0.5 * own) - 1;
     }
+    if (kEllipsoids != 0 && hit.corner >= kEllipsoidMark && !hit.cap) base = markedColor(base, hit.corner);
     vec3 lit = shade(material, base, hit.normal, baked, sunlight(hit, q));
     if (kClip && hit.cap) lit *= capShade(q);
     if (kContours && hit.contour) lit = effects.contour.rgb;

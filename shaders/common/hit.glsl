@@ -13,7 +13,8 @@ struct Hit {
     bool cap;  // on the near clipping plane, inside the clipped primitive
     bool contour;  // beside the primitive, on its outline or rim
     vec3 shares;  // triangles: weights of the corners, sum 1
-    uint corner;  // triangles: the first corner of the equally coloured group with the largest total weight
+    uint corner;  // triangles: the first corner of the equally coloured group with the largest total weight; ellipsoids:
+                  // marks (ellipsoid.glsl)
     bool back;     // triangles: seen from behind
     float away;  // in the rim: distance from the silhouette as a fraction of the rim's width
 };
@@ -110,6 +111,8 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
 }
 
 Hit sphereHit(vec4 sphere, vec2 fragment) { return sphereHitThrough(sphere, planePoint(fragment)); }
+
+#include "ellipsoid.glsl"
 
 /// A cylinder with flat caps and everything that is the same for all pixels.
 struct Stick {

@@ -26,6 +26,7 @@ const int kSpheresId = 7;       // bool: the scene has spheres
 const int kCylindersId = 8;     // bool: the scene has cylinders
 const int kTrianglesId = 9;     // bool: the scene has triangles
 const int kWiresId = 14;        // bool: there are wires among the cylinders
+const int kEllipsoidsId = 18;   // int: some spheres are ellipsoids (shaders/common/ellipsoid.glsl)
 const int kFrontsOnlyId = 17;   // bool: triangles are invisible from behind, hidden by fronts of their meshes
 // Polygons, and depth.
 const int kCornersId = 10;        // of a primitive's polygon
@@ -143,7 +144,8 @@ struct ViewConstants {
 };
 
 /// A light's view neither clips nor draws outlines. If the viewer's near plane clips (kCutId), these members hold that
-/// plane: its normal, and the distance along it beyond which nothing casts a shadow.
+/// plane: its normal, and the distance along it beyond which nothing casts a shadow. Else the viewer: the eye and 1, or
+/// the direction to a distant one and 0.
 #ifdef __cplusplus
 inline void setCutPlane(ViewConstants& c, const vec4& plane) {
     c.clipNear = plane.x, c.clipFar = plane.y, c.contourWidth = plane.z, c.contourDepth = plane.w;

@@ -53,7 +53,7 @@ Seen seenBall(uint index, vec2 q) {
     Seen seen;
     vec4 shape = shapeAt(index);
     precise vec3 center = toView(shape.xyz);
-    seen.hit = sphereHitThrough(vec4(center, shape.w), q);
+    seen.hit = ballHitThrough(index, vec4(center, shape.w), q);
     seen.look = 2u * index;
     seen.atom = seen.look + 1u;
 #ifdef TRIANGLES

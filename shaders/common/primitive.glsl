@@ -30,6 +30,15 @@ vec4 sphere = vec4(uintBitsToFloat(passed.xyz), abs(ball.w));
 #else
 layout(location = 0) flat in vec4 sphere;  // view space, radius
 #endif
-Hit primitiveHitAt(vec2 fragment) { return sphereHit(sphere, fragment); }
+layout(location = 5) flat in vec4 rowA;  // of an ellipsoid, as in ellipsoidHitThrough()
+layout(location = 6) flat in vec4 rowB;
+Hit primitiveHitAt(vec2 fragment) {
+    Hit hit;
+    if (kEllipsoids == 0)
+        hit = sphereHit(sphere, fragment);
+    else
+        hit = ellipsoidHitThrough(sphere, rowA, rowB, planePoint(fragment));
+    return hit;
+}
 #endif
 Hit primitiveHit() { return primitiveHitAt(gl_FragCoord.xy); }

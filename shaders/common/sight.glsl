@@ -9,10 +9,10 @@ const uint kCutFace = 0x20000000u;
 const uint kThirdCorner = 0x10000000u;
 const uint kNumber = 0x0fffffffu;
 // A sphere has only one part.
-const bool kPlain = !kClip && !kContours;
+const bool kPlain = !kClip && !kContours && kEllipsoids == 0;
 
 uint packSight(Hit hit, uint number) {
-    return number | (hit.along >= 0.5 || hit.corner == 1u ? kSecondHalf : 0u) | (hit.corner == 2u ? kThirdCorner : 0u) |
-           (kContours && hit.contour ? kContour : 0u) | (kClip && hit.cap ? kCutFace : 0u);
+    return number | (hit.along >= 0.5 || (hit.corner & 1u) != 0u ? kSecondHalf : 0u) |
+           ((hit.corner & 2u) != 0u ? kThirdCorner : 0u) | (kContours && hit.contour ? kContour : 0u) | (kClip && hit.cap ? kCutFace : 0u);
 }
 #endif

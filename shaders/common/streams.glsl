@@ -11,6 +11,7 @@ layout(constant_id = kCopiesId) const bool kCopies = false;
 layout(set = 0, binding = STREAMS) uniform usamplerBuffer shapeTexels;
 layout(set = 0, binding = STREAMS + 1) uniform samplerBuffer rowTexels;
 uvec4 shapeBits(uint i) { return texelFetch(shapeTexels, int(i)); }
+uint countShapes() { return uint(textureSize(shapeTexels)); }
 vec4 rowAt(uint i) { return texelFetch(rowTexels, int(i)); }
 #ifdef LOOKS
 layout(set = 0, binding = LOOKS) uniform usamplerBuffer lookTexels;
@@ -20,6 +21,7 @@ uint lookAt(uint i) { return texelFetch(lookTexels, int(i)).x; }
 layout(set = 0, binding = STREAMS, std430) readonly buffer Shapes { uvec4 shapes[]; };
 layout(set = 0, binding = STREAMS + 1, std430) readonly buffer Rows { vec4 rows[]; };
 uvec4 shapeBits(uint i) { return shapes[i]; }
+uint countShapes() { return uint(shapes.length()); }
 vec4 rowAt(uint i) { return rows[i]; }
 #ifdef LOOKS
 layout(set = 0, binding = LOOKS, std430) readonly buffer Looks { uint looks[]; };
@@ -55,4 +57,15 @@ uint place(uint number) {
     copyRow1 = rowAt(3u * at.x + 1u);
     copyRow2 = rowAt(3u * at.x + 2u);
     return at.y;
+}
+
+#include "balls.glsl"
+/// @param number  of a sphere, counted as above
+Hit numberedBallHit(uint number, vec4 sphere, vec2 q) {
+    Hit hit;
+    if (kEllipsoids == 0)
+        hit = sphereHitThrough(sphere, q);
+    else
+        hit = ballHitThrough(place(max(number, 1u)), sphere, q);
+    return hit;
 }

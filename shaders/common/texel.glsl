@@ -6,9 +6,11 @@ layout(push_constant) uniform Push { OcclusionConstants bake; };
 #ifdef TEXELS
 layout(set = 0, binding = 0) uniform usamplerBuffer shapeTexels;
 uvec4 shapeBits(uint i) { return texelFetch(shapeTexels, int(i)); }
+uint countShapes() { return uint(textureSize(shapeTexels)); }
 #else
 layout(set = 0, binding = 0, std430) readonly buffer Shapes { uvec4 shapes[]; };
 uvec4 shapeBits(uint i) { return shapes[i]; }
+uint countShapes() { return uint(shapes.length()); }
 #endif
 vec4 shapeAt(uint i) { return uintBitsToFloat(shapeBits(i)); }
 
@@ -72,11 +74,15 @@ Direction loadDirection(int i) { return directions[i]; }
 vec3 turned(Direction d, vec3 p) { return vec3(dot(d.u.xyz, p), dot(d.v.xyz, p), dot(d.w.xyz, p)); }
 vec3 placed(Direction d, vec3 p) { return turned(d, p) + vec3(d.u.w, d.v.w, d.w.w); }
 
+layout(constant_id = kEllipsoidsId) const int kEllipsoids = 0;
 struct Texel {
     vec3 a;  // object space, Å: sphere centre, foot of the texel on the cylinder's axis, or vertex
     float radius;
     vec3 normal;  // object space, unit; zero: one value for a whole sphere
     vec3 axis;  // unit axis of a cylinder; normal at a vertex
+#ifdef BALLS
+    mat3 toUnit;  // of an ellipsoid (ellipsoid.glsl)
+#endif
 };
 
 #ifdef VERTEX
@@ -100,6 +106,14 @@ Texel sphereTexel(uint index) {
     t.radius = sphere.w;
     t.axis = vec3(0.0);
     t.normal = edge == 1u ? vec3(0.0) : octahedralNormal(vec2(local.yx) / float(edge - 1u));
+#ifdef BALLS
+    t.toUnit = mat3(0.0);
+    if (kEllipsoids != 0) {
+        uint at = countShapes() - 2u * (bake.spheres - place.x);
+        vec4 a = shapeAt(at), b = shapeAt(at + 1u);
+        t.toUnit = transpose(mat3(a.xyz, b.xyz, cross(a.xyz, b.xyz) * a.w));
+    }
+#endif
     return t;
 }
 

@@ -55,6 +55,16 @@ vec3 toView(vec3 p) {
 vec4 endToView(vec4 end) { return vec4(toView(end.xyz), end.w); }
 vec3 toObject(vec3 v) { return copyRow0.xyz * v.x + copyRow1.xyz * v.y + copyRow2.xyz * v.z; }
 
+/// Ellipsoids among the spheres: 0 none, 1 whole, 2 with the octant cut out that faces the viewer, 3 the same for a
+/// light.
+layout(constant_id = kEllipsoidsId) const int kEllipsoids = 0;
+/// A row of an ellipsoid's map in view space.
+vec3 rowToView(vec3 row) {
+    precise vec3 seen = vec3(dot(copyRow0.xyz, row), dot(copyRow1.xyz, row), dot(copyRow2.xyz, row));
+    return seen;
+}
+vec4 rowToView(vec4 row) { return vec4(rowToView(row.xyz), row.w); }
+
 /// The point of the plane z = 0 that this pixel looks through, Å.
 vec2 planePoint(vec2 fragment) {
     precise vec2 q = upright(fragment - axisPixel()) * view.pixel;

@@ -329,7 +329,7 @@ Appearance makeAppearance(const ResidueFacts& facts, std::span<const std::uint32
         appearance.atoms.push_back(drawn[i]);
     }
     appearance.sizes = options.sizes;
-    if (options.ellipsoids == EllipsoidForm::octants) appearance.viewer = options.viewer;
+    appearance.cutsOctants = options.ellipsoids == EllipsoidForm::octants;
     appearance.style = options.style.value_or(defaultStyle(facts.molecule(), appearance.atoms, options.usual));
     std::erase_if(looks, [](const AtomLook& look) { return look.hidden; });
     appearance.colors.resize(appearance.atoms.size());
@@ -393,13 +393,6 @@ float drawnRadius(const Atom& atom, Style style, const Sizes& sizes) {
             break;
     }
     return vanDerWaalsRadius(atom);
-}
-
-bool drawsOctants(const RepresentationOptions& options) {
-    return options.ellipsoids == EllipsoidForm::octants &&
-           (options.style == Style::ellipsoids || std::ranges::any_of(options.rules, [](const Rule& rule) {
-                return rule.on && rule.action == Rule::Action::show && rule.style == Style::ellipsoids;
-            }));
 }
 
 bool haveMaterials(const std::vector<Rule>& rules) {

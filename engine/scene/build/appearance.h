@@ -102,15 +102,9 @@ struct RepresentationOptions {
     BondOrders bondOrders = BondOrders::ligands;
     AromaticForm aromatic = AromaticForm::dashes;
     EllipsoidForm ellipsoids = EllipsoidForm::bands;
-    /// For octants: the eye and 1, or the direction to a distant one and 0; Å in the file's frame. Empty: ellipsoids
-    /// are whole.
-    std::optional<glm::dvec4> viewer = {};
     Style usual = Style::spacefill;  ///< for defaultStyle()
     friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
 };
-
-/// Whether some atoms may be ellipsoids with an octant cut out.
-bool drawsOctants(const RepresentationOptions& options);
 
 /// Legend of a colour scheme for some atoms.
 struct Legend {
@@ -134,8 +128,8 @@ struct Appearance {
     std::vector<std::uint32_t> atoms;  ///< atoms drawn as atoms, ascending
     Style style = Style::spacefill;    ///< where no rule sets one
     Sizes sizes = {};
-    std::optional<glm::dvec4> viewer = {};  ///< of ellipsoids with octants, as in RepresentationOptions; empty: whole
-    std::vector<Style> styles;              ///< same length as atoms; atom styles and backbone only
+    bool cutsOctants = false;   ///< of ellipsoids
+    std::vector<Style> styles;  ///< same length as atoms; atom styles and backbone only
     std::vector<std::uint32_t> colors;
     std::vector<std::uint32_t> tints;           ///< same length as atoms: tint of the copy's colour (colors.h); 0: none
     std::vector<double> opacity;                ///< same length as atoms; 1: opaque

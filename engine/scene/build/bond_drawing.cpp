@@ -143,8 +143,8 @@ public:
     void addCoordination(const Bond& bond) {
         Sphere a = result_.spheres[slots_[bond.a]], b = result_.spheres[slots_[bond.b]];
         const glm::dvec3 axis = glm::normalize(between(molecule_, bond.a, bond.b));
-        a.radius = std::max(a.radius, static_cast<float>(findEnd_(bond.a, axis)));
-        b.radius = std::max(b.radius, static_cast<float>(findEnd_(bond.b, -axis)));
+        a.radius = static_cast<float>(std::max(ballRadius(bond.a), findEnd_(bond.a, axis)));
+        b.radius = static_cast<float>(std::max(ballRadius(bond.b), findEnd_(bond.b, -axis)));
         appendCoordination(a, b, look(bond.a), look(bond.b), result_);
     }
 
@@ -191,6 +191,12 @@ public:
 private:
     glm::dvec3 at(std::uint32_t atom) const { return glm::dvec3(molecule_.atoms[atom].position) - result_.center; }
     SphereLook look(std::uint32_t atom) const { return result_.sphereLooks[slots_[atom]]; }
+    /// Of a ball that an atom fills, Å.
+    double ballRadius(std::uint32_t atom) const {
+        const std::uint32_t slot = slots_[atom];
+        const EllipsoidRows* rows = result_.ellipsoid(slot);
+        return static_cast<double>(rows ? glm::length(rows->axes()[2]) : result_.spheres[slot].radius);
+    }
 
     /// Side of a bond for its inner line or second strand: into its ring; for a delocalised bond towards the atom that
     /// shares its electrons; else towards the neighbour farthest off the axis. One neighbour decides, since those of a
@@ -227,7 +233,7 @@ private:
             if (inside > offset) trim = length / 2 * offset / inside;
         }
         const auto covered = [&](std::uint32_t atom) {
-            const double ball = static_cast<double>(result_.spheres[slots_[atom]].radius);
+            const double ball = ballRadius(atom);
             return ball > offset ? std::sqrt(ball * ball - offset * offset) : 0.0;
         };
         const double fromA = std::max(trim, covered(bond.a)), fromB = std::max(trim, covered(bond.b));
@@ -301,10 +307,10 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
         return stouter(styles[slots[a]], styles[slots[b]]);
     };
     std::vector<Bond> bonds = drawnBonds(molecule, appearance, orders, contacts, slots);
-    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability, appearance.viewer);
+    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability);
     const auto findEnd = [&](std::uint32_t atom, const glm::dvec3& way) {
-        if (styles[slots[atom]] != Style::ellipsoids) return 0.0;
-        return assembly ? ellipsoids.bondEndInCopies(atom, way) : ellipsoids.bondEnd(atom, way);
+        const bool cut = appearance.cutsOctants && styles[slots[atom]] == Style::ellipsoids;
+        return cut ? ellipsoids.bondEnd(atom, way) : 0.0;
     };
     BondDrawing drawing(molecule, orders, bonds, slots, orders.form(), appearance.sizes, findEnd, result);
     std::erase_if(bonds, [&](const Bond& bond) { return !hasSticks(chooseStyle(bond.a, bond.b)); });

@@ -144,6 +144,10 @@ StreamOrder orderInSpace(Representation& r) {
 void putInOrder(Representation& r, const StreamOrder& order) {
     reorder(r.spheres, order.spheres);
     reorder(r.sphereLooks, order.spheres);
+    if (!r.ellipsoids.empty()) {
+        r.ellipsoids.resize(order.spheres.size());
+        reorder(r.ellipsoids, order.spheres);
+    }
     reorder(r.cylinders, order.cylinders);
     reorder(r.cylinderLooks, order.cylinders);
 }

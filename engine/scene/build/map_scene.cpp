@@ -245,6 +245,11 @@ void join(Representation& scene, const Representation& others, std::uint32_t num
         for (const CylinderLook& look : joined)
             looks.push_back({look.colorA, look.colorB, numbered(look.atomA), numbered(look.atomB)});
     };
+    if (!others.ellipsoids.empty()) {
+        scene.ellipsoids.resize(spheres);
+        append(scene.ellipsoids, others.ellipsoids);
+        scene.cutsOctants = others.cutsOctants;
+    }
     append(scene.spheres, others.spheres);
     for (const SphereLook& look : others.sphereLooks) scene.sphereLooks.push_back({look.color, numbered(look.atom)});
     append(scene.cylinders, others.cylinders);

@@ -11,10 +11,8 @@
 #include "engine/error.h"
 #include "engine/mesh/cartoon.h"
 #include "engine/mesh/cartoon_trace.h"
-#include "engine/mesh/ellipsoids.h"
 #include "engine/mesh/surface.h"
 #include "engine/molecule/element.h"
-#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/carbohydrates.h"
 #include "engine/scene/build/mesh_streams.h"
 #include "engine/scene/color/colors.h"
@@ -98,44 +96,18 @@ SurfaceOptions wireOptions(const RepresentationOptions& options, std::size_t ato
     return result;
 }
 
-/// The atoms of an appearance that are drawn as ellipsoids.
-MeshAtoms ellipsoidAtoms(const Appearance& appearance, const AtomEllipsoids& ellipsoids) {
-    std::vector<std::size_t> slots;
-    for (std::size_t i = 0; i < appearance.atoms.size(); ++i)
-        if (appearance.styles[i] == Style::ellipsoids && ellipsoids.axes(appearance.atoms[i])) slots.push_back(i);
-    std::ranges::sort(slots, {}, [&](std::size_t i) { return appearance.atoms[i]; });
-    MeshAtoms mesh;
-    for (const std::size_t i : slots) {
-        mesh.atoms.push_back(appearance.atoms[i]);
-        mesh.colors.push_back(appearance.colors[i]);
-    }
-    mesh.opacity.assign(mesh.atoms.size(), 1.0);
-    return mesh;
-}
-
-/// A viewer as seen from the frame of a copy. @param motion  of the copy, from the file's frame
-std::optional<glm::dvec4> viewerOfCopy(const std::optional<glm::dvec4>& viewer, const glm::dmat4x3& motion) {
-    if (!viewer) return viewer;
-    const glm::dmat3 back = glm::transpose(glm::dmat3(motion[0], motion[1], motion[2]));
-    return glm::dvec4(back * (glm::dvec3(*viewer) - viewer->w * motion[3]), viewer->w);
-}
-
 }  // namespace
 
 void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
-               const std::function<std::uint32_t(std::uint32_t)>& findGroup, Representation& representation,
-               const EachClass& eachClass) {
+               const std::function<std::uint32_t(std::uint32_t)>& findGroup, Representation& representation) {
     const Molecule& molecule = facts.molecule();
     struct Group {
-        std::vector<std::uint32_t> cartoon, surface, sugars, ellipsoids;
+        std::vector<std::uint32_t> cartoon, surface, sugars;
     };
     std::map<std::uint32_t, Group> groups;
     for (const std::uint32_t atom : appearance.cartoon.atoms) groups[findGroup(atom)].cartoon.push_back(atom);
     for (const std::uint32_t atom : appearance.surface.atoms) groups[findGroup(atom)].surface.push_back(atom);
     for (const std::uint32_t atom : appearance.sugars.atoms) groups[findGroup(atom)].sugars.push_back(atom);
-    const MeshAtoms asEllipsoids = ellipsoidAtoms(appearance, AtomEllipsoids(molecule, appearance.sizes.probability));
-    for (const std::uint32_t atom : asEllipsoids.atoms) groups[findGroup(atom)].ellipsoids.push_back(atom);
-    const MeshLooks ofEllipsoids(molecule, asEllipsoids);
     const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface),
         ofSugars(molecule, appearance.sugars);
     // Each group's bases, disulphide bonds and symbols are looked for in the whole molecule.
@@ -167,24 +139,6 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
                     {glm::vec3(glm::dvec3(molecule.atoms[atom].position) - representation.center),
                      vanDerWaalsRadius(molecule.atoms[atom]), ofSurface(atom)});
         }
-        const auto addEllipsoids = [&](const glm::dmat4x3& motion, std::size_t meshes) {
-            const AtomEllipsoids sizes(molecule, appearance.sizes.probability, viewerOfCopy(appearance.viewer, motion));
-            std::vector<Ellipsoid> ellipsoids;
-            for (const std::uint32_t atom : group.ellipsoids)
-                ellipsoids.push_back(
-                    {glm::dvec3(molecule.atoms[atom].position), *sizes.axes(atom), atom, sizes.cut(atom)});
-            const auto look = [&](std::uint32_t atom) {
-                SphereLook own = ofEllipsoids(atom & ~(kEllipsoidBand | kEllipsoidFace));
-                if (atom & kEllipsoidBand) own.color = bandColor(own.color);
-                if (atom & kEllipsoidFace) own.color = faceColor(own.color);
-                return own;
-            };
-            appendMesh(ellipsoidMesh(ellipsoids, representation.center, meshes), {}, look, representation);
-        };
-        if (!group.ellipsoids.empty() && eachClass && appearance.viewer)
-            eachClass(number, addEllipsoids);
-        else if (!group.ellipsoids.empty())
-            addEllipsoids(glm::dmat4x3(1.0), 1);
         if (!group.sugars.empty())
             appendMesh(
                 sugarSymbols(molecule, group.sugars, {options.carbohydrates == Carbohydrates::icon, options.sugarScale},

@@ -24,14 +24,19 @@ namespace {
 void appendAtoms(const Molecule& molecule, const Appearance& appearance, Representation& result) {
     result.spheres.reserve(appearance.atoms.size());
     result.sphereLooks.reserve(appearance.atoms.size());
-    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability, appearance.viewer);
+    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability);
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
         const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];
         const glm::dvec3 position = glm::dvec3(atom.position) - result.center;
         const float radius = appearance.styles[i] == Style::ellipsoids
-                                 ? static_cast<float>(ellipsoids.ball(index))
+                                 ? static_cast<float>(ellipsoids.reach(index))
                                  : drawnRadius(atom, appearance.styles[i], appearance.sizes);
+        if (appearance.styles[i] == Style::ellipsoids)
+            if (const auto axes = ellipsoids.axes(index)) {
+                result.ellipsoids.resize(i);
+                result.ellipsoids.push_back(ellipsoidRows(*axes));
+            }
         result.spheres.push_back({glm::vec3(position), radius});
         result.sphereLooks.push_back({withOpacity(appearance.colors[i], appearance.opacity[i]), index + 1});
     }
@@ -165,6 +170,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     result.radius = bounds.radius;
     result.style = appearance.style;
     result.ownMaterials = haveMaterials(options.rules);
+    result.cutsOctants = appearance.cutsOctants;
     appendAtoms(molecule, appearance, result);
     result.drawnAtoms = countAtoms(appearance, assembly ? &*assembly : nullptr);
     result.legends = std::move(appearance.legends);
@@ -186,10 +192,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
         if (assembly) return assembly->copyList(atom);
         return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
     };
-    const auto eachClass = [&](std::uint32_t list, const std::function<void(const glm::dmat4x3&, std::size_t)>& add) {
-        assembly->eachRotation(list, result, add);
-    };
-    addMeshes(facts, appearance, options, findGroup, result, assembly ? eachClass : EachClass());
+    addMeshes(facts, appearance, options, findGroup, result);
     // The actual reach of meshes, which is usually below the bound.
     if (!result.triangles.empty() && !assembly) {
         const double own = frame ? bounds.radius : spheresReach(result);

@@ -14,6 +14,7 @@
 #include "engine/scene/build/bond_orders.h"
 #include "engine/scene/build/contact_lines.h"
 #include "engine/scene/build/contacts.h"
+#include "engine/scene/build/ellipsoid_rows.h"
 #include "engine/scene/build/mesh_streams.h"
 #include "engine/scene/instances/copies.h"
 #include "engine/scene/view/bounds.h"
@@ -60,7 +61,9 @@ struct Volume;
 
 struct Representation {
     std::vector<Sphere> spheres;
-    std::vector<SphereLook> sphereLooks;  ///< same length as spheres
+    std::vector<SphereLook> sphereLooks;    ///< same length as spheres
+    std::vector<EllipsoidRows> ellipsoids;  ///< of the first spheres, or of none; their radius is the longest half axis
+    bool cutsOctants = false;               ///< of ellipsoids: those that face the viewer
     std::vector<Cylinder> cylinders;
     std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
     /// Lines of constant screen width for density maps. `radius` is minus half the width in pixels. They have no
@@ -93,6 +96,16 @@ struct Representation {
     std::vector<std::string> warnings;  ///< rules and schemes without effect, one sentence each
     std::vector<DrawnContact> contacts;
     std::uint32_t firstContact = 0;  ///< number of the first contact in looks; above every atom's
+
+    /// The rows of a sphere that is an ellipsoid; else null.
+    const EllipsoidRows* ellipsoid(std::size_t sphere) const {
+        return sphere < ellipsoids.size() && ellipsoids[sphere].any() ? &ellipsoids[sphere] : nullptr;
+    }
+    /// The point of a sphere or ellipsoid with a normal.
+    glm::vec3 pointOfBall(std::size_t sphere, const glm::vec3& normal) const {
+        const EllipsoidRows* rows = ellipsoid(sphere);
+        return spheres[sphere].center + (rows ? rows->place(normal) : spheres[sphere].radius * normal);
+    }
 
     /// The contact with a look's number; null if the number is an atom's.
     const DrawnContact* findContact(std::uint32_t number) const {

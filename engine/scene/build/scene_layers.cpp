@@ -35,6 +35,11 @@ void appendShifted(std::vector<Triangle>& list, const std::vector<Triangle>& mor
 
 /// Adds the primitives of a part to a whole; copies, legends and bounds stay those of the whole.
 void appendPart(Representation& whole, const Representation& part) {
+    if (!part.ellipsoids.empty()) {
+        whole.ellipsoids.resize(whole.spheres.size());
+        appendTo(whole.ellipsoids, part.ellipsoids);
+        whole.cutsOctants = part.cutsOctants;
+    }
     appendTo(whole.spheres, part.spheres);
     appendTo(whole.sphereLooks, part.sphereLooks);
     appendTo(whole.cylinders, part.cylinders);
@@ -193,17 +198,21 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
     const Molecule& molecule = facts.molecule();
     Appearance appearance = appearanceOfLayer(facts, layer);
     appearance.sizes.probability = options.sizes.probability;
-    // Copies share the meshes of a layer: none of them faces the viewer as another does.
-    if (options.ellipsoids == EllipsoidForm::octants && molecule.guide->transforms.empty())
-        appearance.viewer = options.viewer;
-    const AtomEllipsoids ellipsoids(molecule, options.sizes.probability, appearance.viewer);
+    appearance.cutsOctants = options.ellipsoids == EllipsoidForm::octants;
+    const AtomEllipsoids ellipsoids(molecule, options.sizes.probability);
     Representation part;
     part.center = center;
+    part.cutsOctants = appearance.cutsOctants;
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
         const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];
-        const float own =
-            layer.style == Style::ellipsoids ? static_cast<float>(ellipsoids.ball(index)) : ballRadius(layer, atom);
+        const bool ellipsoid = layer.style == Style::ellipsoids;
+        const float own = ellipsoid ? static_cast<float>(ellipsoids.reach(index)) : ballRadius(layer, atom);
+        if (auto axes = ellipsoid ? ellipsoids.axes(index) : std::nullopt) {
+            for (glm::dvec3& axis : *axes) axis *= layer.atomScale;
+            part.ellipsoids.resize(i);
+            part.ellipsoids.push_back(ellipsoidRows(*axes));
+        }
         part.spheres.push_back({glm::vec3(glm::dvec3(atom.position) - center), own * layer.atomScale});
         part.sphereLooks.push_back({withOpacity(appearance.colors[i], appearance.opacity[i]), index + 1});
     }

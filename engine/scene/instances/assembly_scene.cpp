@@ -220,24 +220,6 @@ void AssemblyScene::eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm
     for (const std::uint32_t copy : placement_.lists[list]) visit(about(placement_.transforms[copy], center), copy);
 }
 
-void AssemblyScene::eachRotation(std::uint32_t list, const Representation& representation,
-                                 const std::function<void(const glm::dmat4x3&, std::size_t)>& addMeshes) {
-    constexpr double kSteps = 1e5;
-    std::map<std::array<std::int64_t, 9>, std::vector<std::uint32_t>> classes;  // by the rotation in steps
-    for (const std::uint32_t copy : placement_.lists[list]) {
-        std::array<std::int64_t, 9> rotation;
-        for (int i = 0; i < 9; ++i)
-            rotation[static_cast<std::size_t>(i)] = std::llround(kSteps * placement_.transforms[copy][i / 3][i % 3]);
-        classes[rotation].push_back(copy);
-    }
-    listsOfTriangles_.emplace_back(representation.triangles.size(), Placement::kNowhere);
-    for (auto& [rotation, copies] : classes) {
-        addMeshes(placement_.transforms[copies.front()], classes.size());
-        const std::uint32_t own = classes.size() == 1 ? list : lists_.add(std::move(copies));
-        listsOfTriangles_.emplace_back(representation.triangles.size(), own);
-    }
-}
-
 std::uint32_t AssemblyScene::tintColor(std::uint32_t tint, std::uint32_t copy) const {
     return copyColors_.empty() ? tint : tintedColor(copyColors_[copy % copyColors_.size()], tint);
 }
@@ -329,11 +311,7 @@ void AssemblyScene::finish(Representation& r) {
         });
     eachRun(
         r.triangles.size(),
-        [&](std::size_t i) {
-            const auto part = std::ranges::upper_bound(listsOfTriangles_, i, {}, [](const auto& p) { return p.first; });
-            if (part != listsOfTriangles_.end() && part->second != Placement::kNowhere) return part->second;
-            return copyList(r.meshLooks[r.meshVertices[r.triangles[i].a].look].atom - 1);
-        },
+        [&](std::size_t i) { return copyList(r.meshLooks[r.meshVertices[r.triangles[i].a].look].atom - 1); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
             copies.triangles.push_back(makeRun(list, first, count, [&](std::size_t i, const auto& add) {
                 const Triangle& t = r.triangles[i];

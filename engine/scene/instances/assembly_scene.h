@@ -42,10 +42,6 @@ public:
     /// Visits the copies that contain two atoms: their transforms about a centre, and their indices.
     void eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm::dvec3& center,
                   const std::function<void(const glm::dmat4x3&, std::uint32_t)>& visit);
-    /// Visits the rotations of a list's copies, each with the transform of one that has it, and with their number.
-    /// Meshes that are added to the representation are drawn in the copies with that rotation.
-    void eachRotation(std::uint32_t list, const Representation& representation,
-                      const std::function<void(const glm::dmat4x3&, std::size_t)>& addMeshes);
     /// The colour of a tint (copyTint()) in a copy.
     std::uint32_t tintColor(std::uint32_t tint, std::uint32_t copy) const;
     /// Number of atoms in all their copies.
@@ -70,8 +66,6 @@ private:
     std::vector<std::uint32_t> atoms_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> common_;  ///< lists that were asked for
     std::vector<std::uint32_t> listOfContact_;
-    /// Triangles up to an index have a list of eachRotation(), if that is not kNowhere; else that of their atom.
-    std::vector<std::pair<std::size_t, std::uint32_t>> listsOfTriangles_;
     std::size_t bondsOfCopies_ = 0;
     std::vector<std::uint32_t> copyColors_;
 };

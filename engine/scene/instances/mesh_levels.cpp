@@ -147,7 +147,8 @@ std::vector<PrimitiveRun> drawnRuns(const Representation& r, double error) {
 std::uint64_t shapeBytes(const Representation& r) {
     return r.spheres.size() * sizeof(Sphere) + (r.cylinders.size() + r.wires.size()) * sizeof(Cylinder) +
            (r.triangles.size() + r.coarseTriangles.size()) * sizeof(Triangle) +
-           r.meshVertices.size() * sizeof(MeshVertex);
+           r.meshVertices.size() * sizeof(MeshVertex) +
+           (r.ellipsoids.empty() ? 0 : r.spheres.size() * sizeof(EllipsoidRows));
 }
 
 void fitBuffer(Representation& r, std::uint64_t bytes) {

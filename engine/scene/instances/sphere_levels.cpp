@@ -266,8 +266,8 @@ bool hasNumbers(const Representation& r) {
 }
 
 bool canHaveLevels(const Representation& r) {
-    return !r.copies.transforms.empty() && r.cylinders.empty() && r.wires.empty() && r.triangles.empty() &&
-           std::all_of(r.spheres.begin(), r.spheres.end(), [](const Sphere& s) {
+    return !r.copies.transforms.empty() && r.ellipsoids.empty() && r.cylinders.empty() && r.wires.empty() &&
+           r.triangles.empty() && std::all_of(r.spheres.begin(), r.spheres.end(), [](const Sphere& s) {
                return std::isfinite(s.center.x + s.center.y + s.center.z) && s.radius > 0;
            });
 }

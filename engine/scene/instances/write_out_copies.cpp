@@ -73,6 +73,13 @@ bool writeOutCopies(Representation& r, const std::function<bool(const glm::dvec3
     Representation out;
     for (const auto& [run, motion] : spheres)
         for (std::uint32_t i = run->first; i < run->first + run->count; ++i) {
+            if (i < r.ellipsoids.size()) {
+                const glm::mat3 turn(glm::dmat3((*motion)[0], (*motion)[1], (*motion)[2]));
+                out.ellipsoids.resize(out.spheres.size());
+                out.ellipsoids.push_back(r.ellipsoids[i]);
+                out.ellipsoids.back().first = turn * r.ellipsoids[i].first;
+                out.ellipsoids.back().second = turn * r.ellipsoids[i].second;
+            }
             out.spheres.push_back({placedAt(*motion, r.spheres[i].center), r.spheres[i].radius});
             out.sphereLooks.push_back(r.sphereLooks[i]);
         }
@@ -86,6 +93,7 @@ bool writeOutCopies(Representation& r, const std::function<bool(const glm::dvec3
         }
     for (const PlacedRun& placed : triangles) writeRunOut(r, placed, out);
     std::swap(r.spheres, out.spheres);
+    std::swap(r.ellipsoids, out.ellipsoids);
     std::swap(r.sphereLooks, out.sphereLooks);
     std::swap(r.cylinders, out.cylinders);
     std::swap(r.cylinderLooks, out.cylinderLooks);

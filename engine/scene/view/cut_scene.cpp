@@ -54,9 +54,11 @@ public:
             const double depth = depth_(scene_.spheres[i].center);
             if (!isSpared(scene_.sphereLooks[i].atom) && !(depth >= clip_.near && depth <= clip_.far)) continue;
             scene_.spheres[kept] = scene_.spheres[i];
+            if (i < scene_.ellipsoids.size()) scene_.ellipsoids[kept] = scene_.ellipsoids[i];
             scene_.sphereLooks[kept++] = scene_.sphereLooks[i];
         }
         scene_.spheres.resize(kept);
+        scene_.ellipsoids.resize(std::min(kept, scene_.ellipsoids.size()));
         scene_.sphereLooks.resize(kept);
     }
 

@@ -47,9 +47,11 @@ void keepSpheres(Representation& r, const Keep& keep) {
     for (std::size_t i = 0; i < r.spheres.size(); ++i) {
         if (!keep(r.spheres[i])) continue;
         r.spheres[kept] = r.spheres[i];
+        if (i < r.ellipsoids.size()) r.ellipsoids[kept] = r.ellipsoids[i];
         r.sphereLooks[kept++] = r.sphereLooks[i];
     }
     r.spheres.resize(kept);
+    r.ellipsoids.resize(std::min(kept, r.ellipsoids.size()));
     r.sphereLooks.resize(kept);
 }
 

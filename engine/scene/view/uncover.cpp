@@ -325,6 +325,10 @@ void remove(const Covers& covers, Representation& scene, Uncovered& result) {
     result.spheres = scene.spheres.size() - spheres.back();
     result.cylinders = scene.cylinders.size() - sticks.back();
     result.triangles = scene.triangles.size() - triangles.back();
+    if (!scene.ellipsoids.empty()) {
+        scene.ellipsoids.resize(scene.spheres.size());
+        keep(scene.ellipsoids, spheres);
+    }
     keep(scene.spheres, spheres);
     keep(scene.sphereLooks, spheres);
     keep(scene.cylinders, sticks);

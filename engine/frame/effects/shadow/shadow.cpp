@@ -65,11 +65,13 @@ std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSe
     layout::ViewConstants& c = seen->constants;
     c = passes::viewConstants(light, light.width / 2.0, light.height / 2.0);
     const Clip& clip = settings.effects.clip;
-    if (clip.near > -Clip::kNone) {
-        const glm::dvec3 viewer = light.rotation * glm::transpose(view.rotation) * glm::dvec3(0, 0, 1);
-        layout::setCutPlane(c, glm::vec4(viewer, -clip.near));
-        seen->cut = true;
-    }
+    const glm::dmat3 turn = light.rotation * glm::transpose(view.rotation);
+    seen->cut = clip.near > -Clip::kNone;
+    if (!seen->cut && view.projection == Projection::perspective)
+        layout::setCutPlane(c, glm::vec4(turn * (glm::dvec3(0, 0, view.eyeDistance) - view.shift), 1));
+    else
+        layout::setCutPlane(c, glm::vec4(turn[2], seen->cut ? -clip.near : 0));
+    seen->octants = 3;
     seen->buffers = &scene.buffers;
     placeInLight(seen->copies, scene.representation, settings, view, light, scene.translucent);
     seen->impostor = settings.tuning.impostor;
