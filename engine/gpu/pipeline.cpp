@@ -4,6 +4,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "engine/gpu/fold_constants.h"
 #include "engine/gpu/pipeline_worker.h"
 #include "engine/gpu/resources.h"
 
@@ -19,6 +20,12 @@ void Specialization::set(int id, std::uint32_t value) {
 void Specialization::change(int id, std::uint32_t value) {
     for (std::uint32_t i = 0; i < count_; ++i)
         if (entries_[i].constantID == static_cast<std::uint32_t>(id)) values_[i] = value;
+}
+
+std::optional<std::uint32_t> Specialization::value(std::uint32_t id) const {
+    for (std::uint32_t i = 0; i < count_; ++i)
+        if (entries_[i].constantID == id) return values_[i];
+    return std::nullopt;
 }
 
 vk::SpecializationInfo Specialization::info() const {
@@ -55,8 +62,11 @@ vk::PipelineColorBlendAttachmentState blendState(Blend blend, bool written) {
     return state;
 }
 
-vk::raii::ShaderModule makeModule(const Device& device, std::span<const std::uint32_t> code, const std::string& name) {
-    vk::raii::ShaderModule module(*device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
+vk::raii::ShaderModule makeModule(const Device& device, std::span<const std::uint32_t> stage,
+                                  const Specialization& constants, const std::string& name) {
+    const std::vector<std::uint32_t> code = foldConstants(stage, constants);
+    const std::span<const std::uint32_t> words(code);
+    vk::raii::ShaderModule module(*device, vk::ShaderModuleCreateInfo({}, words.size_bytes(), words.data()));
     device.name(*module, name);
     return module;
 }
@@ -95,8 +105,8 @@ vk::raii::Pipeline named(const Device& device, const std::string& name, Make&& m
 vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d) {
     const std::string name = fullName(d);
     const std::unique_lock alone = lockCompiler(device);
-    const vk::raii::ShaderModule vertex = makeModule(device, d.vertex, name + ", vertex shader");
-    const vk::raii::ShaderModule fragment = makeModule(device, d.fragment, name + ", fragment shader");
+    const vk::raii::ShaderModule vertex = makeModule(device, d.vertex, d.constants, name + ", vertex shader");
+    const vk::raii::ShaderModule fragment = makeModule(device, d.fragment, d.constants, name + ", fragment shader");
     const vk::SpecializationInfo constants = d.constants.info();
     const std::array stages{
         vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex, "main", &constants),
@@ -138,7 +148,7 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
 vk::raii::Pipeline makePipeline(const Device& device, const ComputePipeline& d) {
     const std::string name(d.name);
     const std::unique_lock alone = lockCompiler(device);
-    const vk::raii::ShaderModule module = makeModule(device, d.code, name + ", shader");
+    const vk::raii::ShaderModule module = makeModule(device, d.code, d.constants, name + ", shader");
     const vk::SpecializationInfo info = d.constants.info();
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &info);
     return named(device, name, [&] {

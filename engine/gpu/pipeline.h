@@ -7,6 +7,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,8 @@ public:
     /// Replaces a value that was set.
     void change(int id, std::uint32_t value);
     void change(int id, float value) { change(id, std::bit_cast<std::uint32_t>(value)); }
+    /// Empty if it was not set.
+    std::optional<std::uint32_t> value(std::uint32_t id) const;
     /// Points into this.
     vk::SpecializationInfo info() const;
     friend bool operator==(const Specialization&, const Specialization&) = default;

@@ -1,0 +1,105 @@
+#include "engine/gpu/fold_constants.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+#include "engine/gpu/spirv.h"
+
+namespace nacre::gpu {
+namespace {
+
+using namespace spirv;
+using Modules = std::vector<std::uint32_t>;
+
+enum Id : std::uint32_t {
+    kBool = 1,
+    kInt,
+    kSwitch,
+    kLevel,
+    kTwo,
+    kHigh,
+    kBoth,
+    kFunction,
+    kHead,
+    kThen,
+    kElse,
+    kEnd,
+    kPhi
+};
+
+/// if (kSwitch && kLevel > 2) ... else ..., and a phi of both.
+Modules module() {
+    Modules m = {0x07230203, 0x00010300, 0, 100, 0};
+    append(m, kOpDecorate, {kSwitch, 1, 3});
+    append(m, kOpDecorate, {kLevel, 1, 8});
+    append(m, kOpTypeInt, {kInt, 32, 1});
+    append(m, 49, {kBool, kSwitch});   // OpSpecConstantFalse
+    append(m, 50, {kInt, kLevel, 5});  // OpSpecConstant
+    append(m, kOpConstant, {kInt, kTwo, 2});
+    append(m, 52, {kBool, kHigh, 173, kLevel, kTwo});    // OpSpecConstantOp, OpSGreaterThan
+    append(m, 52, {kBool, kBoth, 167, kSwitch, kHigh});  // OpLogicalAnd
+    append(m, kOpFunction, {kInt, kFunction, 0, 99});
+    append(m, kOpLabel, {kHead});
+    append(m, 247, {kEnd, 0});              // OpSelectionMerge
+    append(m, 250, {kBoth, kThen, kElse});  // OpBranchConditional
+    append(m, kOpLabel, {kThen});
+    append(m, 249, {kEnd});  // OpBranch
+    append(m, kOpLabel, {kElse});
+    append(m, 245, {kInt, 50, kTwo, kHead});  // OpPhi
+    append(m, 249, {kEnd});
+    append(m, kOpLabel, {kEnd});
+    append(m, 245, {kInt, kPhi, kTwo, kThen, kLevel, kElse});
+    append(m, kOpReturnValue, {kPhi});
+    append(m, 56, {});  // OpFunctionEnd
+    return m;
+}
+
+/// Where the block `kHead` branches to; 0: it has two ends.
+std::uint32_t target(const Modules& m) {
+    const Instruction head = require(
+        m, kHeader, "head", [](const Instruction& i) { return i.operation == kOpLabel && i.operands[0] == kHead; });
+    const Instruction end = require(m, head.end(), "end", [](const Instruction&) { return true; });
+    return end.operation == 249 ? end.operands[0] : 0;
+}
+
+Modules fold(std::initializer_list<std::pair<int, int>> constants) {
+    Specialization given;
+    for (const auto& [id, value] : constants) given.set(id, value);
+    return foldConstants(module(), given);
+}
+
+TEST(FoldConstants, TakesTheBranchOfGivenConstants) {
+    EXPECT_EQ(target(fold({})), kElse);  // the module's own values
+    EXPECT_EQ(target(fold({{3, 1}})), kThen);
+    EXPECT_EQ(target(fold({{3, 1}, {8, 2}})), kElse);
+    EXPECT_EQ(target(fold({{3, 1}, {8, -3}})), kElse);
+    EXPECT_EQ(target(fold({{3, 0}, {8, 9}})), kElse);
+}
+
+TEST(FoldConstants, PhisLoseTheBlocksThatNoLongerBranch) {
+    const auto isPhi = [](const Instruction& i) { return i.operation == 245; };
+    const Modules taken = fold({}), left = fold({{3, 1}});
+    EXPECT_EQ(require(taken, kHeader, "phi", isPhi).operands.size(), 4u);
+    const Instruction dropped = require(left, kHeader, "phi", isPhi);
+    EXPECT_EQ(dropped.operands.size(), 2u);
+    EXPECT_EQ(require(left, dropped.end(), "phi", isPhi).operands.size(), 6u);  // both blocks still branch to it
+}
+
+TEST(FoldConstants, KeepsStagesWithoutKnownConditions) {
+    Modules m = module();
+    m[kHeader + 2] = 7;  // another decoration: the constant has no number
+    Specialization given;
+    given.set(3, true);
+    EXPECT_EQ(target(foldConstants(m, given)), kElse);
+    Modules plain = module();
+    const Instruction branch =
+        require(plain, kHeader, "branch", [](const Instruction& i) { return i.operation == 250; });
+    plain[branch.at + 1] = 77;  // a condition from elsewhere
+    EXPECT_EQ(foldConstants(plain, given), plain);
+}
+
+}  // namespace
+}  // namespace nacre::gpu
