@@ -1,7 +1,7 @@
 #version 440
 // Writes a frame into its picture: a pixel is the mean of n x n samples in linear light.
 //   WORDS    the frame's colours are words of a buffer, row by row
-// MASKED   replaces only pixels of a mask
+// MASKED   replaces only pixels that need n x n samples by a mask, or several if n is 1
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 #include "common/srgb.glsl"
@@ -31,7 +31,8 @@ void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
     int count = samples * samples;
 #ifdef MASKED
-    if (texelFetch(wanted, here, 0).r == 0.0) {
+    int more = int(255.0 * texelFetch(wanted, here, 0).r + 0.5);
+    if (samples == 1 ? more == 0 : more != samples - 1) {
         count = 0;
         discard;
     }

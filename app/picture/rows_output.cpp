@@ -72,7 +72,7 @@ std::vector<Option> sizeRows() {
         {.key = "supersample",
          .syntax = "auto|N",
          .standard = "=",
-         .help = "N x N samples per pixel, 1 to 8; auto: 16 where a pixel shows an edge, one elsewhere",
+         .help = "N x N samples per pixel, 1 to 8; auto: up to 16 where a pixel shows an edge, one elsewhere",
          .topic = Topic::samples,
          .facet = Facet::shading,
          .value = valueOf<&P::supersample>(parseSupersample, samplesText)},

@@ -12,8 +12,8 @@
 namespace nacre {
 namespace {
 
-constexpr std::uint32_t kBlockPixels = 384;  ///< a side: 2 million samples and those of their rim
-static_assert(kBlockPixels % PictureRect::kStep == 0);
+constexpr std::uint32_t kBlockSide = 1536;  ///< samples: 2 million and those of their rim
+static_assert(kBlockSide / FinerPlaces::kMany % PictureRect::kStep == 0);
 
 /// Adds a number of each row to that of the same pass.
 template <typename Row, typename Number>
@@ -45,11 +45,13 @@ std::pair<View, PictureRect> withRim(const View& whole, const PictureRect& part,
             {part.x - left, part.y - top, part.width, part.height}};
 }
 
-/// As measureRim(), of blocks: a sample looks at its neighbours for lines and halos only.
-std::uint32_t rimOfBlocks(const RenderSettings& settings) {
-    const bool looksAround = settings.effects.contours.width > 0 || settings.effects.halos.width > 0;
-    return looksAround ? measureRim(settings) : 0;
+/// Whether a sample depends on its neighbours. Their widths count kBlockSamples samples per pixel.
+bool looksAround(const RenderSettings& settings) {
+    return settings.effects.contours.width > 0 || settings.effects.halos.width > 0;
 }
+
+/// As measureRim(), of blocks.
+std::uint32_t rimOfBlocks(const RenderSettings& settings) { return looksAround(settings) ? measureRim(settings) : 0; }
 
 /// The parts of a block that show anything, each in a band of rows. One empty part: none does.
 /// @param spans  of the block's frame @param rect  of the picture @param inner  the same in the frame
@@ -89,6 +91,21 @@ void addSmall(FinerPlaces& places, const passes::SceneView& view, graph::Extent 
 }
 
 PictureRect wholeRect(graph::Extent image) { return {0, 0, image.width, image.height}; }
+
+/// Places whose colours over the background differ. @param pixels  as for resolvePixels()
+FinerPlaces findFiner(const std::uint32_t* pixels, const ResolvedPart& part, const std::array<float, 4>& background) {
+    std::uint64_t covered = 0;
+    const CodedPicture seen = codePixels(pixels, part, background, true, covered);
+    return {reinterpret_cast<const std::uint32_t*>(seen.bytes.data()),
+            part.rect.width,
+            {part.rect.width, part.rect.height}};
+}
+
+FinerPlaces findFiner(const float* pixels, graph::Extent image, const std::array<float, 4>& background) {
+    Picture seen{image.width, image.height, {pixels, pixels + std::size_t{4} * image.width * image.height}};
+    putOver(seen, background);
+    return {seen.rgba.data(), image};
+}
 
 }  // namespace
 
@@ -151,11 +168,13 @@ FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Want
     const Drawn drawn = run(std::move(coarse), settings);
     const auto [pixels, rowPixels] = pictureRows(drawn, wanted.view, 1);
     const graph::Extent image = imageExtent(wanted.view);
-    FinerPlaces places = fine ? FinerPlaces(reinterpret_cast<const float*>(pixels), image)
-                              : FinerPlaces(reinterpret_cast<const std::uint32_t*>(pixels), rowPixels, image);
+    FinerPlaces places = fine ? findFiner(reinterpret_cast<const float*>(pixels), image, settings.background)
+                              : findFiner(reinterpret_cast<const std::uint32_t*>(pixels),
+                                          {rowPixels, 1, wholeRect(image)}, settings.background);
     // At some pixels a thin outline misses the centre.
     if (settings.effects.linesByGroups() && kThinOutline * settings.effects.contours.width < 1) places.grow();
     if (seen->smallestPixels < passes::TileWork::kSmallPixels) addSmall(places, *seen, image);
+    if (looksAround(settings)) places.takeMany();
     return places;
 }
 
@@ -180,20 +199,21 @@ bool PictureFrames::drawEdges(const RenderSettings& settings, const passes::Atla
     return true;
 }
 
-/// Draws a picture in blocks with kBlockSamples x kBlockSamples samples per pixel, only where it needs them.
+/// Draws a picture in blocks with n x n samples per pixel.
+/// @param places  only those that need as many; null: everywhere
 /// @param drew  called after each block
 template <typename Drew>
 void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
-                               const FinerPlaces* places, const Drew& drew) {
-    constexpr std::uint32_t n = RenderSettings::kBlockSamples;
+                               const FinerPlaces* places, std::uint32_t n, const Drew& drew) {
     const PictureRect& all = wanted.inner;
     bool first = places == nullptr;  // of the picture's frames
-    const std::uint32_t most = wanted.view.quarterTurns == 0 ? kBlockPixels : std::max(all.width, all.height);
+    const std::uint32_t side = kBlockSide / n;
+    const std::uint32_t most = wanted.view.quarterTurns == 0 ? side : std::max(all.width, all.height);
     for (std::uint32_t top = 0; top < all.height; top += most)
         for (std::uint32_t left = 0; left < all.width; left += most) {
             PictureRect rect{all.x + left, all.y + top, std::min(most, all.width - left),
                              std::min(most, all.height - top)};
-            if (places) rect = places->boundsIn(rect);
+            if (places) rect = places->boundsIn(rect, n);
             if (rect.width == 0) continue;
             Wanted block{wanted.view, rect};
             if (rect.width < all.width || rect.height < all.height)
@@ -201,7 +221,7 @@ void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atl
             TileMask mask;
             if (places)
                 mask = places->findTiles(
-                    {rect.x - block.inner.x, rect.y - block.inner.y, block.view.width, block.view.height}, rect);
+                    {rect.x - block.inner.x, rect.y - block.inner.y, block.view.width, block.view.height}, rect, n);
             const View view = scaled(block.view, n);
             checkSize(view);
             FrameInputs inputs{atlas, view};
@@ -245,10 +265,12 @@ void PictureFrames::refine(const RenderSettings& settings, const passes::Atlas& 
                                         "finer pixels");
         picture_.finer = std::move(upload_->image);
     }
-    if (refinement == Refinement::edges && places->any() && drawEdges(settings, atlas, wanted.view, *places, ending))
+    if (refinement == Refinement::edges && places->any() && drawEdges(settings, atlas, wanted.view, *places, ending)) {
         drew();
-    else
-        drawBlocks(settings, atlas, wanted, places ? &*places : nullptr, drew);
+    } else {
+        drawBlocks(settings, atlas, wanted, places ? &*places : nullptr, FinerPlaces::kMany, drew);
+        if (places) drawBlocks(settings, atlas, wanted, &*places, FinerPlaces::kFew, drew);
+    }
     stats_.frames = sum.frames;
     stats_.samples = RenderSettings::kEdgeSamples;
     stats_.frameMilliseconds = sum.frameMilliseconds;

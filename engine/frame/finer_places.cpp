@@ -8,23 +8,39 @@
 namespace nacre {
 namespace {
 
-/// Whether any channel differs by 16 steps or more. Smaller differences leave 50 dB and more.
-constexpr bool differs(std::uint32_t a, std::uint32_t b) {
-    constexpr std::uint32_t kBytes = 0x00ff00ff, kRoom = 0x02100210, kWithin = 0x03e003e0, kNone = 0x02000200;
-    const std::uint32_t even = (a & kBytes) + kRoom - (b & kBytes);
-    const std::uint32_t odd = (a >> 8 & kBytes) + kRoom - (b >> 8 & kBytes);
-    return (((even & kWithin) ^ kNone) | ((odd & kWithin) ^ kNone)) != 0;
-}
-static_assert(!differs(0x80818283, 0x80818283) && !differs(0x80, 0x8f) && differs(0x80, 0x91) &&
-              differs(0, 0xff000000));
+constexpr std::uint32_t kEach = 0x00010001;  // of two channels at a time
 
-/// Marks the pixels of two rows that differ.
-void compare(const std::uint32_t* a, const std::uint32_t* b, std::uint32_t count, std::uint8_t* ofA,
-             std::uint8_t* ofB) {
+/// Differences of two channels, from 0x200.
+constexpr std::uint32_t subtract(std::uint32_t a, std::uint32_t b) {
+    return (a & 0xff * kEach) + 0x200 * kEach - (b & 0xff * kEach);
+}
+
+/// Whether one of two differences is `steps` or more, up or down.
+constexpr bool reaches(std::uint32_t differences, std::uint32_t steps) {
+    const std::uint32_t up = differences + (0x200 - steps) * kEach, down = (0x600 - steps) * kEach - differences;
+    return ((up | down) & 0x400 * kEach) != 0;
+}
+
+constexpr std::uint8_t kFewByte = FinerPlaces::kFew - 1, kManyByte = FinerPlaces::kMany - 1;
+static_assert((kFewByte | kManyByte) == kManyByte);
+
+/// What two neighbours need.
+constexpr std::uint8_t compare(std::uint32_t a, std::uint32_t b) {
+    constexpr std::uint32_t kSome = 16, kMuch = 48;  // steps; fewer leave 50 dB and more
+    const std::uint32_t even = subtract(a, b), odd = subtract(a >> 8, b >> 8);
+    if (reaches(even, kMuch) || reaches(odd, kMuch)) return kManyByte;
+    return reaches(even, kSome) || reaches(odd, kSome) ? kFewByte : 0;
+}
+static_assert(compare(0x80818283, 0x8f728283) == 0 && compare(0x80, 0x90) == kFewByte &&
+              compare(0x9000, 0x8000) == kFewByte && compare(0xff000000, 0xd0000000) == kFewByte &&
+              compare(0x300000, 0) == kManyByte && compare(0, 0xff000000) == kManyByte);
+
+void compareRows(const std::uint32_t* a, const std::uint32_t* b, std::uint32_t count, std::uint8_t* ofA,
+                 std::uint8_t* ofB) {
     for (std::uint32_t x = 0; x < count; ++x) {
-        const std::uint8_t apart = differs(a[x], b[x]) ? 0xff : 0;
-        ofA[x] |= apart;
-        ofB[x] |= apart;
+        const std::uint8_t need = compare(a[x], b[x]);
+        ofA[x] |= need;
+        ofB[x] |= need;
     }
 }
 
@@ -46,8 +62,8 @@ FinerPlaces::FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, gra
     : across_(image.width), pixels_(std::size_t{image.width} * image.height) {
     for (std::uint32_t y = 0; y < image.height; ++y, seen += rowPixels) {
         std::uint8_t* const row = pixels_.data() + std::size_t{y} * across_;
-        compare(seen, seen + 1, image.width - 1, row, row + 1);
-        if (y + 1 < image.height) compare(seen, seen + rowPixels, image.width, row, row + across_);
+        compareRows(seen, seen + 1, image.width - 1, row, row + 1);
+        if (y + 1 < image.height) compareRows(seen, seen + rowPixels, image.width, row, row + across_);
     }
 }
 
@@ -58,7 +74,7 @@ void FinerPlaces::add(const PictureRect& part) {
     const std::size_t down = across_ == 0 ? 0 : pixels_.size() / across_;
     const std::uint32_t right = std::min(part.x + part.width, across_);
     for (std::size_t y = part.y; y < std::min<std::size_t>(part.y + part.height, down); ++y)
-        for (std::uint32_t x = part.x; x < right; ++x) pixels_[y * across_ + x] = 0xff;
+        for (std::uint32_t x = part.x; x < right; ++x) pixels_[y * across_ + x] = kManyByte;
 }
 
 void FinerPlaces::grow() {
@@ -77,6 +93,10 @@ void FinerPlaces::grow() {
     }
 }
 
+void FinerPlaces::takeMany() {
+    for (std::uint8_t& pixel : pixels_) pixel = pixel == 0 ? 0 : kManyByte;
+}
+
 void FinerPlaces::keep(const std::vector<std::uint8_t>& sharp) {
     const std::size_t across = (across_ + kTogether - 1) / kTogether;
     for (std::size_t at = 0, y = 0; at < pixels_.size(); ++y)
@@ -87,11 +107,11 @@ bool FinerPlaces::any() const {
     return std::ranges::any_of(pixels_, [](std::uint8_t pixel) { return pixel != 0; });
 }
 
-PictureRect FinerPlaces::boundsIn(const PictureRect& part) const {
+PictureRect FinerPlaces::boundsIn(const PictureRect& part, std::uint32_t n) const {
     std::uint32_t left = part.width, top = part.height, right = 0, bottom = 0;
     for (std::uint32_t y = 0; y < part.height; ++y)
         for (std::uint32_t x = 0; x < part.width; ++x) {
-            if (!finer(part.x + x, part.y + y)) continue;
+            if (n == 0 ? !finer(part.x + x, part.y + y) : !needs(part.x + x, part.y + y, n)) continue;
             left = std::min(left, x);
             top = std::min(top, y);
             right = std::max(right, x + 1);
@@ -113,14 +133,14 @@ std::vector<PictureRect> FinerPlaces::bandsIn(const PictureRect& part) const {
     return bands;
 }
 
-TileMask FinerPlaces::findTiles(const PictureRect& shown, const PictureRect& wanted) const {
-    static_assert(TileMask::kSide == RenderSettings::kBlockSamples);
+TileMask FinerPlaces::findTiles(const PictureRect& shown, const PictureRect& wanted, std::uint32_t n) const {
+    const std::uint32_t side = TileMask::kSide / n;  // of a quarter, in pixels of the picture
     TileMask mask;
-    mask.across = shown.width;
-    mask.wanted.resize(std::size_t{shown.width} * shown.height);
+    mask.across = (shown.width + side - 1) / side;
+    mask.wanted.resize(std::size_t{mask.across} * ((shown.height + side - 1) / side));
     for (std::uint32_t y = wanted.y; y < wanted.y + wanted.height; ++y)
         for (std::uint32_t x = wanted.x; x < wanted.x + wanted.width; ++x)
-            mask.wanted[std::size_t{y - shown.y} * mask.across + x - shown.x] = finer(x, y) ? 1 : 0;
+            if (needs(x, y, n)) mask.wanted[std::size_t{(y - shown.y) / side} * mask.across + (x - shown.x) / side] = 1;
     return mask;
 }
 

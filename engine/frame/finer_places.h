@@ -12,19 +12,25 @@
 
 namespace nacre {
 
-/// Pixels whose colour differs visibly from a neighbour's.
+/// Pixels whose colour differs visibly from a neighbour's, and how many samples they need: the error of a pixel is that
+/// of its covered share times the difference of colours.
 class FinerPlaces {
 public:
+    /// Samples per pixel side where colours differ a little and much.
+    static constexpr std::uint32_t kFew = 2, kMany = 4;
+
     FinerPlaces() = default;
-    /// @param seen  RGBA8, premultiplied with sRGB-coded colour, without a background
+    /// @param seen  RGBA8, sRGB-coded
     FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, graph::Extent image);
-    /// @param seen  four linear floats per pixel, premultiplied
+    /// @param seen  four linear floats per pixel
     FinerPlaces(const float* seen, graph::Extent image);
 
-    /// Adds all pixels of a part.
+    /// Adds all pixels of a part, with many samples.
     void add(const PictureRect& part);
     /// Adds the eight pixels around each finer one.
     void grow();
+    /// Gives all finer pixels many samples.
+    void takeMany();
 
     static constexpr std::uint32_t kTogether = 4;
     /// Drops blurred pixels. @param sharp  one byte per kTogether x kTogether pixels, row by row; 0: blurred
@@ -32,25 +38,29 @@ public:
     /// Whether any pixel is left.
     bool any() const;
 
-    /// A byte per pixel, row by row: 0 where one sample is enough.
+    /// A byte per pixel, row by row: the samples per side that it needs, less one.
     const std::vector<std::uint8_t>& bytes() const { return pixels_; }
     /// The smallest rectangle that contains all finer pixels of a part. Its position relative to the part is a multiple
-    /// of PictureRect::kStep. @returns an empty one if there are none
-    PictureRect boundsIn(const PictureRect& part) const;
+    /// of PictureRect::kStep. @param n  of pixels with n x n samples only; 0: of all @returns an empty one if there are
+    /// none
+    PictureRect boundsIn(const PictureRect& part, std::uint32_t n = 0) const;
     /// Smallest rectangles per band of a part's rows, without empty ones: together much smaller than boundsIn().
     std::vector<PictureRect> bandsIn(const PictureRect& part) const;
-    /// The mask of a frame with RenderSettings::kBlockSamples x kBlockSamples samples per pixel.
+    /// The mask of a frame with n x n samples per pixel, for pixels that need as many.
     /// @param shown  part of the picture in the frame
     /// @param wanted  the frame's wanted part
-    TileMask findTiles(const PictureRect& shown, const PictureRect& wanted) const;
+    TileMask findTiles(const PictureRect& shown, const PictureRect& wanted, std::uint32_t n) const;
     /// The edges of a frame with one sample per pixel, and the tiles that need them.
     std::pair<passes::EdgePlaces, TileMask> findEdges(const PictureRect& shown, const PictureRect& wanted) const;
 
 private:
     bool finer(std::uint32_t x, std::uint32_t y) const { return pixels_[std::size_t{y} * across_ + x] != 0; }
+    bool needs(std::uint32_t x, std::uint32_t y, std::uint32_t n) const {
+        return pixels_[std::size_t{y} * across_ + x] == n - 1;
+    }
 
     std::uint32_t across_ = 0;
-    std::vector<std::uint8_t> pixels_;
+    std::vector<std::uint8_t> pixels_;  // as bytes(); the larger of two is their union: 0, 1 or 3
 };
 
 }  // namespace nacre

@@ -110,7 +110,7 @@ private:
                    const FinerPlaces& places, Ending ending);
     template <typename Drew>
     void drawBlocks(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
-                    const FinerPlaces* places, const Drew& drew);
+                    const FinerPlaces* places, std::uint32_t n, const Drew& drew);
     bool leaveBlurred(const RenderSettings& settings, const View& view, FinerPlaces& places);
     Drawn blur(const RenderSettings& settings, const Wanted& wanted);
 

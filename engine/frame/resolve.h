@@ -11,7 +11,7 @@ namespace nacre {
 /// The picture's image, and parameters of the next frame that uses it.
 struct PictureImage {
     gpu::Image image;
-    gpu::Image finer;  ///< of its size; not 0 where a pixel takes several samples
+    gpu::Image finer;  ///< of its size, FinerPlaces::bytes()
     // Of the next frame that ends in it:
     passes::ResolvePlace place;
     const passes::TileFrame* tiles = nullptr;

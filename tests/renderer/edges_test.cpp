@@ -366,6 +366,34 @@ TEST(EdgesOf, PlacesAskForTheTilesAroundThem) {
         }
 }
 
+TEST(EdgesOf, ContrastSetsTheNumberOfSamples) {
+    constexpr std::uint32_t kAcross = 7, kDown = 5;
+    std::vector<std::uint32_t> seen;
+    for (std::uint32_t i = 0; i < kAcross * kDown; ++i) {
+        const std::uint32_t x = i % kAcross;
+        seen.push_back(0xff000000 | (x < 1 ? 15u : x < 3 ? 30u : x < 5 ? 50u : 120u) << 8);
+    }
+    FinerPlaces places(seen.data(), kAcross, {kAcross, kDown});
+    const std::uint8_t few = FinerPlaces::kFew - 1, many = FinerPlaces::kMany - 1;
+    const std::vector<std::uint8_t> row = {0, 0, few, few, many, many, 0};
+    for (std::uint32_t y = 0; y < kDown; ++y)
+        for (std::uint32_t x = 0; x < kAcross; ++x)
+            EXPECT_EQ(places.bytes()[y * kAcross + x], row[x]) << x << ", " << y;
+    const PictureRect whole{0, 0, kAcross, kDown};
+    const TileMask two = places.findTiles(whole, whole, FinerPlaces::kFew);
+    const TileMask four = places.findTiles(whole, whole, FinerPlaces::kMany);
+    ASSERT_EQ(two.across, (kAcross + 1) / 2);
+    ASSERT_EQ(four.across, kAcross);
+    for (std::uint32_t x = 0; x < kAcross; ++x) {
+        EXPECT_EQ(two.wants(x / 2, (kDown - 1) / 2), x / 2 == 1) << x;
+        EXPECT_EQ(four.wants(x, kDown - 1), row[x] == many) << x;
+    }
+    EXPECT_EQ(places.boundsIn(whole, FinerPlaces::kFew).width, 4u);
+    EXPECT_EQ(places.boundsIn(whole, FinerPlaces::kMany).width, 6u);
+    places.takeMany();
+    EXPECT_EQ(places.boundsIn(whole, FinerPlaces::kFew).width, 0u);
+}
+
 TEST(EdgesOf, PicturesAreCounted) {
     const Representation r = scene("sample:dna", Style::spacefill);
     RenderSettings s = settings(r, 96, Projection::orthographic);
