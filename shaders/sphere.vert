@@ -38,8 +38,10 @@ invariant gl_Position;
 void main() {
     precise vec3 center = toView(inSphere.xyz);
     float radius = inSphere.w;
-    rowA = kEllipsoids == 0 ? vec4(0.0) : rowToView(inRowA);
-    rowB = kEllipsoids == 0 ? vec4(0.0) : rowToView(inRowB);
+    if (kEllipsoids != 0) {
+        rowA = rowToView(inRowA);
+        rowB = rowToView(inRowB);
+    }
 #ifdef FETCHED
     passed = uvec4(floatBitsToUint(center), sphereCell(uint(gl_InstanceIndex)));
 #else

@@ -92,7 +92,7 @@ void addSmall(FinerPlaces& places, const passes::SceneView& view, graph::Extent 
 
 PictureRect wholeRect(graph::Extent image) { return {0, 0, image.width, image.height}; }
 
-/// Places whose colours over the background differ. @param pixels  as for resolvePixels()
+/// Places where a translucent picture's colours over the background differ. @param pixels  as for resolvePixels()
 FinerPlaces findFiner(const std::uint32_t* pixels, const ResolvedPart& part, const std::array<float, 4>& background) {
     std::uint64_t covered = 0;
     const CodedPicture seen = codePixels(pixels, part, background, true, covered);
@@ -168,13 +168,18 @@ FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Want
     const Drawn drawn = run(std::move(coarse), settings);
     const auto [pixels, rowPixels] = pictureRows(drawn, wanted.view, 1);
     const graph::Extent image = imageExtent(wanted.view);
-    FinerPlaces places = fine ? findFiner(reinterpret_cast<const float*>(pixels), image, settings.background)
-                              : findFiner(reinterpret_cast<const std::uint32_t*>(pixels),
-                                          {rowPixels, 1, wholeRect(image)}, settings.background);
+    const auto* floats = reinterpret_cast<const float*>(pixels);
+    const auto* codes = reinterpret_cast<const std::uint32_t*>(pixels);
+    const bool blends = frames_.facts(settings).blends();
+    FinerPlaces places = blends ? fine ? findFiner(floats, image, settings.background)
+                                       : findFiner(codes, {rowPixels, 1, wholeRect(image)}, settings.background)
+                         : fine ? FinerPlaces(floats, image)
+                                : FinerPlaces(codes, rowPixels, image);
     // At some pixels a thin outline misses the centre.
     if (settings.effects.linesByGroups() && kThinOutline * settings.effects.contours.width < 1) places.grow();
     if (seen->smallestPixels < passes::TileWork::kSmallPixels) addSmall(places, *seen, image);
-    if (looksAround(settings)) places.takeMany();
+    // Contours of opaque shapes are sharp wherever two of them have nearly one colour.
+    if (!blends || looksAround(settings)) places.takeMany();
     return places;
 }
 

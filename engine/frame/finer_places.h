@@ -20,7 +20,7 @@ public:
     static constexpr std::uint32_t kFew = 2, kMany = 4;
 
     FinerPlaces() = default;
-    /// @param seen  RGBA8, sRGB-coded
+    /// @param seen  RGBA8, sRGB-coded; of an opaque picture premultiplied, without a background
     FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, graph::Extent image);
     /// @param seen  four linear floats per pixel
     FinerPlaces(const float* seen, graph::Extent image);

@@ -33,11 +33,25 @@ enum : std::uint32_t {
     kOpSGreaterThan = 173,
     kOpULessThan = 176,
     kOpSLessThan = 177,
+    kOpFunctionEnd = 56,
+    kOpFunctionCall = 57,
+    kOpStore = 62,
+    kOpCopyMemory = 63,
+    kOpImageWrite = 99,
+    kOpControlBarrier = 224,
+    kOpMemoryBarrier = 225,
+    kOpAtomicStore = 228,
     kOpPhi = 245,
+    kOpLoopMerge = 246,
     kOpSelectionMerge = 247,
     kOpBranch = 249,
     kOpBranchConditional = 250,
+    kOpSwitch = 251,
+    kOpUnreachable = 255,
 };
+constexpr std::uint32_t kVertex = 0, kFragment = 4;  // execution models
+constexpr std::uint32_t kInput = 1, kOutput = 3;     // storage classes
+constexpr std::uint32_t kLocation = 30;              // decoration
 
 template <typename Visit>
 void forEach(Words words, const Visit& visit) {
@@ -143,6 +157,137 @@ private:
     std::map<std::uint32_t, std::uint32_t> values_;
 };
 
+/// The result of an instruction in a function, if it has one.
+std::optional<std::uint32_t> resultOf(const Instruction& i) {
+    switch (i.operation) {
+        case kOpLabel:
+            return i.operands[0];
+        case kOpStore:
+        case kOpCopyMemory:
+        case kOpImageWrite:
+        case kOpControlBarrier:
+        case kOpMemoryBarrier:
+        case kOpAtomicStore:
+        case kOpLoopMerge:
+        case kOpSelectionMerge:
+        case kOpBranchConditional:
+        case kOpSwitch:
+            return std::nullopt;
+        default:
+            return i.operands.size() < 2 || i.operation >= kOpReturnValue ? std::nullopt : std::optional(i.operands[1]);
+    }
+}
+
+/// The blocks that run, and what they use.
+class Reached {
+public:
+    explicit Reached(Words words) {
+        std::uint32_t function = 0, block = 0, entry = 0;
+        std::map<std::uint32_t, std::uint32_t> first;                // block of each function
+        std::map<std::uint32_t, std::vector<std::uint32_t>> follow;  // blocks and functions that a block leads to
+        forEach(words, [&](const Instruction& i) {
+            if (i.operation == kOpEntryPoint) entry = i.operands[1];
+            if (i.operation == kOpFunction) function = i.operands[1], block = 0;
+            if (i.operation == kOpLabel) {
+                if (block == 0) first[function] = i.operands[0];
+                block = i.operands[0];
+            }
+            if (block != 0) addTargets(i, follow[block]);
+        });
+        std::vector<std::uint32_t> open{entry};
+        while (!open.empty()) {
+            const std::uint32_t id = open.back();
+            open.pop_back();
+            if (!ids_.insert(id).second) continue;
+            const auto start = first.find(id);
+            if (start != first.end()) open.push_back(start->second);
+            open.insert(open.end(), follow[id].begin(), follow[id].end());
+        }
+    }
+    /// @param id  of a block or a function
+    bool operator()(std::uint32_t id) const { return ids_.contains(id); }
+
+private:
+    /// Blocks after a merge stay, even where none leads to them.
+    static void addTargets(const Instruction& i, std::vector<std::uint32_t>& to) {
+        const auto add = [&](std::size_t from, std::size_t end, std::size_t step) {
+            for (; from < std::min(end, i.operands.size()); from += step) to.push_back(i.operands[from]);
+        };
+        if (i.operation == kOpBranch || i.operation == kOpSelectionMerge) add(0, 1, 1);
+        if (i.operation == kOpLoopMerge) add(0, 2, 1);
+        if (i.operation == kOpBranchConditional) add(1, 3, 1);
+        if (i.operation == kOpSwitch) add(1, i.operands.size(), 2);
+        if (i.operation == kOpFunctionCall) add(2, 3, 1);
+    }
+
+    std::set<std::uint32_t> ids_;
+};
+
+void copy(const Instruction& i, Words words, std::vector<std::uint32_t>& out) {
+    out.insert(out.end(), words.begin() + static_cast<std::ptrdiff_t>(i.at),
+               words.begin() + static_cast<std::ptrdiff_t>(i.end()));
+}
+
+/// A phi of those of its blocks that lead to it.
+template <typename Leads>
+void copyPhi(const Instruction& i, const Leads& leads, std::vector<std::uint32_t>& out) {
+    const std::size_t at = out.size();
+    out.insert(out.end(), {0, i.operands[0], i.operands[1]});
+    for (std::size_t pair = 2; pair + 1 < i.operands.size(); pair += 2)
+        if (leads(i.operands[pair + 1])) out.insert(out.end(), {i.operands[pair], i.operands[pair + 1]});
+    out[at] = static_cast<std::uint32_t>(out.size() - at) << 16 | kOpPhi;
+}
+
+/// Drops blocks and functions that nothing reaches, and the outputs of a vertex stage and the inputs of a fragment
+/// stage that nothing else uses.
+std::vector<std::uint32_t> dropUnused(Words words) {
+    const Reached reached(words);
+    std::vector<bool> kept;  // of each instruction
+    std::set<std::uint32_t> used, gone, located;
+    std::uint32_t stage = ~0u;
+    bool in = true, function = true, body = false;  // in what runs, or outside functions
+    forEach(words, [&](const Instruction& i) {
+        if (i.operation == kOpEntryPoint) stage = i.operands[0];
+        if (i.operation == kOpDecorate && i.operands[1] == kLocation) located.insert(i.operands[0]);
+        if (i.operation == kOpFunction) in = function = reached(i.operands[1]), body = true;
+        if (i.operation == kOpLabel) in = reached(i.operands[0]);
+        if (i.operation == kOpFunctionEnd) in = function;
+        kept.push_back(in);
+        if (!in) {
+            if (const std::optional<std::uint32_t> result = resultOf(i)) gone.insert(*result);
+        } else if (body) {
+            used.insert(i.operands.begin(), i.operands.end());
+        }
+        if (i.operation == kOpFunctionEnd) in = true, body = false;
+    });
+    const std::uint32_t passed = stage == kVertex ? kOutput : stage == kFragment ? kInput : ~0u;
+    const auto drops = [&](const Instruction& i) {
+        return i.operation == kOpVariable && i.operands[2] == passed && located.contains(i.operands[1]) &&
+               !used.contains(i.operands[1]);
+    };
+    forEach(words, [&](const Instruction& i) {
+        if (drops(i)) gone.insert(i.operands[1]);
+    });
+    std::vector<std::uint32_t> out(words.begin(), words.begin() + kHeader);
+    out.reserve(words.size());
+    std::size_t next = 0;
+    forEach(words, [&](const Instruction& i) {
+        const bool keeps = kept[next++];
+        if (!keeps || drops(i)) return;
+        if ((i.operation == kOpName || i.operation == kOpDecorate) && gone.contains(i.operands[0])) return;
+        if (i.operation == kOpPhi) return copyPhi(i, reached, out);
+        const std::size_t at = out.size();
+        copy(i, words, out);
+        if (i.operation != kOpEntryPoint) return;
+        const auto isGone = [&](std::uint32_t id) { return gone.contains(id); };
+        const std::size_t name = (text(i.operands, 2).size() + 4) / 4;
+        out.erase(std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(at + 3 + name), out.end(), isGone),
+                  out.end());
+        out[at] = static_cast<std::uint32_t>(out.size() - at) << 16 | kOpEntryPoint;
+    });
+    return out;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> foldConstants(std::span<const std::uint32_t> words, const Specialization& constants) {
@@ -162,7 +307,6 @@ std::vector<std::uint32_t> foldConstants(std::span<const std::uint32_t> words, c
         merge = i.operation == kOpSelectionMerge ? std::optional(i) : std::nullopt;
     });
     if (taken.empty()) return {words.begin(), words.end()};
-    // Blocks that nothing reaches stay: names and decorations refer to what they define.
     std::vector<std::uint32_t> out(words.begin(), words.begin() + kHeader);
     out.reserve(words.size());
     bool replaced = false;  // the instruction before this one was
@@ -173,18 +317,18 @@ std::vector<std::uint32_t> foldConstants(std::span<const std::uint32_t> words, c
             append(out, kOpBranch, {branch->second});
             replaced = true;
         } else if (!std::exchange(replaced, false)) {
-            const std::size_t at = out.size();
-            out.insert(out.end(), words.begin() + static_cast<std::ptrdiff_t>(i.at),
-                       words.begin() + static_cast<std::ptrdiff_t>(i.end()));
-            if (i.operation != kOpPhi) return;
-            out.resize(at + 3);  // its type and result
-            for (std::size_t pair = 2; pair + 1 < i.operands.size(); pair += 2)
-                if (!dropped.contains({i.operands[pair + 1], block}))
-                    out.insert(out.end(), {i.operands[pair], i.operands[pair + 1]});
-            out[at] = static_cast<std::uint32_t>(out.size() - at) << 16 | kOpPhi;
+            if (i.operation == kOpPhi)
+                copyPhi(
+                    i,
+                    [&](std::uint32_t from) {
+                        return !dropped.contains({from, block});
+                    },
+                    out);
+            else
+                copy(i, words, out);
         }
     });
-    return out;
+    return dropUnused(out);
 }
 
 }  // namespace nacre::gpu

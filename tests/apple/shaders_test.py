@@ -108,8 +108,6 @@ class InputAttachments(unittest.TestCase):
         self.assertEqual(set(inputs("--caps", "mali", "--visibility", "encoded")), {"encoded depth"})
 
     def test_none_is_handed_to_moltenvk(self):
-        # A stage that draws one view and the same for two may be one module: it has the first's name.
-        built = {(SHADERS / f"{name}.spv").read_bytes(): name for name in reversed(listed())}
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
             picture = ["-o", str(root / "picture.png"), "--size", "64x64"]
@@ -121,14 +119,15 @@ class InputAttachments(unittest.TestCase):
                  "off", "--supersample", "2", *picture],
             ]):
                 for module in handed_over(root / str(number), "moltenvk", *arguments):
-                    name = built.get(module.read_bytes(), "counting")  # made of a plain one at run time
-                    used.add(name)
-                    self.assertFalse(reads_input_attachment(module), name)
+                    if module.read_bytes() in used:
+                        continue
+                    used.add(module.read_bytes())
+                    self.assertFalse(reads_input_attachment(module), module.name)
+                    # Without what constants never reach, it still translates.
+                    status, _, complaint = to_metal(module, PLATFORMS["iOS 15"])
+                    self.assertEqual((status, complaint), (0, ""), module.name)
             # As much as drawing takes: plates, impostors of both kinds, layers, occlusion, counting.
-            for name in ("plateVertex", "plateFragment", "colorSphereFragdepth", "colorCylinderFragdepth",
-                         "identitySphereFragdepth", "surfaceCylinderFragdepth", "occlusionFinish",
-                         "counting"):
-                self.assertIn(name, used)
+            self.assertGreater(len(used), 30)
             # The same listening hears them on a phone that is given some.
             heard = handed_over(root / "android", "android", "render", "sample:glucose", *picture)
             self.assertTrue(any(reads_input_attachment(module) for module in heard))

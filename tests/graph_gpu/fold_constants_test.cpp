@@ -27,12 +27,18 @@ enum Id : std::uint32_t {
     kThen,
     kElse,
     kEnd,
-    kPhi
+    kPhi,
+    kOut,
+    kOther
 };
 
 /// if (kSwitch && kLevel > 2) ... else ..., and a phi of both.
 Modules module() {
     Modules m = {0x07230203, 0x00010300, 0, 100, 0};
+    append(m, kOpEntryPoint, {0, kFunction, 0x6e69616d, 0, kOut, kOther});  // of a vertex stage, "main"
+    append(m, kOpName, {kThen, 0x74});
+    append(m, kOpDecorate, {kOut, 30, 0});  // Location
+    append(m, kOpDecorate, {kOther, 30, 1});
     append(m, kOpDecorate, {kSwitch, 1, 3});
     append(m, kOpDecorate, {kLevel, 1, 8});
     append(m, kOpTypeInt, {kInt, 32, 1});
@@ -41,13 +47,17 @@ Modules module() {
     append(m, kOpConstant, {kInt, kTwo, 2});
     append(m, 52, {kBool, kHigh, 173, kLevel, kTwo});    // OpSpecConstantOp, OpSGreaterThan
     append(m, 52, {kBool, kBoth, 167, kSwitch, kHigh});  // OpLogicalAnd
+    append(m, kOpVariable, {98, kOut, 3});               // outputs
+    append(m, kOpVariable, {98, kOther, 3});
     append(m, kOpFunction, {kInt, kFunction, 0, 99});
     append(m, kOpLabel, {kHead});
     append(m, 247, {kEnd, 0});              // OpSelectionMerge
     append(m, 250, {kBoth, kThen, kElse});  // OpBranchConditional
     append(m, kOpLabel, {kThen});
-    append(m, 249, {kEnd});  // OpBranch
+    append(m, 62, {kOut, kTwo});  // OpStore
+    append(m, 249, {kEnd});       // OpBranch
     append(m, kOpLabel, {kElse});
+    append(m, 62, {kOther, kTwo});
     append(m, 245, {kInt, 50, kTwo, kHead});  // OpPhi
     append(m, 249, {kEnd});
     append(m, kOpLabel, {kEnd});
@@ -79,18 +89,45 @@ TEST(FoldConstants, TakesTheBranchOfGivenConstants) {
     EXPECT_EQ(target(fold({{3, 0}, {8, 9}})), kElse);
 }
 
-TEST(FoldConstants, PhisLoseTheBlocksThatNoLongerBranch) {
+bool names(const Modules& m, std::uint32_t operation, std::uint32_t id, std::size_t operand) {
+    return find(m, kHeader,
+                [&](const Instruction& i) {
+                    return i.operation == operation && i.operands.size() > operand && i.operands[operand] == id;
+                })
+        .has_value();
+}
+
+TEST(FoldConstants, DropsWhatNothingReaches) {
     const auto isPhi = [](const Instruction& i) { return i.operation == 245; };
-    const Modules taken = fold({}), left = fold({{3, 1}});
-    EXPECT_EQ(require(taken, kHeader, "phi", isPhi).operands.size(), 4u);
-    const Instruction dropped = require(left, kHeader, "phi", isPhi);
-    EXPECT_EQ(dropped.operands.size(), 2u);
-    EXPECT_EQ(require(left, dropped.end(), "phi", isPhi).operands.size(), 6u);  // both blocks still branch to it
+    const Modules otherwise = fold({}), then = fold({{3, 1}});
+    for (const Modules* m : {&otherwise, &then}) {
+        const bool takes = m == &then;
+        EXPECT_EQ(names(*m, kOpLabel, kThen, 0), takes);
+        EXPECT_EQ(names(*m, kOpLabel, kElse, 0), !takes);
+        EXPECT_EQ(names(*m, kOpName, kThen, 0), takes);
+        EXPECT_EQ(names(*m, kOpVariable, kOut, 1), takes);
+        EXPECT_EQ(names(*m, kOpVariable, kOther, 1), !takes);
+        EXPECT_EQ(names(*m, kOpDecorate, kOut, 0), takes);
+        EXPECT_EQ(names(*m, kOpDecorate, kOther, 0), !takes);
+        const Instruction entry =
+            require(*m, kHeader, "entry", [](const Instruction& i) { return i.operation == kOpEntryPoint; });
+        ASSERT_EQ(entry.operands.size(), 5u);
+        EXPECT_EQ(entry.operands[4], takes ? kOut : kOther);
+    }
+    const Instruction dead = require(otherwise, kHeader, "phi", isPhi);  // of kElse, which kHead leads to
+    EXPECT_EQ(dead.operands.size(), 4u);
+    EXPECT_EQ(require(otherwise, dead.end(), "phi", isPhi).operands[3], kElse);
+    const Instruction end = require(then, kHeader, "phi", isPhi);
+    ASSERT_EQ(end.operands.size(), 4u);
+    EXPECT_EQ(end.operands[3], kThen);
 }
 
 TEST(FoldConstants, KeepsStagesWithoutKnownConditions) {
     Modules m = module();
-    m[kHeader + 2] = 7;  // another decoration: the constant has no number
+    const Instruction number = require(m, kHeader, "number", [](const Instruction& i) {
+        return i.operation == kOpDecorate && i.operands[0] == kSwitch;
+    });
+    m[number.at + 2] = 7;  // another decoration: the constant has no number
     Specialization given;
     given.set(3, true);
     EXPECT_EQ(target(foldConstants(m, given)), kElse);
