@@ -43,15 +43,17 @@ std::vector<glm::dvec3> extremeDirections() {
 
 template <typename Keep>
 void keepSpheres(Representation& r, const Keep& keep) {
+    const bool ellipsoids = !r.ellipsoids.empty();
+    if (ellipsoids) r.ellipsoids.resize(r.spheres.size());  // spheres beyond the table are plain
     std::size_t kept = 0;
     for (std::size_t i = 0; i < r.spheres.size(); ++i) {
         if (!keep(r.spheres[i])) continue;
         r.spheres[kept] = r.spheres[i];
-        if (i < r.ellipsoids.size()) r.ellipsoids[kept] = r.ellipsoids[i];
+        if (ellipsoids) r.ellipsoids[kept] = r.ellipsoids[i];
         r.sphereLooks[kept++] = r.sphereLooks[i];
     }
     r.spheres.resize(kept);
-    r.ellipsoids.resize(std::min(kept, r.ellipsoids.size()));
+    if (ellipsoids) r.ellipsoids.resize(kept);
     r.sphereLooks.resize(kept);
 }
 
