@@ -209,7 +209,7 @@ std::uint32_t sampledEach(std::size_t count) {
 }
 
 void append(OpenTexels& all, OpenTexels&& part) {
-    if (all.firstOfSphere.empty()) {
+    if (all.texels.empty() && all.words.empty() && all.firstOfSphere.empty()) {
         all = std::move(part);
         return;
     }

@@ -11,6 +11,8 @@
 #include <map>
 #include <random>
 
+#include "engine/threads.h"
+
 namespace nacre::test {
 namespace {
 
@@ -78,6 +80,25 @@ TEST_P(OpenTexelsTest, AreThoseOutsideAllOthers) {
         buried += !listed;
     }
     EXPECT_GT(buried, open.texels.size());
+}
+
+TEST(OpenTexels, KeepTheSticksOfAllThreads) {
+    Representation r;
+    for (int i = 0; i < 600; ++i) {
+        const auto x = 9.0f * static_cast<float>(i);
+        r.cylinders.push_back({{x, 0, 0}, 1, {x + 3, 0, 0}});
+    }
+    OcclusionLayout layout;
+    for (const OcclusionLayout& l : occlusionLayouts(0, r.cylinders.size(), 0, 4096))
+        if (l.sphereEdge > 1) layout = l;
+    const auto texelsBy = [&](unsigned threads) {
+        setThreadsPerTask(threads);
+        return openTexels(layout, r, PrimitiveTree(r)).texels;
+    };
+    const auto before = texelsBy(1), after = texelsBy(4);
+    setThreadsPerTask(0);
+    EXPECT_GT(before.size(), r.cylinders.size());
+    EXPECT_EQ(after, before);
 }
 
 TEST_P(OpenTexelsTest, GiveTheirValuesToTheNearestBuriedOnes) {
