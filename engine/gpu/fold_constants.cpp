@@ -13,45 +13,9 @@ namespace {
 
 using namespace spirv;
 
-// Beside those of spirv.h.
-constexpr std::uint32_t kSpecId = 1;  // decoration
-enum : std::uint32_t {
-    kOpConstantTrue = 41,
-    kOpConstantFalse = 42,
-    kOpSpecConstantTrue = 48,
-    kOpSpecConstantFalse = 49,
-    kOpSpecConstant = 50,
-    kOpSpecConstantOp = 52,
-    kOpLogicalEqual = 164,
-    kOpLogicalNotEqual = 165,
-    kOpLogicalOr = 166,
-    kOpLogicalAnd = 167,
-    kOpLogicalNot = 168,
-    kOpIEqual = 170,
-    kOpINotEqual = 171,
-    kOpUGreaterThan = 172,
-    kOpSGreaterThan = 173,
-    kOpULessThan = 176,
-    kOpSLessThan = 177,
-    kOpFunctionEnd = 56,
-    kOpFunctionCall = 57,
-    kOpStore = 62,
-    kOpCopyMemory = 63,
-    kOpImageWrite = 99,
-    kOpControlBarrier = 224,
-    kOpMemoryBarrier = 225,
-    kOpAtomicStore = 228,
-    kOpPhi = 245,
-    kOpLoopMerge = 246,
-    kOpSelectionMerge = 247,
-    kOpBranch = 249,
-    kOpBranchConditional = 250,
-    kOpSwitch = 251,
-    kOpUnreachable = 255,
-};
-constexpr std::uint32_t kVertex = 0, kFragment = 4;  // execution models
-constexpr std::uint32_t kInput = 1, kOutput = 3;     // storage classes
-constexpr std::uint32_t kLocation = 30;              // decoration
+constexpr std::uint32_t kSpecId = 1, kLocation = 30;  // decorations
+constexpr std::uint32_t kVertex = 0, kFragment = 4;   // execution models
+constexpr std::uint32_t kInput = 1, kOutput = 3;      // storage classes
 
 template <typename Visit>
 void forEach(Words words, const Visit& visit) {
@@ -61,100 +25,88 @@ void forEach(Words words, const Visit& visit) {
     });
 }
 
-/// Scalars of 32 bits and booleans that are known.
+/// The result of an operation on booleans or integers of 32 bits, if it is one of those that conditions have.
+std::optional<std::uint32_t> evaluate(std::uint32_t operation, std::uint32_t a, std::uint32_t b) {
+    const auto signedA = static_cast<std::int32_t>(a), signedB = static_cast<std::int32_t>(b);
+    switch (operation) {
+        case kOpLogicalEqual:
+        case kOpIEqual:
+            return a == b;
+        case kOpLogicalNotEqual:
+        case kOpINotEqual:
+            return a != b;
+        case kOpLogicalOr:
+            return a | b;
+        case kOpLogicalAnd:
+            return a & b;
+        case kOpUGreaterThan:
+            return a > b;
+        case kOpSGreaterThan:
+            return signedA > signedB;
+        case kOpUGreaterThanEqual:
+            return a >= b;
+        case kOpSGreaterThanEqual:
+            return signedA >= signedB;
+        case kOpULessThan:
+            return a < b;
+        case kOpSLessThan:
+            return signedA < signedB;
+        default:
+            return std::nullopt;
+    }
+}
+
+/// Booleans and integers of 32 bits that are known when a pipeline is made.
 class Constants {
 public:
     Constants(Words words, const Specialization& given) {
-        std::map<std::uint32_t, std::uint32_t> numbers;  // SpecId of each constant
         forEach(words, [&](const Instruction& i) {
-            if (i.operation == kOpDecorate && i.operands.size() == 3 && i.operands[1] == kSpecId)
-                numbers[i.operands[0]] = i.operands[2];
-            else if (i.operands.size() >= 2)
-                add(i, numbers, given);
+            if (i.operation == kOpDecorate && i.operands.size() == 3 && i.operands[1] == kSpecId) {
+                if (const std::optional<std::uint32_t> value = given.value(i.operands[2]))
+                    given_[i.operands[0]] = *value;
+            } else if (i.operands.size() >= 2) {
+                if (const std::optional<std::uint32_t> value = valueOf(i)) values_[i.operands[1]] = *value;
+            }
         });
     }
-    std::optional<std::uint32_t> value(std::uint32_t id) const {
+    std::optional<std::uint32_t> operator()(std::uint32_t id) const {
         const auto found = values_.find(id);
         return found == values_.end() ? std::nullopt : std::optional(found->second);
     }
 
 private:
-    void add(const Instruction& i, const std::map<std::uint32_t, std::uint32_t>& numbers, const Specialization& given) {
-        const std::uint32_t id = i.operands[1];
+    std::optional<std::uint32_t> valueOf(const Instruction& i) const {
         const auto specialized = [&](std::uint32_t standard) {
-            const auto number = numbers.find(id);
-            return number == numbers.end() ? standard : given.value(number->second).value_or(standard);
+            const auto found = given_.find(i.operands[1]);
+            return found == given_.end() ? standard : found->second;
         };
         switch (i.operation) {
             case kOpConstantTrue:
-                values_[id] = 1;
-                break;
+                return 1;
             case kOpConstantFalse:
-                values_[id] = 0;
-                break;
-            case kOpConstant:
-                if (i.operands.size() == 3) values_[id] = i.operands[2];
-                break;
+                return 0;
             case kOpSpecConstantTrue:
-                values_[id] = specialized(1);
-                break;
+                return specialized(1);
             case kOpSpecConstantFalse:
-                values_[id] = specialized(0);
-                break;
+                return specialized(0);
+            case kOpConstant:
             case kOpSpecConstant:
-                if (i.operands.size() == 3) values_[id] = specialized(i.operands[2]);
-                break;
+                return i.operands.size() == 3 ? std::optional(specialized(i.operands[2])) : std::nullopt;
             case kOpSpecConstantOp:
-                if (i.operands.size() >= 4) compute(id, i.operands[2], i.operands.subspan(3));
-                break;
+                return compute(i.operands[2], i.operands.subspan(3));
             default:  // glslang also writes expressions of constants as plain instructions
-                if (i.operands.size() >= 3) compute(id, i.operation, i.operands.subspan(2));
+                return compute(i.operation, i.operands.subspan(2));
         }
     }
-
-    void compute(std::uint32_t id, std::uint32_t operation, Words operands) {
-        const std::optional<std::uint32_t> first = value(operands[0]);
-        if (!first) return;
-        if (operation == kOpLogicalNot) {
-            values_[id] = *first == 0 ? 1 : 0;
-            return;
-        }
-        const std::optional<std::uint32_t> second = operands.size() == 2 ? value(operands[1]) : std::nullopt;
-        if (!second) return;
-        const auto a = *first, b = *second;
-        switch (operation) {
-            case kOpLogicalEqual:
-            case kOpIEqual:
-                values_[id] = a == b ? 1 : 0;
-                break;
-            case kOpLogicalNotEqual:
-            case kOpINotEqual:
-                values_[id] = a != b ? 1 : 0;
-                break;
-            case kOpLogicalOr:
-                values_[id] = a | b;
-                break;
-            case kOpLogicalAnd:
-                values_[id] = a & b;
-                break;
-            case kOpUGreaterThan:
-                values_[id] = a > b ? 1 : 0;
-                break;
-            case kOpSGreaterThan:
-                values_[id] = static_cast<std::int32_t>(a) > static_cast<std::int32_t>(b) ? 1 : 0;
-                break;
-            case kOpULessThan:
-                values_[id] = a < b ? 1 : 0;
-                break;
-            case kOpSLessThan:
-                values_[id] = static_cast<std::int32_t>(a) < static_cast<std::int32_t>(b) ? 1 : 0;
-                break;
-            default:
-                break;
-        }
+    std::optional<std::uint32_t> compute(std::uint32_t operation, Words operands) const {
+        const bool negates = operation == kOpLogicalNot;
+        if (operands.size() != (negates ? 1 : 2)) return std::nullopt;
+        const std::optional<std::uint32_t> a = (*this)(operands[0]), b = negates ? a : (*this)(operands[1]);
+        if (!a || !b) return std::nullopt;
+        return negates ? std::optional<std::uint32_t>(*a == 0) : evaluate(operation, *a, *b);
     }
 
-    std::map<std::uint32_t, std::uint32_t> values_;
+    std::map<std::uint32_t, std::uint32_t> given_, values_;  // of ids
 };
 
 /// The result of an instruction in a function, if it has one.
@@ -238,52 +190,65 @@ void copyPhi(const Instruction& i, const Leads& leads, std::vector<std::uint32_t
     out[at] = static_cast<std::uint32_t>(out.size() - at) << 16 | kOpPhi;
 }
 
-/// Drops blocks and functions that nothing reaches, and the outputs of a vertex stage and the inputs of a fragment
-/// stage that nothing else uses.
-std::vector<std::uint32_t> dropUnused(Words words) {
+/// What a stage uses of itself.
+struct Usage {
+    std::vector<bool> kept;        ///< of each instruction: it is outside functions, or in a block that runs
+    std::set<std::uint32_t> gone;  ///< results of the others, and variables that only they used
+};
+
+/// @returns with outputs of a vertex stage, and inputs of a fragment stage, among the variables
+Usage findUsage(Words words) {
     const Reached reached(words);
-    std::vector<bool> kept;  // of each instruction
-    std::set<std::uint32_t> used, gone, located;
-    std::uint32_t stage = ~0u;
-    bool in = true, function = true, body = false;  // in what runs, or outside functions
+    Usage usage;
+    std::set<std::uint32_t> used, located;
+    std::uint32_t passed = ~0u;  // storage class of variables between stages
+    bool runs = true, function = true, body = false;
     forEach(words, [&](const Instruction& i) {
-        if (i.operation == kOpEntryPoint) stage = i.operands[0];
+        if (i.operation == kOpEntryPoint && i.operands[0] == kVertex) passed = kOutput;
+        if (i.operation == kOpEntryPoint && i.operands[0] == kFragment) passed = kInput;
         if (i.operation == kOpDecorate && i.operands[1] == kLocation) located.insert(i.operands[0]);
-        if (i.operation == kOpFunction) in = function = reached(i.operands[1]), body = true;
-        if (i.operation == kOpLabel) in = reached(i.operands[0]);
-        if (i.operation == kOpFunctionEnd) in = function;
-        kept.push_back(in);
-        if (!in) {
-            if (const std::optional<std::uint32_t> result = resultOf(i)) gone.insert(*result);
-        } else if (body) {
-            used.insert(i.operands.begin(), i.operands.end());
-        }
-        if (i.operation == kOpFunctionEnd) in = true, body = false;
+        if (i.operation == kOpFunction) runs = function = reached(i.operands[1]), body = true;
+        if (i.operation == kOpLabel) runs = reached(i.operands[0]);
+        if (i.operation == kOpFunctionEnd) runs = function;
+        usage.kept.push_back(runs);
+        if (runs && body) used.insert(i.operands.begin(), i.operands.end());
+        const std::optional<std::uint32_t> result = runs ? std::nullopt : resultOf(i);
+        if (result) usage.gone.insert(*result);
+        if (i.operation == kOpFunctionEnd) runs = true, body = false;
     });
-    const std::uint32_t passed = stage == kVertex ? kOutput : stage == kFragment ? kInput : ~0u;
-    const auto drops = [&](const Instruction& i) {
-        return i.operation == kOpVariable && i.operands[2] == passed && located.contains(i.operands[1]) &&
-               !used.contains(i.operands[1]);
-    };
     forEach(words, [&](const Instruction& i) {
-        if (drops(i)) gone.insert(i.operands[1]);
+        if (i.operation == kOpVariable && i.operands[2] == passed && located.contains(i.operands[1]) &&
+            !used.contains(i.operands[1]))
+            usage.gone.insert(i.operands[1]);
     });
+    return usage;
+}
+
+/// Copies an entry point without variables that are gone.
+void copyEntryPoint(const Instruction& i, Words words, const Usage& usage, std::vector<std::uint32_t>& out) {
+    const std::size_t at = out.size(), name = (text(i.operands, 2).size() + 4) / 4;
+    copy(i, words, out);
+    const auto variables = out.begin() + static_cast<std::ptrdiff_t>(at + 3 + name);
+    out.erase(std::remove_if(variables, out.end(), [&](std::uint32_t id) { return usage.gone.contains(id); }),
+              out.end());
+    out[at] = static_cast<std::uint32_t>(out.size() - at) << 16 | kOpEntryPoint;
+}
+
+std::vector<std::uint32_t> dropUnused(Words words) {
+    const Usage usage = findUsage(words);
     std::vector<std::uint32_t> out(words.begin(), words.begin() + kHeader);
-    out.reserve(words.size());
     std::size_t next = 0;
     forEach(words, [&](const Instruction& i) {
-        const bool keeps = kept[next++];
-        if (!keeps || drops(i)) return;
-        if ((i.operation == kOpName || i.operation == kOpDecorate) && gone.contains(i.operands[0])) return;
-        if (i.operation == kOpPhi) return copyPhi(i, reached, out);
-        const std::size_t at = out.size();
-        copy(i, words, out);
-        if (i.operation != kOpEntryPoint) return;
-        const auto isGone = [&](std::uint32_t id) { return gone.contains(id); };
-        const std::size_t name = (text(i.operands, 2).size() + 4) / 4;
-        out.erase(std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(at + 3 + name), out.end(), isGone),
-                  out.end());
-        out[at] = static_cast<std::uint32_t>(out.size() - at) << 16 | kOpEntryPoint;
+        const bool refers = i.operation == kOpName || i.operation == kOpDecorate;
+        if (!usage.kept[next++] || (refers && usage.gone.contains(i.operands[0]))) return;
+        if (i.operation == kOpVariable && usage.gone.contains(i.operands[1])) return;
+        if (i.operation == kOpPhi)
+            copyPhi(
+                i, [&](std::uint32_t from) { return !usage.gone.contains(from); }, out);
+        else if (i.operation == kOpEntryPoint)
+            copyEntryPoint(i, words, usage, out);
+        else
+            copy(i, words, out);
     });
     return out;
 }
@@ -300,7 +265,7 @@ std::vector<std::uint32_t> foldConstants(std::span<const std::uint32_t> words, c
     forEach(words, [&](const Instruction& i) {
         if (i.operation == kOpLabel) block = i.operands[0];
         if (i.operation == kOpBranchConditional && merge && i.operands[1] != i.operands[2])
-            if (const std::optional<std::uint32_t> holds = known.value(i.operands[0])) {
+            if (const std::optional<std::uint32_t> holds = known(i.operands[0])) {
                 taken[merge->at] = i.operands[*holds != 0 ? 1 : 2];
                 dropped.emplace(block, i.operands[*holds != 0 ? 2 : 1]);
             }
@@ -317,13 +282,9 @@ std::vector<std::uint32_t> foldConstants(std::span<const std::uint32_t> words, c
             append(out, kOpBranch, {branch->second});
             replaced = true;
         } else if (!std::exchange(replaced, false)) {
+            const auto leads = [&](std::uint32_t from) { return !dropped.contains(std::pair(from, block)); };
             if (i.operation == kOpPhi)
-                copyPhi(
-                    i,
-                    [&](std::uint32_t from) {
-                        return !dropped.contains({from, block});
-                    },
-                    out);
+                copyPhi(i, leads, out);
             else
                 copy(i, words, out);
         }

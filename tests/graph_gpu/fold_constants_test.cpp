@@ -42,28 +42,28 @@ Modules module() {
     append(m, kOpDecorate, {kSwitch, 1, 3});
     append(m, kOpDecorate, {kLevel, 1, 8});
     append(m, kOpTypeInt, {kInt, 32, 1});
-    append(m, 49, {kBool, kSwitch});   // OpSpecConstantFalse
-    append(m, 50, {kInt, kLevel, 5});  // OpSpecConstant
+    append(m, kOpSpecConstantFalse, {kBool, kSwitch});
+    append(m, kOpSpecConstant, {kInt, kLevel, 5});
     append(m, kOpConstant, {kInt, kTwo, 2});
-    append(m, 52, {kBool, kHigh, 173, kLevel, kTwo});    // OpSpecConstantOp, OpSGreaterThan
-    append(m, 52, {kBool, kBoth, 167, kSwitch, kHigh});  // OpLogicalAnd
-    append(m, kOpVariable, {98, kOut, 3});               // outputs
+    append(m, kOpSpecConstantOp, {kBool, kHigh, kOpSGreaterThan, kLevel, kTwo});
+    append(m, kOpSpecConstantOp, {kBool, kBoth, kOpLogicalAnd, kSwitch, kHigh});
+    append(m, kOpVariable, {98, kOut, 3});  // outputs
     append(m, kOpVariable, {98, kOther, 3});
     append(m, kOpFunction, {kInt, kFunction, 0, 99});
     append(m, kOpLabel, {kHead});
-    append(m, 247, {kEnd, 0});              // OpSelectionMerge
-    append(m, 250, {kBoth, kThen, kElse});  // OpBranchConditional
+    append(m, kOpSelectionMerge, {kEnd, 0});
+    append(m, kOpBranchConditional, {kBoth, kThen, kElse});
     append(m, kOpLabel, {kThen});
-    append(m, 62, {kOut, kTwo});  // OpStore
-    append(m, 249, {kEnd});       // OpBranch
+    append(m, kOpStore, {kOut, kTwo});
+    append(m, kOpBranch, {kEnd});
     append(m, kOpLabel, {kElse});
-    append(m, 62, {kOther, kTwo});
-    append(m, 245, {kInt, 50, kTwo, kHead});  // OpPhi
-    append(m, 249, {kEnd});
+    append(m, kOpStore, {kOther, kTwo});
+    append(m, kOpPhi, {kInt, 50, kTwo, kHead});
+    append(m, kOpBranch, {kEnd});
     append(m, kOpLabel, {kEnd});
-    append(m, 245, {kInt, kPhi, kTwo, kThen, kLevel, kElse});
+    append(m, kOpPhi, {kInt, kPhi, kTwo, kThen, kLevel, kElse});
     append(m, kOpReturnValue, {kPhi});
-    append(m, 56, {});  // OpFunctionEnd
+    append(m, kOpFunctionEnd, {});
     return m;
 }
 
@@ -72,7 +72,7 @@ std::uint32_t target(const Modules& m) {
     const Instruction head = require(
         m, kHeader, "head", [](const Instruction& i) { return i.operation == kOpLabel && i.operands[0] == kHead; });
     const Instruction end = require(m, head.end(), "end", [](const Instruction&) { return true; });
-    return end.operation == 249 ? end.operands[0] : 0;
+    return end.operation == kOpBranch ? end.operands[0] : 0;
 }
 
 Modules fold(std::initializer_list<std::pair<int, int>> constants) {
@@ -98,7 +98,7 @@ bool names(const Modules& m, std::uint32_t operation, std::uint32_t id, std::siz
 }
 
 TEST(FoldConstants, DropsWhatNothingReaches) {
-    const auto isPhi = [](const Instruction& i) { return i.operation == 245; };
+    const auto isPhi = [](const Instruction& i) { return i.operation == kOpPhi; };
     const Modules otherwise = fold({}), then = fold({{3, 1}});
     for (const Modules* m : {&otherwise, &then}) {
         const bool takes = m == &then;
@@ -133,7 +133,7 @@ TEST(FoldConstants, KeepsStagesWithoutKnownConditions) {
     EXPECT_EQ(target(foldConstants(m, given)), kElse);
     Modules plain = module();
     const Instruction branch =
-        require(plain, kHeader, "branch", [](const Instruction& i) { return i.operation == 250; });
+        require(plain, kHeader, "branch", [](const Instruction& i) { return i.operation == kOpBranchConditional; });
     plain[branch.at + 1] = 77;  // a condition from elsewhere
     EXPECT_EQ(foldConstants(plain, given), plain);
 }
