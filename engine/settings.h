@@ -15,7 +15,7 @@
 
 namespace nacre {
 
-/// Settings of the ambient occlusion bake. Equal values of the first five fields give equal results.
+/// Settings of the ambient occlusion bake. Equal values of the first six fields give equal results.
 struct OcclusionSettings {
     static constexpr std::uint64_t kUsualBytes = 64ull << 20;
     static constexpr int kMostDirections = 4096;
@@ -31,7 +31,7 @@ struct OcclusionSettings {
     /// Atoms move from picture to picture: few directions and texels are enough (occlusion/moving_atoms.h).
     bool moving = false;
     std::string cache;  ///< folder for finished bakes; empty: none are kept
-    /// The bake serves one view: without a cache, it skips texels that face away.
+    /// The bake serves one view: without a cache, it skips texels that face away, or that other spheres hide.
     bool once = false;
     double worthKeeping = 50;  ///< milliseconds; shorter bakes are not kept
     /// Called between batches of the bake with the finished share, above 0 and at most 1.
@@ -62,7 +62,8 @@ struct FrameTuning {
 };
 
 struct RenderSettings {
-    /// Pictures have kEdgeSamples samples at pixels with an edge, and one elsewhere. Debug views have one everywhere.
+    /// Pictures have up to kEdgeSamples samples at pixels with an edge, and one elsewhere. Debug views have one
+    /// everywhere.
     static constexpr std::uint32_t kEdges = 0;
     static constexpr std::uint32_t kEdgeSamples = 16;
     /// Samples per pixel side where one frame cannot do that: on paths other than `tiles`, for translucent meshes,

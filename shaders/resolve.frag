@@ -1,7 +1,7 @@
 #version 440
 // Writes a frame into its picture: a pixel is the mean of n x n samples in linear light.
 //   WORDS    the frame's colours are words of a buffer, row by row
-// MASKED   replaces only pixels that need n x n samples by a mask, or several if n is 1
+// MASKED   replaces only the pixels for which a mask has n, or any number if n is 1
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 #include "common/srgb.glsl"

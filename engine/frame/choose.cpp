@@ -165,8 +165,8 @@ void Chooser::chooseGeometry() {
                                      "many small spheres: lists would take longer"};
     because("host", kHost[static_cast<std::size_t>(choice_.host)]);
     because("prepass", tiles                  ? "compute draws no plates"
-                       : scene_.hasEllipsoids ? "ellipsoids do not fill their spheres: no plates hide what is behind"
                        : choice_.prepass      ? "plates reject fragments before they are shaded"
+                       : scene_.hasEllipsoids ? "ellipsoids do not fill their spheres: no plates hide what is behind"
                                               : "the path tests depth after shading: plates reject nothing");
     because("effects", "those with passes or images of their own");
 }
@@ -190,7 +190,7 @@ void Chooser::chooseOverflow() {
     overflow.longestList =
         choice_.drawsEdges() ? device_.tiles.longestListOfEdges : device_.tiles.longestList / (rims() ? 2 : 1);
     overflow.path = rims() ? Visibility::deferred : usual == Visibility::tiles ? Visibility::fragdepth : usual;
-    // Tiles of blocks cover a quarter of the side, so their lists are shorter.
+    // Tiles of blocks cover half or a quarter of the side, so their lists are shorter.
     if (choice_.drawsEdges()) overflow.refinement = blind() ? Refinement::everywhere : Refinement::blocks;
     overflow.host = chooseHostWork(overflow.path);
     overflow.prepass = needsPrepass(overflow.path, settings_.tuning.plates);

@@ -24,7 +24,7 @@ enum class Part : std::uint8_t {
     whole,      ///< a whole picture, or the first of its frames
     coarse,     ///< a picture with one sample per pixel; finds where more are needed
     edges,      ///< samples of listed edge pixels, added to a picture with one sample per pixel
-    block,      ///< a rectangle of a picture, with kBlockSamples x kBlockSamples pixels for each of its pixels
+    block,      ///< a rectangle of a picture, with 2 x 2 or 4 x 4 pixels for each of its pixels
     distances,  ///< how far away each pixel is, for depth of field
     layers,     ///< colour, surface and identity
     color,      ///< the colour of layers alone, with translucent parts
@@ -68,7 +68,6 @@ struct SceneFacts : passes::PrimitiveCounts {
     std::uint64_t meshTriangles = 0;   ///< of the finest level
     bool leveled = false;              ///< each view has its own levels of detail
     bool boxed = false;                ///< the scene's spheres have finite bounding boxes
-    bool hasEllipsoids = false;        ///< some spheres are bounds of ellipsoids: none hides what it covers
     /// Whether anything is blended over opaque surfaces.
     bool blends() const { return hasTranslucent || hasVolume; }
     // Of the view:

@@ -49,7 +49,7 @@ void Chooser::chooseSamples() {
             return because("samples", "added to a picture with one sample per pixel");
         case Part::block:
             samples = {Where::everywhere, RenderSettings::kEdgeSamples};
-            return because("samples", "a block of a picture, whose pixels are the mean of 4 x 4");
+            return because("samples", "a block of a picture, whose pixels are the mean of several");
         case Part::motion:
             if (!lack && motionSamples(device_) > 1) samples = {Where::resolved, motionSamples(device_)};
             if (reasons_) because("samples", lack ? lack : chooseMotionSamples(device_).why);

@@ -12,7 +12,7 @@
 namespace nacre {
 namespace {
 
-constexpr std::uint32_t kBlockSide = 1536;  ///< samples: 2 million and those of their rim
+constexpr std::uint32_t kBlockSide = 1536;  ///< samples, without those of the rim
 static_assert(kBlockSide / FinerPlaces::kMany % PictureRect::kStep == 0);
 
 /// Adds a number of each row to that of the same pass.
@@ -45,7 +45,7 @@ std::pair<View, PictureRect> withRim(const View& whole, const PictureRect& part,
             {part.x - left, part.y - top, part.width, part.height}};
 }
 
-/// Whether a sample depends on its neighbours. Their widths count kBlockSamples samples per pixel.
+/// Whether a sample depends on its neighbours: on lines and halos, whose widths assume kBlockSamples samples per side.
 bool looksAround(const RenderSettings& settings) {
     return settings.effects.contours.width > 0 || settings.effects.halos.width > 0;
 }
@@ -92,19 +92,13 @@ void addSmall(FinerPlaces& places, const passes::SceneView& view, graph::Extent 
 
 PictureRect wholeRect(graph::Extent image) { return {0, 0, image.width, image.height}; }
 
-/// Places where a translucent picture's colours over the background differ. @param pixels  as for resolvePixels()
+/// Places where colours over an opaque background differ. @param pixels  as for codePixels()
 FinerPlaces findFiner(const std::uint32_t* pixels, const ResolvedPart& part, const std::array<float, 4>& background) {
     std::uint64_t covered = 0;
     const CodedPicture seen = codePixels(pixels, part, background, true, covered);
     return {reinterpret_cast<const std::uint32_t*>(seen.bytes.data()),
             part.rect.width,
             {part.rect.width, part.rect.height}};
-}
-
-FinerPlaces findFiner(const float* pixels, graph::Extent image, const std::array<float, 4>& background) {
-    Picture seen{image.width, image.height, {pixels, pixels + std::size_t{4} * image.width * image.height}};
-    putOver(seen, background);
-    return {seen.rgba.data(), image};
 }
 
 }  // namespace
@@ -163,22 +157,22 @@ FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Want
     constexpr double kThinOutline = 0.34;  // share of the widest width; same as in shaders/common/rims.glsl
     coarse.shape.name = "coarse screen";
     endInPicture(coarse, wanted.view, 1);
-    const bool fine = coarse.choice().color == ColorFormat::linear;
+    const bool fine = coarse.choice().color == ColorFormat::linear, blends = coarse.facts.blends();
     const std::shared_ptr<const passes::SceneView> seen = coarse.view;
     const Drawn drawn = run(std::move(coarse), settings);
     const auto [pixels, rowPixels] = pictureRows(drawn, wanted.view, 1);
     const graph::Extent image = imageExtent(wanted.view);
-    const auto* floats = reinterpret_cast<const float*>(pixels);
     const auto* codes = reinterpret_cast<const std::uint32_t*>(pixels);
-    const bool blends = frames_.facts(settings).blends();
-    FinerPlaces places = blends ? fine ? findFiner(floats, image, settings.background)
-                                       : findFiner(codes, {rowPixels, 1, wholeRect(image)}, settings.background)
-                         : fine ? FinerPlaces(floats, image)
+    const std::array<float, 4>& under = settings.background;
+    const bool over = blends && under[3] == 1;
+    FinerPlaces places = fine   ? FinerPlaces(reinterpret_cast<const float*>(pixels), image,
+                                            over ? linearColor({under[0], under[1], under[2]}, 1) : glm::vec4(0))
+                           : over ? findFiner(codes, {rowPixels, 1, wholeRect(image)}, under)
                                 : FinerPlaces(codes, rowPixels, image);
     // At some pixels a thin outline misses the centre.
     if (settings.effects.linesByGroups() && kThinOutline * settings.effects.contours.width < 1) places.grow();
     if (seen->smallestPixels < passes::TileWork::kSmallPixels) addSmall(places, *seen, image);
-    // Contours of opaque shapes are sharp wherever two of them have nearly one colour.
+    // An edge between like colours of opaque shapes may be beside one between unlike ones, in the same pixel.
     if (!blends || looksAround(settings)) places.takeMany();
     return places;
 }

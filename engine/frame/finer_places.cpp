@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t kEach = 0x00010001;  // of two channels at a time
 
-/// Differences of two channels, from 0x200.
+/// Differences of two channels, plus 0x200 each.
 constexpr std::uint32_t subtract(std::uint32_t a, std::uint32_t b) {
     return (a & 0xff * kEach) + 0x200 * kEach - (b & 0xff * kEach);
 }
@@ -24,9 +24,9 @@ constexpr bool reaches(std::uint32_t differences, std::uint32_t steps) {
 constexpr std::uint8_t kFewByte = FinerPlaces::kFew - 1, kManyByte = FinerPlaces::kMany - 1;
 static_assert((kFewByte | kManyByte) == kManyByte);
 
-/// What two neighbours need.
+/// The samples that two neighbouring pixels need, as FinerPlaces::bytes().
 constexpr std::uint8_t compare(std::uint32_t a, std::uint32_t b) {
-    constexpr std::uint32_t kSome = 16, kMuch = 48;  // steps; fewer leave 50 dB and more
+    constexpr std::uint32_t kSome = 16, kMuch = 48;  // of 255; without samples below kSome 50 dB and more are left
     const std::uint32_t even = subtract(a, b), odd = subtract(a >> 8, b >> 8);
     if (reaches(even, kMuch) || reaches(odd, kMuch)) return kManyByte;
     return reaches(even, kSome) || reaches(odd, kSome) ? kFewByte : 0;
@@ -49,10 +49,10 @@ std::uint32_t toStep(float linear) {
     return static_cast<std::uint32_t>(255 * std::sqrt(std::clamp(linear, 0.0f, 1.0f)));
 }
 
-std::vector<std::uint32_t> toSteps(const float* seen, std::size_t count) {
+std::vector<std::uint32_t> toSteps(const float* seen, std::size_t count, const glm::vec4& under) {
     std::vector<std::uint32_t> steps(count);
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t c = 0; c < 4; ++c) steps[i] |= toStep(seen[4 * i + c]) << (8 * c);
+    for (std::size_t i = 0; i < count; ++i, seen += 4)
+        for (int c = 0; c < 4; ++c) steps[i] |= toStep(seen[c] + (1 - seen[3]) * under[c]) << (8 * c);
     return steps;
 }
 
@@ -67,8 +67,8 @@ FinerPlaces::FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, gra
     }
 }
 
-FinerPlaces::FinerPlaces(const float* seen, graph::Extent image)
-    : FinerPlaces(toSteps(seen, std::size_t{image.width} * image.height).data(), image.width, image) {}
+FinerPlaces::FinerPlaces(const float* seen, graph::Extent image, const glm::vec4& under)
+    : FinerPlaces(toSteps(seen, std::size_t{image.width} * image.height, under).data(), image.width, image) {}
 
 void FinerPlaces::add(const PictureRect& part) {
     const std::size_t down = across_ == 0 ? 0 : pixels_.size() / across_;

@@ -2,6 +2,7 @@
 // Places where a picture with one sample per pixel needs more.
 
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <utility>
 #include <vector>
 
@@ -12,18 +13,18 @@
 
 namespace nacre {
 
-/// Pixels whose colour differs visibly from a neighbour's, and how many samples they need: the error of a pixel is that
-/// of its covered share times the difference of colours.
+/// Pixels whose colour differs visibly from a neighbour's, and the samples that they need. A pixel's error is that of
+/// its coverage times the difference of the colours.
 class FinerPlaces {
 public:
     /// Samples per pixel side where colours differ a little and much.
     static constexpr std::uint32_t kFew = 2, kMany = 4;
 
     FinerPlaces() = default;
-    /// @param seen  RGBA8, sRGB-coded; of an opaque picture premultiplied, without a background
+    /// @param seen  RGBA8, sRGB-coded, premultiplied
     FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, graph::Extent image);
-    /// @param seen  four linear floats per pixel
-    FinerPlaces(const float* seen, graph::Extent image);
+    /// @param seen  four linear floats per pixel, premultiplied @param under  what is behind them
+    FinerPlaces(const float* seen, graph::Extent image, const glm::vec4& under = {});
 
     /// Adds all pixels of a part, with many samples.
     void add(const PictureRect& part);
@@ -60,7 +61,7 @@ private:
     }
 
     std::uint32_t across_ = 0;
-    std::vector<std::uint8_t> pixels_;  // as bytes(); the larger of two is their union: 0, 1 or 3
+    std::vector<std::uint8_t> pixels_;  // as bytes(): 0, 1 or 3, so that `or` gives the larger
 };
 
 }  // namespace nacre
