@@ -1,6 +1,7 @@
 #include "engine/occlusion/bake_preparation.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "engine/error.h"
@@ -80,15 +81,34 @@ bool givesWay(const OcclusionLayout& layout, const OcclusionLayout& coarser, std
            bytes(coarser, texels / step) <= roomBesideBatch;
 }
 
-/// Spheres that the only view does not show. Empty: any may be seen.
-std::vector<bool> spheresNotShown(const Representation& r, const BakeOptions& options) {
-    // Sticks and small balls hide few others entirely.
-    const bool sticks = 2 * r.cylinders.size() > r.spheres.size();
-    if (!options.viewDirection || sticks || !r.ellipsoids.empty() || !r.copies.transforms.empty() ||
-        !translucentParts(r).empty())
-        return {};
-    return hiddenSpheres(r.spheres, options.viewDirection->towards);
-}
+/// The spheres that the only view does not show, found when they are first asked for.
+class SpheresNotShown {
+public:
+    /// All arguments outlive this.
+    SpheresNotShown(const Representation& r, const BakeOptions& options, const std::stop_token& stop)
+        : r_(r), options_(options), stop_(stop) {}
+    /// Empty: any may be seen, or a single value per sphere stands for all its texels.
+    const std::vector<bool>& operator()(const OcclusionLayout& layout) {
+        if (layout.sphereEdge == 1) return none_;
+        if (!found_)
+            found_ =
+                mayHide() ? hiddenSpheres(r_.spheres, options_.viewDirection->towards, stop_) : std::vector<bool>();
+        return *found_;
+    }
+
+private:
+    bool mayHide() const {
+        const bool sticks = 2 * r_.cylinders.size() > r_.spheres.size();  // they and small balls hide few entirely
+        return options_.viewDirection && !sticks && r_.ellipsoids.empty() && r_.copies.transforms.empty() &&
+               translucentParts(r_).empty();
+    }
+
+    const Representation& r_;
+    const BakeOptions& options_;
+    const std::stop_token& stop_;
+    std::optional<std::vector<bool>> found_;
+    const std::vector<bool> none_;
+};
 
 /// Device memory for patches: beside one depth map, and beside a whole batch; 0 if no batch fits.
 struct PatchRoom {
@@ -97,8 +117,8 @@ struct PatchRoom {
 
 /// @param pixel  of the depth maps, Å @param least  patches narrower than this are only estimated: they do not fit
 Patches finestPatches(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
-                      const PrimitiveTree& tree, const PatchRoom& rooms, double pixel, double least,
-                      const std::stop_token& stop) {
+                      const PrimitiveTree& tree, SpheresNotShown& notShown, const PatchRoom& rooms, double pixel,
+                      double least, const std::stop_token& stop) {
     const std::uint64_t room = rooms.besideMap;
     const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
     Patches result;
@@ -131,8 +151,7 @@ Patches finestPatches(const gpu::Caps& caps, const Representation& representatio
         if (i + 1 < layouts.size() && givesWay(layout, layouts[i + 1], guess, rooms.besideBatch)) continue;
         result.layout = layout;
         if (layout.sphereEdge < least) return result;
-        if (!few)
-            result.open = openTexels(layout, representation, tree, stop, spheresNotShown(representation, options));
+        if (!few) result.open = openTexels(layout, representation, tree, stop, notShown(layout));
         result.bytes = bakeBytes(layout, result.open.texels.size(), result.open.words.size());
         if (result.bytes > room) continue;
         result.fit = true;
@@ -165,6 +184,7 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
     // coarsest patches fit.
     const std::uint64_t half = (budget - std::min(ofVertices, budget)) / 2;
     const PrimitiveTree tree(representation);
+    SpheresNotShown notShown(representation, options, stop);
     BakePreparation result;
     Patches patches;
     std::uint32_t pixels = 0;
@@ -175,7 +195,7 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
         const std::uint64_t ofMap = DepthMapSizes::mostBytes(pixels),
                             ofBatch = DepthMapSizes::batchBytes(representation, pixels, half);
         const PatchRoom rooms{budget - std::min(ofMap, budget), ofBatch > 0 ? budget - ofBatch : 0};
-        patches = finestPatches(caps, representation, options, tree, rooms, pixel, least, stop);
+        patches = finestPatches(caps, representation, options, tree, notShown, rooms, pixel, least, stop);
     };
     // Narrow patches do with coarser maps, which leave memory for more of them at once, or for finer patches. Vertices
     // of meshes do not.

@@ -22,7 +22,7 @@ struct BakeOptions {
     std::uint32_t detail = 32;                        ///< maximum width of a sphere's patch, texels
     std::optional<ViewDirection> viewDirection = {};  ///< of the only view that shows the bake
     bool bounce = false;                              ///< the finished atlas becomes one with bounced light
-    bool moving = false;                              ///< another bake of other places follows
+    bool moving = false;                              ///< atoms move: another bake follows soon
 };
 
 /// The prepared data. Layout, texels and map width depend on the scene and the options, not on the path. They depend on

@@ -32,8 +32,7 @@ constexpr double kManyTriangles = 8e6, kLeastShare = 0.4;
 constexpr double kSmallest = 128, kLargest = 2048;
 // Narrow patches need fewer pixels per Å, down to a minimum share.
 constexpr double kLeastOfDetail = 0.5;
-// Moving atoms have few directions, whose noise outweighs that of coarser maps: with 0.6 of the pixels per Å, frames of
-// spheres have 35.9 instead of 36.2 dB beside 128 directions, and sticks 36.6 instead of 36.2.
+// Moving atoms have few directions, whose noise outweighs that of coarser maps (docs/ambient_occlusion.md).
 constexpr double kShareOfMoving = 0.6;
 constexpr std::uint64_t kMostBytesPerPixel = 4 + 8;  // encoded depth in RGBA16F, and the depth buffer
 // Primitives per draw of the tile path: their lists take about 30 bytes each on the host.
@@ -117,18 +116,14 @@ double meanCurvature(const Representation& r) {
 /// Mean pixels per Å that the primitives need.
 double wantedResolution(const Representation& r) {
     double sum = 0;
-    std::size_t spheres = 0;
-    for (const Sphere& s : r.spheres) {
-        sum += kPixelsPerSphere / s.radius;
-        ++spheres;
-    }
+    for (const Sphere& s : r.spheres) sum += kPixelsPerSphere / s.radius;
     for (const Cylinder& c : r.cylinders) sum += kPixelsPerCylinder / c.radius;
     const double meshes = kShareOfMesh * static_cast<double>(r.meshLooks.size());
     if (meshes > 0) {
         const double ofMesh = std::clamp(kPixelsPerBend * meanCurvature(r), kFewestOfMesh, kMostOfMesh);
         sum += ofMesh * shareOfPixels(r) * meshes;
     }
-    const double count = static_cast<double>(spheres + r.cylinders.size()) + meshes;
+    const double count = static_cast<double>(r.spheres.size() + r.cylinders.size()) + meshes;
     return sum / std::max(count, 1.0);
 }
 
@@ -264,7 +259,8 @@ passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t mo
 std::uint64_t DepthMaps::instancesThatFit() const {
     const graph::GeometryCaps& caps = device_.caps().plan.geometry;
     if (caps.mostVertexBytes == 0) return ~std::uint64_t{0};
-    passes::PrimitiveCounts counts{.radiusPixels = radiusPixels()};
+    const passes::PrimitiveCounts counts{.radiusPixels = radiusPixels(),
+                                         .hasEllipsoids = !representation_.ellipsoids.empty()};
     const passes::SphereShapes shapes =
         passes::chooseShapes(PlateShape::automatic, ImpostorShape::automatic, caps, counts);
     const passes::PassCost plates = passes::computeCost(passes::Handed::plates, caps.storesVaryings, shapes);

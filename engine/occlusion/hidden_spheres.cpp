@@ -14,34 +14,35 @@ namespace {
 
 constexpr float kNothing = std::numeric_limits<float>::lowest();
 constexpr float kCellsPerRadius = 6, kMostCells = 1024;
-constexpr float kRoom = 0.01f, kRounding = 1e-5f;  // Å, and share of the scene, for rounding
+constexpr float kMargin = 0.01f, kRounding = 1e-5f;  // for rounding: Å, and share of the scene's size
 
-/// Square cells on a plane across the view. Each has the height up to which a single sphere fills it.
+/// Square cells on a plane across the view. Each has the height below which one sphere covers all of it.
 class Cells {
 public:
-    /// @param discs  positions on the plane, heights, and radii, Å
+    /// @param discs  finite: positions on the plane, heights, and radii, Å
     explicit Cells(std::span<const glm::vec4> discs) {
         glm::vec2 low(std::numeric_limits<float>::max()), high(-low);
-        float radii = 0;
+        float radii = 0, largest = 0;
         for (const glm::vec4& d : discs) {
             low = glm::min(low, glm::vec2(d) - d.w);
             high = glm::max(high, glm::vec2(d) + d.w);
             radii += d.w;
+            largest = std::max(largest, d.w);
         }
         const glm::vec2 size = high - low;
         side_ =
             std::max(radii / static_cast<float>(discs.size()) / kCellsPerRadius, std::max(size.x, size.y) / kMostCells);
-        valid_ = std::isfinite(side_) && side_ > 0;
+        valid_ = std::isfinite(side_) && side_ > 0 && 2 * side_ <= largest;  // else no cell is inside a disc
         if (!valid_) return;
         corner_ = low;
-        margin_ = kRoom + kRounding * std::max(size.x, size.y);
+        margin_ = kMargin + kRounding * std::max(size.x, size.y);
         across_ = static_cast<int>(size.x / side_) + 1;
         down_ = static_cast<int>(size.y / side_) + 1;
         heights_.assign(static_cast<std::size_t>(across_) * static_cast<std::size_t>(down_), kNothing);
     }
     bool valid() const { return valid_; }
 
-    /// Fills the cells inside a disc. All numbers are finite.
+    /// Covers the cells inside a disc.
     void cover(const glm::vec4& disc) {
         const float x = place(disc.x, corner_.x), y = place(disc.y, corner_.y);
         const float radius = (disc.w - margin_) / side_;
@@ -57,7 +58,7 @@ public:
         }
     }
 
-    /// Whether all cells that a disc touches are filled above its sphere.
+    /// Whether all cells that a disc touches are covered above its sphere.
     bool hide(const glm::vec4& disc) const {
         const float x = place(disc.x, corner_.x), y = place(disc.y, corner_.y);
         const float radius = (disc.w + margin_) / side_, top = disc.z + disc.w + margin_;
@@ -94,7 +95,8 @@ private:
 
 }  // namespace
 
-std::vector<bool> hiddenSpheres(std::span<const Sphere> spheres, const glm::dvec3& towards) {
+std::vector<bool> hiddenSpheres(std::span<const Sphere> spheres, const glm::dvec3& towards,
+                                const std::stop_token& stop) {
     const glm::dvec3 other = std::abs(towards.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::vec3 right = glm::normalize(glm::cross(other, towards)), up = glm::cross(towards, glm::dvec3(right));
     const glm::vec3 view = towards;
@@ -115,6 +117,7 @@ std::vector<bool> hiddenSpheres(std::span<const Sphere> spheres, const glm::dvec
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return discs[a].z + discs[a].w > discs[b].z + discs[b].w; });
     for (const std::uint32_t i : order) {
+        if (stop.stop_requested()) break;
         hidden[i] = cells.hide(discs[i]);
         if (!hidden[i]) cells.cover(discs[i]);
     }

@@ -38,7 +38,7 @@ struct OpenTexels {
 
 /// Linear in the number of primitives at any density; uses every core.
 /// @param stop  when requested, returns early with an incomplete result
-/// @param hidden  spheres whose patches nothing shows: theirs are left out. Empty: none
+/// @param hidden  spheres that the picture does not show: their texels are left out. Empty: none
 OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree,
                       const std::stop_token& stop = {}, const std::vector<bool>& hidden = {});
 

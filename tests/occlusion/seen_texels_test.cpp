@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string_view>
+#include <utility>
 
+#include "engine/occlusion/open_texels.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -48,6 +51,34 @@ TEST_P(Once, DrawsTheSamePictureForFewerQuestions) {
         s.occlusion.once = false;
         EXPECT_EQ(renderer.render(s).rgba, behind.rgba);
     }
+}
+
+/// Spheres that others hide have no texels, in scenes that are not searched whole for an estimate.
+TEST(OnceOfMany, DrawsTheSamePictureWithoutHiddenSpheres) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(-14, 14);
+    Representation r;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        r.spheres.push_back({{place(random), place(random), place(random)}, 1.7f});
+        r.sphereLooks.push_back({0xff4060c0u, i + 1});
+    }
+    r.radius = 26;
+    ASSERT_FALSE(samplesAll(r));
+    RenderSettings s = settings(r, 160, Projection::orthographic, {20, 35, 0});
+    s.occlusion.directions = 32;
+    s.occlusion.detail = 8;
+    const auto draw = [&](bool once) {
+        Renderer renderer{DeviceOptions{}};
+        renderer.setScene(r);
+        s.occlusion.once = once;
+        Picture picture = renderer.render(s);
+        return std::pair(picture.rgba, renderer.stats().occlusion.asked);
+    };
+    const auto [whole, asked] = draw(false);
+    const auto [seen, fewer] = draw(true);
+    EXPECT_EQ(seen, whole);
+    EXPECT_GT(fewer, 0u);
+    EXPECT_LT(static_cast<double>(fewer), 0.5 * static_cast<double>(asked));
 }
 
 INSTANTIATE_TEST_SUITE_P(
