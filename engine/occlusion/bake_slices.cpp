@@ -111,7 +111,8 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
     }
     w.askedThen =
         std::min(w.asked + std::max(static_cast<std::size_t>(std::min(allowance.units, 1e15)), kLeastTexels), w.texels);
-    accumulate(maps_.drawnParts(g, imports));
+    // Where nothing casts occlusion, no part was drawn.
+    accumulate(w.instances > 0 ? maps_.drawnParts(g, imports) : maps_.declare(g, imports, frames, batch, w.model));
     return static_cast<double>(std::max<std::size_t>(w.askedThen - w.asked, 1));
 }
 

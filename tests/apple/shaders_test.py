@@ -117,6 +117,7 @@ class InputAttachments(unittest.TestCase):
                  "--stats", str(root / "stats.json"), *picture],
                 ["render", "sample:buckyball", "--style", "spacefill", "--projection", "perspective", "--occlusion",
                  "off", "--supersample", "2", *picture],
+                ["render", "sample:dna", "--style", "ball-and-stick", "--atom-opacity", "0.5", *picture],
             ]):
                 for module in handed_over(root / str(number), "moltenvk", *arguments):
                     if module.read_bytes() in used:
@@ -126,7 +127,8 @@ class InputAttachments(unittest.TestCase):
                     # Without what constants never reach, it still translates.
                     status, _, complaint = to_metal(module, PLATFORMS["iOS 15"])
                     self.assertEqual((status, complaint), (0, ""), module.name)
-            # As much as drawing takes: plates, impostors of both kinds, layers, occlusion, counting.
+            # As much as drawing takes: plates, impostors of both kinds, layers, occlusion, counting, translucency (whose
+            # scene casts no occlusion: a bake in parts without one to draw).
             self.assertGreater(len(used), 30)
             # The same listening hears them on a phone that is given some.
             heard = handed_over(root / "android", "android", "render", "sample:glucose", *picture)

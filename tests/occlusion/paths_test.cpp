@@ -87,6 +87,25 @@ TEST_P(OcclusionOfScene, IsTheSameHoweverTheWorkIsCut) {
     }
 }
 
+/// Depth maps of nothing.
+TEST(OcclusionOfTranslucentShapes, IsOpenHoweverTheWorkIsCut) {
+    Representation r = scene("sample:dna", Style::ballAndStick);
+    const auto fade = [](std::uint32_t& color) { color = (color & 0xffffffu) | 0xc0000000u; };
+    for (SphereLook& look : r.sphereLooks) fade(look.color);
+    for (CylinderLook& look : r.cylinderLooks) fade(look.colorA), fade(look.colorB);
+    RenderSettings s = settings(r, 96, Projection::orthographic);
+    s.occlusion.directions = 5;
+    for (const OcclusionMaps maps : {OcclusionMaps::fragdepth, OcclusionMaps::encoded, OcclusionMaps::automatic}) {
+        s.occlusion.maps = maps;
+        ValidatedRenderer renderer(Visibility::automatic, r);
+        int slices = 0;
+        while (renderer->advanceOcclusion(s, 0.0) < 1) ASSERT_LT(++slices, 1000);
+        const LayerPicture seen = renderer->layers(s);
+        EXPECT_EQ(std::ranges::count_if(seen.occlusion, [](float open) { return open < 0.99f; }), 0);
+        EXPECT_GT(std::ranges::count_if(seen.id, [](std::uint32_t id) { return id != 0; }), 500);
+    }
+}
+
 /// Every atom a little farther from the middle.
 Representation swollen(Representation scene) {
     for (Sphere& s : scene.spheres) s.center *= 1.1f;
