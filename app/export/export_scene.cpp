@@ -30,12 +30,19 @@ struct ExportGroup {
     auto operator<=>(const ExportGroup&) const = default;
 };
 
+Error tooManyTriangles(std::size_t count) {
+    return {"cannot export molecule", "",
+            "it would have " + std::to_string(count) + " triangles, more than the limit of " +
+                std::to_string(kMostExportTriangles) + " (fewer --sides, or --atoms instanced)"};
+}
+
 class SceneExporter {
 public:
     SceneExporter(const Molecule& molecule, const Representation& scene, const ExportOptions& options)
         : molecule_(molecule), scene_(scene), instances_(options.instances), baked_(options.occlusion) {
         result_.center = scene.center;
         result_.sides = options.sides ? options.sides : sidesThatFit();
+        if (!instances_) pieces_ = ellipsoidPieces(countEllipsoids());
     }
 
     ExportScene run() {
@@ -45,11 +52,7 @@ public:
         for (auto& [group, mesh] : meshes_) addMesh(group, std::move(mesh.mesh), mesh.occlusion);
         checkInstances();
         for (auto& [group, instances] : placed_) addInstances(group, std::move(instances));
-        if (triangleCount(result_) > kMostExportTriangles)
-            throw Error("cannot export molecule", "",
-                        "it would have " + std::to_string(triangleCount(result_)) +
-                            " triangles, more than the limit of " + std::to_string(kMostExportTriangles) +
-                            " (fewer --sides, or --atoms instanced)");
+        if (triangleCount(result_) > kMostExportTriangles) throw tooManyTriangles(triangleCount(result_));
         return std::move(result_);
     }
 
@@ -69,6 +72,16 @@ private:
         };
         while (sides > kCoarsestSides && triangles() > kAimedTriangles) sides -= 4;
         return sides;
+    }
+
+    /// In all copies. @throws Error if even the coarsest would have too many triangles
+    std::size_t countEllipsoids() const {
+        std::size_t count = 0;
+        eachList(scene_.copies.spheres, scene_.spheres.size(),
+                 [&](auto i, auto list) { count += scene_.ellipsoid(i) ? listCopies(list).size() : 0; });
+        const std::size_t triangles = count * trianglesPerEllipsoid(ellipsoidPieces(count));
+        if (triangles > kMostExportTriangles) throw tooManyTriangles(triangles);
+        return count;
     }
 
     /// Visits each primitive with the list of its copies.
@@ -125,13 +138,9 @@ private:
     }
 
     void addEllipsoid(Mesh& mesh, const glm::vec3& center, const EllipsoidRows& rows, std::uint32_t color) const {
-        Ellipsoid ellipsoid{glm::dvec3(center)};
+        Ellipsoid ellipsoid{.center = center, .band = static_cast<double>(rows.band)};
         std::ranges::copy(rows.axes(), ellipsoid.axes.begin());
-        const Mesh own = ellipsoidMesh({&ellipsoid, 1}, {}, scene_.ellipsoids.size());
-        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-        for (std::size_t v = 0; v < own.positions.size(); ++v)
-            addVertex(mesh, own.positions[v], own.normals[v], own.atoms[v] & kEllipsoidBand ? bandColor(color) : color);
-        for (const glm::uvec3& triangle : own.triangles) mesh.triangles.push_back(triangle + first);
+        nacre::addEllipsoid(mesh, ellipsoid, pieces_, color, bandColor(color));
     }
 
     void addSphere(std::size_t i, std::uint32_t list) {
@@ -247,6 +256,7 @@ private:
     const Molecule& molecule_;
     const Representation& scene_;
     bool instances_;
+    int pieces_ = 0;  ///< of meshes of ellipsoids
     const BakedOcclusion* baked_;
     std::map<ExportGroup, GroupMesh> meshes_;
     std::map<ExportGroup, GroupMesh>::iterator last_ = meshes_.end();  // most recent result

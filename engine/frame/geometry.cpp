@@ -51,8 +51,12 @@ SceneCounts countPrimitives(Representation r, const RenderSettings& settings, Sc
     counts.meshLevels = placed.triangleLevels(r);
     const auto countSelected = [&](passes::PlacedCopies copies, passes::Opacity which) -> PrimitiveCounts {
         passes::select(copies, parts, which);
-        return {copies.sphereCount(), copies.cylinderCount(), copies.triangleCount(),
-                sizes.meanRadius * view.pixelsPerAngstrom, view.projection == Projection::perspective};
+        return {copies.sphereCount(),
+                copies.cylinderCount(),
+                copies.triangleCount(),
+                sizes.meanRadius * view.pixelsPerAngstrom,
+                view.projection == Projection::perspective,
+                !r.ellipsoids.empty()};
     };
     static_cast<PrimitiveCounts&>(counts) = countSelected(placed, passes::Opacity::opaque);
     counts.layers = countSelected(placed, passes::Opacity::translucent);

@@ -49,7 +49,8 @@ bool isOrdered(const std::vector<T>& ordered, const std::vector<T>& stream, cons
 bool hasSameEllipsoids(const Representation& now, const Representation& r, const std::vector<std::uint32_t>& order) {
     std::vector<EllipsoidRows> rows = r.ellipsoids;
     if (!rows.empty()) rows.resize(r.spheres.size());
-    return rows.empty() ? now.ellipsoids.empty() : isOrdered(now.ellipsoids, rows, order);
+    if (rows.empty()) return now.ellipsoids.empty();
+    return now.cutsOctants == r.cutsOctants && isOrdered(now.ellipsoids, rows, order);
 }
 
 /// Whether a representation has the scene's shapes in its order. Not for assemblies, whose copies may differ.
@@ -58,8 +59,7 @@ bool hasSameShapes(const Scene& scene, const Representation& r) {
     return r.copies.transforms.empty() && now.copies.transforms.empty() && r.radius == now.radius &&
            r.meshLooks.size() == now.meshLooks.size() && r.sphereLooks.size() == now.sphereLooks.size() &&
            r.cylinderLooks.size() == now.cylinderLooks.size() && r.wireLooks.size() == now.wireLooks.size() &&
-           isOrdered(now.spheres, r.spheres, scene.order.spheres) && now.cutsOctants == r.cutsOctants &&
-           hasSameEllipsoids(now, r, scene.order.spheres) &&
+           isOrdered(now.spheres, r.spheres, scene.order.spheres) && hasSameEllipsoids(now, r, scene.order.spheres) &&
            isOrdered(now.cylinders, r.cylinders, scene.order.cylinders) && sameBytes(r.wires, now.wires) &&
            sameBytes(r.triangles, now.triangles) && sameBytes(r.coarseTriangles, now.coarseTriangles) &&
            sameBytes(r.meshVertices, now.meshVertices) && sameBytes(r.sphereModels, now.sphereModels) &&
@@ -101,7 +101,7 @@ SceneSizes measureSizes(const Representation& r) {
     for (std::size_t i = 0; i < r.spheres.size(); ++i) {
         sum += r.spheres[i].radius;
         const EllipsoidRows* rows = r.ellipsoid(i);
-        smallest(rows ? glm::length(rows->axes()[2]) : r.spheres[i].radius);
+        smallest(rows ? rows->inner() : r.spheres[i].radius);
     }
     for (const Cylinder& c : r.cylinders) smallest(c.radius);
     for (const Cylinder& wire : r.wires)

@@ -34,8 +34,12 @@ SceneFacts SceneFrames::facts(const RenderSettings& settings) const {
 }
 
 passes::PrimitiveCounts SceneFrames::countPrimitives(const passes::SceneView& view) {
-    return {view.copies.sphereCount(), view.copies.cylinderCount(), view.copies.triangleCount(), view.radiusPixels,
-            view.flat()};
+    return {view.copies.sphereCount(),
+            view.copies.cylinderCount(),
+            view.copies.triangleCount(),
+            view.radiusPixels,
+            view.flat(),
+            view.buffers->ellipsoidOffset > 0};
 }
 
 void SceneFrames::addViewFacts(SceneFacts& facts, const passes::SceneView& view) {

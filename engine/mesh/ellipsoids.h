@@ -1,11 +1,10 @@
 #pragma once
-// Ellipsoids of triangles with a band along each principal ellipse.
+// Ellipsoids of triangles with a band along each principal ellipse, for files.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 
 #include "engine/mesh/mesh.h"
 
@@ -14,23 +13,17 @@ namespace nacre {
 struct Ellipsoid {
     glm::dvec3 center{};               ///< Å
     std::array<glm::dvec3, 3> axes{};  ///< half axes, Å: orthogonal, right-handed
-    std::uint32_t atom = 0;            ///< below kEllipsoidBand
+    double band = 0;                   ///< half the width of a band, Å; at most a fifth of an axis across it
 };
 
-/// Of a band: Mesh::atoms names its atom with this.
-constexpr std::uint32_t kEllipsoidBand = 0x80000000u;
+/// Adds an ellipsoid. Its vertices lie on it, with its normals; triangles lie up to 6 % of the longest axis inside with
+/// 4 pieces, and a quarter of that with twice as many.
+/// @param pieces  per side of an octant @param own, ofBands  values of Mesh::atoms
+void addEllipsoid(Mesh& mesh, const Ellipsoid& ellipsoid, int pieces, std::uint32_t own, std::uint32_t ofBands);
+std::size_t trianglesPerEllipsoid(int pieces);
 
-/// Pieces per side of an octant. Gives up to about two million triangles in all: 32 for up to 222 ellipsoids, 16 up to
-/// 818, 8 up to 2793, 4 beyond. Triangles lie up to ellipsoidMeshError() of the longest axis inside.
+/// Pieces that give up to about two million triangles in all: 32 for up to 222 ellipsoids, 16 up to 818, 8 up to 2793,
+/// 4 beyond.
 int ellipsoidPieces(std::size_t count);
-double ellipsoidMeshError(int pieces);
-
-/// More would take over 2 GB.
-constexpr std::size_t kMostEllipsoids = 200'000;
-
-/// Makes a mesh whose vertices and normals are those of the ellipsoids. @param all  of several meshes together, which
-/// decide the pieces
-/// @throws Error beyond kMostEllipsoids in all
-Mesh ellipsoidMesh(std::span<const Ellipsoid> ellipsoids, const glm::dvec3& origin, std::size_t all = 0);
 
 }  // namespace nacre

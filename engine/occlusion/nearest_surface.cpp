@@ -115,8 +115,8 @@ NearSpheres NearestSurface::findNear(std::uint32_t sphere) const {
         near.items.push_back(item);
         near.x.push_back(s.center.x), near.y.push_back(s.center.y), near.z.push_back(s.center.z);
         near.square.push_back(s.radius * s.radius);
-        const EllipsoidRows* rows = r_.ellipsoid(item);
-        const float within = (rows ? glm::length(rows->axes()[2]) : s.radius) - kWithin;  // certainly
+        near.hasEllipsoids = near.hasEllipsoids || r_.ellipsoid(item);
+        const float within = std::max(r_.ballRadius(item) - kWithin, 0.0f);
         near.squareWithin.push_back(within * within);
         return true;
     };
@@ -135,8 +135,7 @@ bool NearestSurface::buries(std::uint32_t self, const glm::vec3& point) const {
         const glm::vec3 d = point - r_.spheres[item].center;
         const float radius = r_.spheres[item].radius - kWithin;
         const EllipsoidRows* rows = r_.ellipsoid(item);
-        buried = rows ? glm::length(rows->toUnit(d)) < 1 - kWithin / glm::length(rows->axes()[2])
-                      : glm::dot(d, d) < radius * radius;
+        buried = rows ? glm::length(rows->toUnit(d)) < 1 - kWithin / rows->inner() : glm::dot(d, d) < radius * radius;
         return !buried;
     });
     return buried;
@@ -162,7 +161,8 @@ std::optional<SurfaceHit> NearestSurface::from(std::uint32_t self, const glm::ve
         const Lanes dx = loadLanes(&near.x[i]) - start.x, dy = loadLanes(&near.y[i]) - start.y,
                     dz = loadLanes(&near.z[i]) - start.z;
         const Lanes middle = dx * direction.x + dy * direction.y + dz * direction.z;
-        const Mask meets = (dx * dx + dy * dy + dz * dz - middle * middle < loadLanes(&near.square[i])) & (middle > 0);
+        Mask meets = dx * dx + dy * dy + dz * dz - middle * middle < loadLanes(&near.square[i]);
+        if (!near.hasEllipsoids) meets &= middle > 0;  // the tip of one may be ahead of its centre
         for (std::uint32_t bits = packSigns(meets); bits != 0; bits &= bits - 1) {
             const std::uint32_t item = near.items[i + static_cast<std::uint32_t>(std::countr_zero(bits))];
             std::optional<SurfaceHit> met = meetBall(r_, item, start, direction);

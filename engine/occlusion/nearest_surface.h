@@ -31,7 +31,9 @@ struct NearSpheres {
     std::vector<float> square;        ///< of the radius
     std::vector<float> squareWithin;  ///< of the radius less a margin: surfaces that coincide do not bury each other
 
-    /// As NearestSurface::buries.
+    bool hasEllipsoids = false;
+
+    /// As NearestSurface::buries, but of an ellipsoid only the ball inside it counts.
     bool bury(const glm::vec3& point) const;
 };
 

@@ -148,7 +148,7 @@ private:
         Mask in{};
         for (const std::uint32_t item : around_) {
             if (const EllipsoidRows* rows = r_.ellipsoid(item)) {
-                const float most = 1 - kDeep / glm::length(rows->axes()[2]);
+                const float most = 1 - kDeep / rows->inner();
                 for (std::uint32_t k = 0; k < kLanes; ++k) {
                     const glm::vec3 p = glm::vec3(x[k], y[k], z[k]) - r_.spheres[item].center;
                     in[k] |= glm::length(rows->toUnit(p)) < most ? -1 : 0;

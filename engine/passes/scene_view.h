@@ -53,7 +53,7 @@ struct SceneView {
     bool powers = false;                           ///< the device computes powers in a few instructions
     bool perspective = false;
     bool frontsOnly = false;    ///< triangles are invisible from behind
-    int octants = 1;            ///< kEllipsoids, if ellipsoids are cut
+    int octants = 1;            ///< value of kEllipsoids where octants are cut (shaders/common/view.glsl)
     std::uint32_t samples = 1;  ///< per pixel; fragments state which they cover
     int quarterTurns = 0;       ///< as in View
     float wireScale = 1;        ///< this picture's pixels per pixel of the requested picture; 0: no wires

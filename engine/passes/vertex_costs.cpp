@@ -38,7 +38,8 @@ VertexCost impostorCost(ImpostorShape shape, std::uint32_t bytesOfCorner) {
 
 PassCost impostorCosts(const SphereShapes& shapes, std::uint32_t sphere, std::uint32_t cylinder,
                        std::uint32_t triangle) {
-    return {impostorCost(shapes.impostor, sphere), polygon(4, cylinder), polygon(3, triangle)};
+    const std::uint32_t rows = shapes.ellipsoids ? 2 * kFour : 0;
+    return {impostorCost(shapes.impostor, sphere + rows), polygon(4, cylinder), polygon(3, triangle)};
 }
 
 }  // namespace
@@ -46,14 +47,15 @@ PassCost impostorCosts(const SphereShapes& shapes, std::uint32_t sphere, std::ui
 SphereShapes chooseShapes(PlateShape plates, ImpostorShape impostor, const graph::GeometryCaps& caps,
                           const PrimitiveCounts& counts) {
     return {choosePlates(plates, caps, counts.radiusPixels),
-            chooseImpostor(impostor, caps, counts.radiusPixels, counts.flat)};
+            chooseImpostor(impostor, caps, counts.radiusPixels, counts.flat), counts.hasEllipsoids};
 }
 
 PassCost computeCost(Handed handed, bool stores, const SphereShapes& shapes) {
     switch (handed) {
         case Handed::plates: {
             const bool none = shapes.plates == PlateShape::none;
-            return {plateCost(shapes.plates), VertexCost(), none ? VertexCost() : polygon(3, kPosition)};
+            return {shapes.ellipsoids ? VertexCost() : plateCost(shapes.plates), VertexCost(),
+                    none ? VertexCost() : polygon(3, kPosition)};
         }
         case Handed::depth:
             return impostorCosts(shapes, kSphere, kCylinder, stores ? kFetched : kTriangle);

@@ -12,8 +12,9 @@ namespace nacre::passes {
 /// Primitives that a view submits, in all copies, and their size in the picture.
 struct PrimitiveCounts {
     std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
-    double radiusPixels = 0;  ///< mean radius of the spheres
-    bool flat = false;        ///< no tilted facets (SceneView::flat())
+    double radiusPixels = 0;     ///< mean radius of the spheres
+    bool flat = false;           ///< no tilted facets (SceneView::flat())
+    bool hasEllipsoids = false;  ///< the scene has some: vertices of all spheres pass their rows, and none has a plate
 };
 
 /// Outputs of the vertex stage of a pass.
@@ -29,6 +30,7 @@ enum class Handed : std::uint8_t {
 struct SphereShapes {
     PlateShape plates{};
     ImpostorShape impostor{};
+    bool ellipsoids = false;  ///< PrimitiveCounts::hasEllipsoids
 };
 /// Shapes of spheres of a view. @param plates, impostor  as requested
 SphereShapes chooseShapes(PlateShape plates, ImpostorShape impostor, const graph::GeometryCaps& caps,

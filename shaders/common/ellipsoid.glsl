@@ -10,7 +10,7 @@ vec4 nearestOnRay(vec3 g0, vec3 g1, vec3 g2, vec2 off, vec3 along) {
     return vec4(w, t0);
 }
 
-/// What Hit::corner says of an ellipsoid: a number of triangles, plus these.
+// Hit::corner of an ellipsoid is the sum of those that hold; triangles have 0 to 2.
 const uint kEllipsoidMark = 4u;  // every ellipsoid
 const uint kBandMark = 1u;       // band along a principal ellipse, or line on a face of the cut
 const uint kFaceMark = 2u;       // face of the cut
@@ -18,8 +18,9 @@ const uint kFaceMark = 2u;       // face of the cut
 /// An axis's part in a vector.
 float partOf(vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-/// An ellipsoid, as the sphere that contains it and two rows of its map in view space. Their w: factor of their cross product
-/// that is the third row; half the width of a band, Å, 0 for a plain sphere.
+/// An ellipsoid, as the sphere that contains it and two rows of its map in view space.
+/// @param rowA  w: the factor of both rows' cross product that is the third row
+/// @param rowB  w: half the width of a band, Å; 0: a plain sphere
 Hit ellipsoidHitThrough(vec4 sphere, vec4 rowA, vec4 rowB, vec2 q) {
     Hit hit = noHit();
     vec3 center = sphere.xyz;
@@ -29,12 +30,12 @@ Hit ellipsoidHitThrough(vec4 sphere, vec4 rowA, vec4 rowB, vec2 q) {
     precise vec3 way = kPerspective ? vec3(q * (-1.0 / view.origin), 1.0) : vec3(0.0, 0.0, 1.0);
     precise vec3 along = vec3(dot(g0, way), dot(g1, way), dot(g2, way));  // towards the viewer
     precise vec2 off = q * at - center.xy;
-    vec4 near_ = nearestOnRay(g0, g1, g2, off, along);
-    vec3 w = near_.xyz;
+    vec4 closest = nearestOnRay(g0, g1, g2, off, along);
+    vec3 w = closest.xyz;
     precise float square = dot(w, w);
     precise float s = sqrt(max(1.0 - square, 0.0) / dot(along, along));
     precise vec3 p = w + along * s;
-    precise float Z = middle - (near_.w + s);
+    precise float Z = middle - (closest.w + s);
     hit.inside = square < 1.0;
     precise vec3 gradient = g0 * p.x + g1 * p.y + g2 * p.z;
     hit.normal = gradient * inversesqrt(max(dot(gradient, gradient), 1e-30));
@@ -48,13 +49,13 @@ Hit ellipsoidHitThrough(vec4 sphere, vec4 rowA, vec4 rowB, vec2 q) {
         if (kEllipsoids == 3) eye = kCut ? viewer.xyz : viewer.xyz - center * viewer.w;
         precise vec3 seen = vec3(dot(g0, eye), dot(g1, eye), dot(g2, eye));
         signs = vec3(seen.x < 0.0 ? -1.0 : 1.0, seen.y < 0.0 ? -1.0 : 1.0, seen.z < 0.0 ? -1.0 : 1.0);
-        precise vec3 in_ = p * signs, falls = along * signs;
+        precise vec3 inside = p * signs, falls = along * signs;
         // Behind the octant's surface the ray goes on to the first of its faces.
-        precise vec3 steps = vec3(falls.x > 1e-12 ? in_.x / falls.x : 1e30, falls.y > 1e-12 ? in_.y / falls.y : 1e30,
-                                  falls.z > 1e-12 ? in_.z / falls.z : 1e30);
+        precise vec3 steps = vec3(falls.x > 1e-12 ? inside.x / falls.x : 1e30, falls.y > 1e-12 ? inside.y / falls.y : 1e30,
+                                  falls.z > 1e-12 ? inside.z / falls.z : 1e30);
         int face = steps.x <= min(steps.y, steps.z) ? 0 : steps.y <= steps.z ? 1 : 2;
         precise float deeper = min(steps.x, min(steps.y, steps.z));
-        if (rowB.w > 0.0 && min(in_.x, min(in_.y, in_.z)) > 0.0) {
+        if (rowB.w > 0.0 && min(inside.x, min(inside.y, inside.z)) > 0.0) {
             precise float faceZ = Z + deeper;
             Z = faceZ;
             hit.inside = hit.inside && deeper <= 2.0 * s;
@@ -63,20 +64,21 @@ Hit ellipsoidHitThrough(vec4 sphere, vec4 rowA, vec4 rowB, vec2 q) {
             // Lines across an axis of the face, beside the one at its edge.
             const float kLines = 4.0, kLine = 2.0 / 3.0;  // number; width of a band's
             int across = signs.x * signs.y * signs.z > 0.0 ? (face + 1) % 3 : (face + 2) % 3;
-            float share = partOf(in_ - falls * deeper, across) * (kLines + 1.0);
-            float half_ = min(kLine * rowB.w * partOf(lengths, across) * (kLines + 1.0), 0.2);
+            float share = partOf(inside - falls * deeper, across) * (kLines + 1.0);
+            float halfLine = min(kLine * rowB.w * partOf(lengths, across) * (kLines + 1.0), 0.2);
             float line = min(max(floor(share + 0.5), 1.0), kLines);
-            mark = kFaceMark + (share < 2.0 * half_ || abs(share - line) < half_ ? kBandMark : 0u);
+            mark = kFaceMark + (share < 2.0 * halfLine || abs(share - line) < halfLine ? kBandMark : 0u);
         }
     }
     hit.corner = kEllipsoidMark + mark;
     hit.Z = hit.order = Z;
-    precise float silhouetteZ = middle - near_.w;
+    precise float silhouetteZ = middle - closest.w;
     bool clipped = false;  // at the silhouette
     if (kClip) {
         precise float plane = clamp(silhouetteZ, view.clipNear, view.clipFar);
         clipped = silhouetteZ != plane;
-        precise vec3 x = vec3(q * (kPerspective ? view.clipNear / view.origin : 1.0) - center.xy, middle - view.clipNear);
+        float planeScale = kPerspective ? view.clipNear / view.origin : 1.0;
+        precise vec3 x = vec3(q * planeScale - center.xy, middle - view.clipNear);
         precise vec3 P = vec3(dot(g0, x), dot(g1, x), dot(g2, x));
         vec3 there = P * signs;
         bool gone = kEllipsoids >= 2 && rowB.w > 0.0 && min(there.x, min(there.y, there.z)) > 0.0;
@@ -100,9 +102,9 @@ Hit ellipsoidHitThrough(vec4 sphere, vec4 rowA, vec4 rowB, vec2 q) {
             precise float size = sqrt(dot(v, v));
             precise vec2 steep = (g0.xy * v.x + g1.xy * v.y + g2.xy * v.z) * (scale / max(size, 1e-20));
             precise float perSteep = inversesqrt(max(dot(steep, steep), 1e-20));
-            precise vec2 out_ = steep * perSteep;
-            outside = dot(q - foot, out_) + (size - 1.0) * perSteep;
-            foot = q - out_ * outside;
+            precise vec2 outward = steep * perSteep;
+            outside = dot(q - foot, outward) + (size - 1.0) * perSteep;
+            foot = q - outward * outside;
         }
         precise float perAlong = dot(off, way.xy) / dot(way, way);
         precise vec3 beside = vec3(off, 0.0) - way * perAlong;

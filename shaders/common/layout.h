@@ -26,7 +26,7 @@ const int kSpheresId = 7;       // bool: the scene has spheres
 const int kCylindersId = 8;     // bool: the scene has cylinders
 const int kTrianglesId = 9;     // bool: the scene has triangles
 const int kWiresId = 14;        // bool: there are wires among the cylinders
-const int kEllipsoidsId = 18;   // int: some spheres are ellipsoids (shaders/common/ellipsoid.glsl)
+const int kEllipsoidsId = 18;   // int: whether some spheres are ellipsoids (shaders/common/view.glsl)
 const int kFrontsOnlyId = 17;   // bool: triangles are invisible from behind, hidden by fronts of their meshes
 // Polygons, and depth.
 const int kCornersId = 10;        // of a primitive's polygon

@@ -13,6 +13,7 @@ const bool kPlain = !kClip && !kContours && kEllipsoids == 0;
 
 uint packSight(Hit hit, uint number) {
     return number | (hit.along >= 0.5 || (hit.corner & 1u) != 0u ? kSecondHalf : 0u) |
-           ((hit.corner & 2u) != 0u ? kThirdCorner : 0u) | (kContours && hit.contour ? kContour : 0u) | (kClip && hit.cap ? kCutFace : 0u);
+           ((hit.corner & 2u) != 0u ? kThirdCorner : 0u) | (kContours && hit.contour ? kContour : 0u) |
+           (kClip && hit.cap ? kCutFace : 0u);
 }
 #endif

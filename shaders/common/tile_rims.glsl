@@ -43,7 +43,8 @@ void findRims(uint at, uint end, uint lane, vec2 middle, vec2 reach) {
             uint candidate = subgroupShuffle(e.number, from);
             float front = subgroupShuffle(e.front, from);
             bool live = balls != 0u;
-            for (int i = 0; i < kPixels; ++i) addRim(i, numberedBallHit(candidate, sphere, through[i]), here, front, live);
+            for (int i = 0; i < kPixels; ++i)
+                addRim(i, numberedBallHit(candidate, sphere, through[i]), here, front, live);
             balls &= balls - 1u;
         } while (balls != 0u);
 #ifdef CYLINDERS

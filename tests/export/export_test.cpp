@@ -16,6 +16,7 @@
 #include "app/export/scene_files.h"
 #include "app/export/usdz_package.h"
 #include "engine/error.h"
+#include "engine/mesh/ellipsoids.h"
 #include "engine/mesh/mesh_measures.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
@@ -60,6 +61,24 @@ TEST(Export, RefusesInstancesInVeryManyCopies) {
     // Carbon, hydrogen and oxygen.
     scene.copies.lists[0].resize(kMostExportCopies / 3 + 1);
     EXPECT_THROW(exportScene(glucose, scene, options), Error);
+}
+
+TEST(Export, MeshesOfEllipsoidsAreAsFineAsTheirNumberAllows) {
+    const Molecule glucose = sampleMolecule("glucose");
+    Representation scene = represent(glucose, drawnAtoms(glucose), {Style::spacefill, ColorScheme::element, {}});
+    scene.spheres.resize(3000, scene.spheres.front());
+    scene.sphereLooks.resize(3000, scene.sphereLooks.front());
+    scene.ellipsoids.resize(3000);
+    const EllipsoidRows rows = ellipsoidRows({glm::dvec3(1, 0, 0), glm::dvec3(0, 0.5, 0), glm::dvec3(0, 0, 0.3)});
+    const auto triangles = [&](int sides) { return triangleCount(exportScene(glucose, scene, {.sides = sides})); };
+    const std::size_t plain = triangles(8);
+    scene.ellipsoids.back() = rows;  // one
+    EXPECT_EQ(triangles(8) - plain, trianglesPerEllipsoid(32) - 8 * 6);
+    // Each of very many copies counts.
+    scene.copies.transforms = {glm::dmat4x3(1.0)};
+    scene.copies.lists = {std::vector<std::uint32_t>(kMostExportTriangles / trianglesPerEllipsoid(4) + 1)};
+    scene.copies.spheres = {{2999, 1, 0, {}, 10}};
+    EXPECT_THROW(exportScene(glucose, scene, {}), Error);
 }
 
 TEST(Export, BallsAndSticksAreClosedSolidsInTheirColours) {

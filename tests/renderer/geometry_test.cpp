@@ -45,6 +45,22 @@ TEST(Geometry, CountsWhatTheShadersHandOn) {
     expect(Visibility::deferred, 1, triangle, shaders::numberTriangleVertex);
 }
 
+TEST(Geometry, CountsTheRowsOfEllipsoids) {
+    gpu::Specialization some;
+    some.set(layout::kEllipsoidsId, 1);
+    const std::uint32_t handed = outputBytes(gpu::foldConstants(shaders::geometrySphereVertex, some));
+    const auto bytes = [&](bool ellipsoids) {
+        const SceneCounts one{{.spheres = 1, .radiusPixels = 1, .hasEllipsoids = ellipsoids}};
+        const auto geometry =
+            describeGeometry(frameBy(Visibility::encoded).graph, one, {}, PlateShape::square, ImpostorShape::square);
+        return std::pair(geometry[0].vertices, geometry[1].varyingBytes / geometry[1].vertices);
+    };
+    EXPECT_EQ(bytes(true).second, 16 + handed);
+    EXPECT_EQ(bytes(true).second, bytes(false).second + 32);
+    EXPECT_EQ(bytes(true).first, 0u);  // no plates
+    EXPECT_EQ(bytes(false).first, 4u);
+}
+
 // On GPUs that store vertex outputs triangles and spheres pass at most half: the fragment stage fetches the rest.
 TEST(Geometry, PassesNumbersWhereVertexOutputsGoThroughMemory) {
     const graph::GeometryCaps& mali = graph::capabilitySet("mali").plan.geometry;

@@ -6,6 +6,7 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
+#include "engine/scene/view/keep_spheres.h"
 
 namespace nacre {
 namespace {
@@ -50,6 +51,23 @@ TEST(CutScene, LeavesTheChosenAtomsAndNothingElseInFront) {
         }
         EXPECT_TRUE(front && other) << static_cast<int>(style);
     }
+}
+
+TEST(CutScene, KeepsEllipsoidsAndPlainSpheresApart) {
+    Representation r;
+    const EllipsoidRows rows = ellipsoidRows({glm::dvec3(1, 0, 0), glm::dvec3(0, 0.5, 0), glm::dvec3(0, 0, 0.3)});
+    for (std::uint32_t i = 0; i < 5; ++i) {  // the first is cut away, the last three are plain
+        r.spheres.push_back({{0, 0, i == 0 ? 5.0f : -static_cast<float>(i)}, 1});
+        r.sphereLooks.push_back({0xff808080u, i + 1});
+    }
+    r.ellipsoids = {rows, rows};
+    r.radius = 6;
+    Representation seen = r;
+    ASSERT_TRUE(cutScene(r, makeView({}, r.radius, 100, 100), {.near = 0}, std::vector<bool>(5)));
+    ASSERT_EQ(r.spheres.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(r.ellipsoid(i) != nullptr, i == 0) << i;
+    keepSpheres(seen, [](std::size_t i) { return i > 1; });
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(seen.ellipsoid(i), nullptr) << i;
 }
 
 TEST(CutScene, GivesCapsTheirColour) {

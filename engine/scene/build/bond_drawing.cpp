@@ -192,11 +192,7 @@ private:
     glm::dvec3 at(std::uint32_t atom) const { return glm::dvec3(molecule_.atoms[atom].position) - result_.center; }
     SphereLook look(std::uint32_t atom) const { return result_.sphereLooks[slots_[atom]]; }
     /// Of a ball that an atom fills, Å.
-    double ballRadius(std::uint32_t atom) const {
-        const std::uint32_t slot = slots_[atom];
-        const EllipsoidRows* rows = result_.ellipsoid(slot);
-        return static_cast<double>(rows ? glm::length(rows->axes()[2]) : result_.spheres[slot].radius);
-    }
+    double ballRadius(std::uint32_t atom) const { return static_cast<double>(result_.ballRadius(slots_[atom])); }
 
     /// Side of a bond for its inner line or second strand: into its ring; for a delocalised bond towards the atom that
     /// shares its electrons; else towards the neighbour farthest off the axis. One neighbour decides, since those of a
@@ -233,6 +229,7 @@ private:
             if (inside > offset) trim = length / 2 * offset / inside;
         }
         const auto covered = [&](std::uint32_t atom) {
+            if (result_.cutsOctants && result_.ellipsoid(slots_[atom])) return 0.0;  // the cut shows its centre
             const double ball = ballRadius(atom);
             return ball > offset ? std::sqrt(ball * ball - offset * offset) : 0.0;
         };

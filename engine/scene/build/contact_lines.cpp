@@ -109,7 +109,7 @@ private:
     double atomBallRadius(std::uint32_t atom) {
         const auto found = std::lower_bound(slots().begin(), slots().end(), std::pair(atom, 0u));
         if (found == slots().end() || found->first != atom) return 0;
-        return static_cast<double>(scene_.spheres[found->second].radius);
+        return static_cast<double>(scene_.ballRadius(found->second));
     }
     /// Balls by their atoms. Those of an assembly are not in the order of their atoms.
     const std::vector<std::pair<std::uint32_t, std::uint32_t>>& slots() {
@@ -226,7 +226,7 @@ void addContacts(const Molecule& molecule, const Appearance& appearance, std::ve
 
 void fillUp(Representation& scene, std::size_t& spheres, std::size_t& cylinders) {
     constexpr float kHidden = 0.05f;  // Å, less than any atom's ball
-    if (scene.spheres.empty() || scene.spheres.front().radius < 2 * kHidden) return;
+    if (scene.spheres.empty() || scene.ballRadius(0) < 2 * kHidden || (scene.cutsOctants && scene.ellipsoid(0))) return;
     const Sphere ball{scene.spheres.front().center, kHidden};
     const SphereLook look = scene.sphereLooks.front();
     // Room for a quarter more, for the next frames.

@@ -1,5 +1,6 @@
 #include "engine/scene/build/ellipsoid_rows.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -9,6 +10,11 @@ std::array<glm::vec3, 3> EllipsoidRows::axes() const {
     std::array<glm::vec3, 3> all{first, second, glm::cross(first, second) * third};
     for (glm::vec3& axis : all) axis /= glm::dot(axis, axis);
     return all;
+}
+
+float EllipsoidRows::inner() const {
+    const auto [a, b, c] = axes();
+    return std::min({glm::length(a), glm::length(b), glm::length(c)});
 }
 
 glm::vec3 EllipsoidRows::toUnit(const glm::vec3& p) const {

@@ -17,6 +17,8 @@ struct EllipsoidRows {
     bool any() const { return third != 0; }
     /// Half axes, Å.
     std::array<glm::vec3, 3> axes() const;
+    /// Radius of the largest ball inside, Å.
+    float inner() const;
     /// The map: its length is 1 on the surface. @param p  from the centre
     glm::vec3 toUnit(const glm::vec3& p) const;
     /// The normal at a place on the surface. @param unit  that place under the map

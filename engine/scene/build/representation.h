@@ -61,9 +61,11 @@ struct Volume;
 
 struct Representation {
     std::vector<Sphere> spheres;
-    std::vector<SphereLook> sphereLooks;    ///< same length as spheres
-    std::vector<EllipsoidRows> ellipsoids;  ///< of the first spheres, or of none; their radius is the longest half axis
-    bool cutsOctants = false;               ///< of ellipsoids: those that face the viewer
+    std::vector<SphereLook> sphereLooks;  ///< same length as spheres
+    /// Of the first spheres. Those of an ellipsoid have the longest half axis as radius; those without rows, and those
+    /// beyond the end, are plain.
+    std::vector<EllipsoidRows> ellipsoids;
+    bool cutsOctants = false;  ///< ellipsoids open the octant that faces the viewer
     std::vector<Cylinder> cylinders;
     std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
     /// Lines of constant screen width for density maps. `radius` is minus half the width in pixels. They have no
@@ -100,6 +102,11 @@ struct Representation {
     /// The rows of a sphere that is an ellipsoid; else null.
     const EllipsoidRows* ellipsoid(std::size_t sphere) const {
         return sphere < ellipsoids.size() && ellipsoids[sphere].any() ? &ellipsoids[sphere] : nullptr;
+    }
+    /// Radius of the largest ball inside a sphere or ellipsoid, Å.
+    float ballRadius(std::size_t sphere) const {
+        const EllipsoidRows* rows = ellipsoid(sphere);
+        return rows ? rows->inner() : spheres[sphere].radius;
     }
     /// The point of a sphere or ellipsoid with a normal.
     glm::vec3 pointOfBall(std::size_t sphere, const glm::vec3& normal) const {

@@ -5,6 +5,7 @@
 
 #include "engine/scene/build/map_scene.h"
 #include "engine/scene/build/mesh_caps.h"
+#include "engine/scene/view/keep_spheres.h"
 
 namespace nacre {
 namespace {
@@ -49,19 +50,10 @@ public:
         : scene_(scene), depth_(view), clip_(clip), chosen_(chosen) {}
 
     void cutSpheres() {
-        const bool ellipsoids = !scene_.ellipsoids.empty();
-        if (ellipsoids) scene_.ellipsoids.resize(scene_.spheres.size());  // spheres beyond the table are plain
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < scene_.spheres.size(); ++i) {
+        keepSpheres(scene_, [&](std::size_t i) {
             const double depth = depth_(scene_.spheres[i].center);
-            if (!isSpared(scene_.sphereLooks[i].atom) && !(depth >= clip_.near && depth <= clip_.far)) continue;
-            scene_.spheres[kept] = scene_.spheres[i];
-            if (ellipsoids) scene_.ellipsoids[kept] = scene_.ellipsoids[i];
-            scene_.sphereLooks[kept++] = scene_.sphereLooks[i];
-        }
-        scene_.spheres.resize(kept);
-        if (ellipsoids) scene_.ellipsoids.resize(kept);
-        scene_.sphereLooks.resize(kept);
+            return isSpared(scene_.sphereLooks[i].atom) || (depth >= clip_.near && depth <= clip_.far);
+        });
     }
 
     void cutSticks(std::vector<Cylinder>& sticks, std::vector<CylinderLook>& looks) {

@@ -10,6 +10,7 @@
 #include "engine/mesh/unit_vectors.h"
 #include "engine/scene/build/mesh_streams.h"
 #include "engine/scene/instances/write_out_copies.h"
+#include "engine/scene/view/keep_spheres.h"
 #include "engine/scene/view/orientation.h"
 
 namespace nacre {
@@ -39,22 +40,6 @@ std::vector<glm::dvec3> extremeDirections() {
                 if (half && std::gcd(std::gcd(x, y), z) == 1) directions.push_back(glm::normalize(glm::dvec3(x, y, z)));
             }
     return directions;
-}
-
-template <typename Keep>
-void keepSpheres(Representation& r, const Keep& keep) {
-    const bool ellipsoids = !r.ellipsoids.empty();
-    if (ellipsoids) r.ellipsoids.resize(r.spheres.size());  // spheres beyond the table are plain
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < r.spheres.size(); ++i) {
-        if (!keep(r.spheres[i])) continue;
-        r.spheres[kept] = r.spheres[i];
-        if (ellipsoids) r.ellipsoids[kept] = r.ellipsoids[i];
-        r.sphereLooks[kept++] = r.sphereLooks[i];
-    }
-    r.spheres.resize(kept);
-    if (ellipsoids) r.ellipsoids.resize(kept);
-    r.sphereLooks.resize(kept);
 }
 
 template <typename Keep>
@@ -150,8 +135,8 @@ void dropOutside(Representation& r, const SceneView& seen) {
         return inside(at - radius, at + radius);
     };
     if (!r.copies.transforms.empty() && !writeOutCopies(r, meets)) return;
-    keepSpheres(r, [&](const Sphere& sphere) {
-        const double at = depth(sphere.center), radius = static_cast<double>(sphere.radius);
+    keepSpheres(r, [&](std::size_t i) {
+        const double at = depth(r.spheres[i].center), radius = static_cast<double>(r.spheres[i].radius);
         return inside(at - radius, at + radius);
     });
     const auto keepStick = [&](const Cylinder& stick) {

@@ -39,8 +39,11 @@ passes::PrimitiveCounts countsInLight(const Representation& r, const RenderSetti
     const View light = lightView(settings, settings.view);
     passes::PlacedCopies copies;
     placeInLight(copies, r, settings, settings.view, light, translucent);
-    return {copies.sphereCount(), copies.cylinderCount(), copies.triangleCount(),
-            measureSizes(r).meanRadius * light.pixelsPerAngstrom};
+    return {.spheres = copies.sphereCount(),
+            .cylinders = copies.cylinderCount(),
+            .triangles = copies.triangleCount(),
+            .radiusPixels = measureSizes(r).meanRadius * light.pixelsPerAngstrom,
+            .hasEllipsoids = !r.ellipsoids.empty()};
 }
 
 void declareShadow(Frame& f, const FrameChoice& choice) {
