@@ -35,7 +35,7 @@ struct Shown {
     Hit hit;
     uint look;  // index of the primitive's colour in the looks, which its atom's number follows
     uvec3 corners;  // triangles: the same for each corner
-    vec4 baked;  // triangles; others read a texel of a patch:
+    Baked baked;  // triangles; others read a texel of a patch:
     uint patchAddress;
     vec2 at, texels;  // position in the patch, 0..1, and the patch's size
     bool wire;        // a wire, which has no occlusion

@@ -110,7 +110,7 @@ void main() {
     uvec3 normals = uvec3(facet.a.z, facet.b.z, facet.c.z), vertices = facet.vertices;
 #endif
     smoothNormal(hit, normals);
-    vec4 baked = meshOcclusion(hit, vertices);
+    Baked baked = meshOcclusion(hit, vertices);
 #ifdef IDENTITY
     writeSurface(hit, atoms[hit.corner], baked);
 #else
@@ -118,7 +118,7 @@ void main() {
 #endif
 #elif defined(CYLINDER)
     bool first = hit.along < 0.5;
-    vec4 baked = isWire(endA.w) ? kOpen : cylinderOcclusion(hit, axis, place);  // lines have no patch
+    Baked baked = isWire(endA.w) ? kOpen : cylinderOcclusion(hit, axis, place);  // lines have no patch
 #ifdef IDENTITY
     writeSurface(hit, first ? atoms.x : atoms.y, baked);
 #else
@@ -133,7 +133,7 @@ void main() {
         base = (base - vec3(own, 0.0, 0.0)) * copyColor() + vec3(own, 0.0, 0.0);
     }
 #endif
-    vec4 baked = sphereOcclusion(hit, place);
+    Baked baked = sphereOcclusion(hit, place);
 #ifdef IDENTITY
     writeSurface(hit, atom, baked);
 #else

@@ -65,7 +65,7 @@ void main() {
         hit.inside = true;
         hit.Z = view.origin - center.z - away.z;
         hit.normal = away / shape.w;
-        vec4 baked = shadesOcclusion(hit) ? sphereTexel(index, sphereCoordinate(hit)) : kOpen;
+        Baked baked = shadesOcclusion(hit) ? sphereTexel(index, sphereCoordinate(hit)) : kOpen;
         vec3 light = computeLight(hit, lookAt(2u * index), baked, center.xy + away.xy);
         sum += more ? count * vec4(clamp(light, 0.0, 1.0), 1.0) : vec4(0.0);
     } while (more);

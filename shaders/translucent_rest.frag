@@ -35,18 +35,18 @@ void main() {
     uvec4 record = shapes[index + view.cylinders];  // behind two records per cylinder
     uvec4 v0 = shapes[record.x], v1 = shapes[record.y], v2 = shapes[record.z];
     smoothNormal(hit, uvec3(v0.z, v1.z, v2.z));
-    vec4 baked = meshOcclusion(hit, record.xyz - (view.primitives + view.cylinders));
+    Baked baked = meshOcclusion(hit, record.xyz - (view.primitives + view.cylinders));
     uint bits = cornerColor(uvec3(looks[v0.w], looks[v1.w], looks[v2.w]), hit.corner, hit.shares);
 #elif defined(CYLINDER)
     index -= view.spheres;
     vec4 shapeA = uintBitsToFloat(shapes[view.spheres + 2u * index]);
     vec4 shapeB = uintBitsToFloat(shapes[view.spheres + 2u * index + 1u]);
-    vec4 baked = kOpen;
+    Baked baked = kOpen;
     if (!isWire(endA.w) && shadesOcclusion(hit))
         baked = cylinderTexel(index, cylinderCoordinate(hit, (shapeB.xyz - shapeA.xyz) * shapeB.w));
     uint bits = looks[2u * view.spheres + 4u * index + (hit.along < 0.5 ? 0u : 1u)];
 #else
-    vec4 baked = kOpen;
+    Baked baked = kOpen;
     if (shadesOcclusion(hit)) baked = sphereTexel(index, sphereCoordinate(hit));
     uint bits = looks[2u * index];
 #endif

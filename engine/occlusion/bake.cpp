@@ -55,8 +55,9 @@ Bake::Bake(const gpu::Device& device, gpu::Executor& executor, const passes::Sce
     maps_.release();
     if (!finished.bounced) makeCells(finished.atlas);
     const VkFormat format = finished.bounced ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R8_UNORM;
-    atlas_ = passes::makeTexture(device, executor, {format, {layout_.width, layout_.height}}, finished.atlas,
-                                 "occlusion atlas");
+    const std::uint32_t height = layout_.height * (finished.bounced ? 2 : 1);
+    atlas_ =
+        passes::makeTexture(device, executor, {format, {layout_.width, height}}, finished.atlas, "occlusion atlas");
     atlasDefined_ = true;
     bounced_ = finished.bounced;
 }

@@ -21,7 +21,7 @@ constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
 constexpr std::uint64_t kBytesPerVertex = kBytesPerTexel + 2 * kBytesPerOpen + sizeof(AtlasWord) / 2 + 1;
 
 /// Of an atlas with bounced light: its texel, the bytes that are copied into it, and the texel that it replaces.
-constexpr std::uint64_t kBytesPerBounced = 3 * kBouncedChannels;
+constexpr std::uint64_t kBytesForBounced = 3 * kBytesPerBounced;
 
 /// Width of an atlas for the usual memory: on every device.
 constexpr std::uint32_t kUsualSide = 4096;
@@ -135,7 +135,7 @@ Patches finestPatches(const gpu::Caps& caps, const Representation& representatio
         // Estimated from a sample first: visiting every texel takes longer.
         result.bytes = bakeBytes(layout, 0, 0);
         if (result.bytes > room) continue;
-        if (options.bounce && bouncedBytes(layout) > options.budgetBytes) {
+        if (options.bounce && (bouncedBytes(layout) > options.budgetBytes || 2 * layout.height > side)) {
             result.bytes = bouncedBytes(layout);
             continue;
         }
@@ -168,7 +168,7 @@ std::uint64_t bakeBytes(const OcclusionLayout& layout, std::uint64_t openTexels,
 }
 
 std::uint64_t bouncedBytes(const OcclusionLayout& layout) {
-    return std::uint64_t{layout.width} * layout.height * kBytesPerBounced;
+    return std::uint64_t{layout.width} * layout.height * kBytesForBounced;
 }
 
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,

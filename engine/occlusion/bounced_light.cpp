@@ -55,118 +55,142 @@ std::vector<glm::vec3> findBases(const Representation& r, const LightSpots& spot
     return bases;
 }
 
-/// Light of the surroundings of each spot.
-class Surroundings {
-public:
-    Surroundings(const LightSpots& spots, std::vector<glm::vec3> bases)
-        : spots_(spots), bases_(std::move(bases)), light_(bases_.size()), next_(bases_.size()) {
+/// Directions of a patch's spots from its middle.
+struct SpotNormals {
+    explicit SpotNormals(const LightSpots& spots) {
         for (std::uint32_t k = 0; k < spots.ofSphere.x * spots.ofSphere.y; ++k)
-            ofSphere_.push_back(octahedralNormal(placeInPatch(k, spots.ofSphere)));
+            ofSphere.push_back(octahedralNormal(placeInPatch(k, spots.ofSphere)));
         for (std::uint32_t k = 0; k < spots.ofCylinder.x * spots.ofCylinder.y; ++k) {
             const glm::vec2 place = placeInPatch(k, spots.ofCylinder);
-            ofCylinder_.push_back(directionAbout({0, 0, 1}, place.x) + glm::vec3(0, 0, 2 * place.y - 1));
+            ofCylinder.push_back(directionAbout({0, 0, 1}, place.x) + glm::vec3(0, 0, 2 * place.y - 1));
         }
-        for (auto* places : {&ofSphere_, &ofCylinder_})
+        for (auto* places : {&ofSphere, &ofCylinder})
             for (glm::vec3& place : *places) place = glm::normalize(place);
     }
+    std::vector<glm::vec3> ofSphere, ofCylinder;
+};
 
-    void bounce() {
-        inParts(spots_.count(), [&](std::uint32_t spot) {
+/// Spots without a value get one of the others of their patch, mostly of those that look the same way.
+/// @param known  whether a spot has a value
+template <typename Value, typename Known>
+void fillPatches(const LightSpots& spots, const SpotNormals& normals, const Known& known, std::vector<Value>& values) {
+    const auto fill = [&](std::uint32_t first, const std::vector<glm::vec3>& normal) {
+        const auto count = static_cast<std::uint32_t>(normal.size());
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (known(first + i)) continue;
+            Value sum{};
+            float weights = 0;
+            for (std::uint32_t k = 0; k < count; ++k) {
+                if (!known(first + k)) continue;
+                const float near = 0.5f + 0.5f * glm::dot(normal[i], normal[k]), near4 = near * near * near * near;
+                sum += near4 * near4 * values[first + k];
+                weights += near4 * near4;
+            }
+            if (weights > 0) values[first + i] = sum / weights;
+        }
+    };
+    inParts(spots.spheres, [&](std::uint32_t i) { fill(spots.firstOfSphere(i), normals.ofSphere); });
+    inParts(spots.cylinders, [&](std::uint32_t i) { fill(spots.firstOfCylinder(i), normals.ofCylinder); });
+}
+
+/// Bilinear. @param first  spot of the patch
+template <typename Value>
+Value interpolate(const std::vector<Value>& values, std::uint32_t first, const glm::uvec2& size, const glm::vec2& uv) {
+    const glm::vec2 place = uv * glm::vec2(size - 1u);
+    const glm::uvec2 low = glm::min(glm::uvec2(place), glm::max(size, glm::uvec2(2)) - 2u);
+    const glm::uvec2 high = glm::min(low + 1u, size - 1u);
+    const glm::vec2 share = place - glm::vec2(low);
+    const auto at = [&](std::uint32_t x, std::uint32_t y) { return values[first + y * size.x + x]; };
+    return glm::mix(glm::mix(at(low.x, low.y), at(high.x, low.y), share.x),
+                    glm::mix(at(low.x, high.y), at(high.x, high.y), share.x), share.y);
+}
+
+/// Light of the surroundings of each spot, after kBounces or when stopped.
+std::vector<glm::vec3> bounce(const LightSpots& spots, const SpotNormals& normals, const std::vector<glm::vec3>& bases,
+                              const std::stop_token& stop) {
+    std::vector<glm::vec3> light(spots.count()), next(light.size());
+    const auto sees = [&](std::uint32_t spot) { return spots.first[spot] < spots.first[spot + 1]; };
+    for (int i = 0; i < kBounces && !stop.stop_requested(); ++i) {
+        inParts(spots.count(), [&](std::uint32_t spot) {
             glm::vec3 sum{};
             float weights = 0;
-            for (const SeenSpot& seen : spots_.seenFrom(spot)) {
+            for (const SeenSpot& seen : spots.seenFrom(spot)) {
                 const float open = static_cast<float>(seen.open) * (1 / 65535.0f);
                 const auto weight = static_cast<float>(seen.weight);
-                const glm::vec3& base = bases_[seen.spot];
+                const glm::vec3& base = bases[seen.spot];
                 // First what surroundings of the same colour would come to, so that deep places need few bounces.
-                const glm::vec3 reaching = first_ ? open / (1.0f - (1.0f - open) * glm::min(base, 0.99f))
-                                                  : open + (1 - open) * light_[seen.spot];
+                const glm::vec3 reaching = i == 0 ? open / (1.0f - (1.0f - open) * glm::min(base, 0.99f))
+                                                  : open + (1 - open) * light[seen.spot];
                 sum += weight * base * reaching;
                 weights += weight;
             }
-            next_[spot] = weights > 0 ? sum / weights : glm::vec3(0);
+            next[spot] = weights > 0 ? sum / weights : glm::vec3(0);
         });
-        light_.swap(next_);
-        first_ = false;
-        inParts(spots_.spheres, [&](std::uint32_t i) { fill(spots_.firstOfSphere(i), ofSphere_); });
-        inParts(spots_.cylinders, [&](std::uint32_t i) { fill(spots_.firstOfCylinder(i), ofCylinder_); });
+        light.swap(next);
+        fillPatches(spots, normals, sees, light);
     }
-    const glm::vec3& at(std::uint32_t spot) const { return light_[spot]; }
-    /// Bilinear. @param first  spot of the patch
-    glm::vec3 at(std::uint32_t first, const glm::uvec2& size, const glm::vec2& uv) const {
-        const glm::vec2 place = uv * glm::vec2(size - 1u);
-        const glm::uvec2 low = glm::min(glm::uvec2(place), glm::max(size, glm::uvec2(2)) - 2u);
-        const glm::uvec2 high = glm::min(low + 1u, size - 1u);
-        const glm::vec2 share = place - glm::vec2(low);
-        const auto texel = [&](std::uint32_t x, std::uint32_t y) { return light_[first + y * size.x + x]; };
-        return glm::mix(glm::mix(texel(low.x, low.y), texel(high.x, low.y), share.x),
-                        glm::mix(texel(low.x, high.y), texel(high.x, high.y), share.x), share.y);
-    }
+    return light;
+}
 
-private:
-    /// Spots of a patch that see nothing get the light of the others, mostly of those that look the same way.
-    void fill(std::uint32_t first, const std::vector<glm::vec3>& normals) {
-        const auto count = static_cast<std::uint32_t>(normals.size());
-        const auto sees = [&](std::uint32_t k) { return spots_.first[first + k] < spots_.first[first + k + 1]; };
-        for (std::uint32_t i = 0; i < count; ++i) {
-            if (sees(i)) continue;
-            glm::vec3 sum{};
-            float weights = 0;
-            for (std::uint32_t k = 0; k < count; ++k) {
-                if (!sees(k)) continue;
-                const float near = 0.5f + 0.5f * glm::dot(normals[i], normals[k]), near4 = near * near * near * near;
-                sum += near4 * near4 * light_[first + k];
-                weights += near4 * near4;
-            }
-            if (weights > 0) light_[first + i] = sum / weights;
-        }
-    }
-
-    const LightSpots& spots_;
-    std::vector<glm::vec3> bases_, light_, next_;
-    bool first_ = true;
-    std::vector<glm::vec3> ofSphere_, ofCylinder_;  // directions of a patch's spots from its middle
-};
+std::vector<glm::vec3> findLeans(const LightSpots& spots, const SpotNormals& normals) {
+    std::vector<glm::vec3> leans;
+    leans.reserve(spots.sky.size());
+    for (const SkyLean& sky : spots.sky) leans.push_back(sky.lean);
+    fillPatches(
+        spots, normals, [&](std::uint32_t spot) { return spots.sky[spot].known; }, leans);
+    return leans;
+}
 
 class BouncedAtlas {
 public:
     BouncedAtlas(const OcclusionLayout& layout, std::span<const std::uint8_t> open)
-        : layout_(layout), texels_(kBouncedChannels * open.size()) {
-        for (std::size_t i = 0; i < open.size(); ++i) texels_[kBouncedChannels * i] = open[i];
+        : layout_(layout), texels_(kBytesPerBounced * open.size()), lower_(texels_.size() / 2) {
+        for (std::size_t i = 0; i < open.size(); ++i) texels_[4 * i] = open[i];
+        std::fill(texels_.begin() + static_cast<std::ptrdiff_t>(lower_), texels_.end(), std::uint8_t{128});
     }
-    void add(const Representation& r, const LightSpots& spots, const Surroundings& light) {
+    void add(const LightSpots& spots, const std::vector<glm::vec3>& light, const std::vector<glm::vec3>& leans) {
         const OcclusionLayout& l = layout_;
-        inParts(r.spheres.size(), [&](std::uint32_t i) {
-            patch(i, l.spherePatches(), 0, glm::uvec2(l.sphereEdge),
-                  [&](const glm::vec2& uv) { return light.at(spots.firstOfSphere(i), spots.ofSphere, uv); });
+        const auto patch = [&](std::size_t corner, const glm::uvec2& size, std::uint32_t first, const glm::uvec2& of) {
+            for (std::uint32_t k = 0; k < size.x * size.y; ++k) {
+                const glm::vec2 uv = placeInPatch(k, size);
+                set(corner + std::size_t{k / size.x} * l.width + k % size.x, interpolate(light, first, of, uv),
+                    interpolate(leans, first, of, uv));
+            }
+        };
+        const auto cornerOf = [&](std::uint32_t i, std::uint32_t inRow, std::uint32_t top, const glm::uvec2& size) {
+            return (top + std::size_t{i / inRow} * size.y) * l.width + i % inRow * size.x;
+        };
+        inParts(spots.spheres, [&](std::uint32_t i) {
+            const glm::uvec2 size(l.sphereEdge);
+            patch(cornerOf(i, l.spherePatches(), 0, size), size, spots.firstOfSphere(i), spots.ofSphere);
         });
-        inParts(r.cylinders.size(), [&](std::uint32_t i) {
-            patch(i, l.cylinderPatches(), l.sphereRows, {l.around, l.along},
-                  [&](const glm::vec2& uv) { return light.at(spots.firstOfCylinder(i), spots.ofCylinder, uv); });
+        inParts(spots.cylinders, [&](std::uint32_t i) {
+            const glm::uvec2 size(l.around, l.along);
+            patch(cornerOf(i, l.cylinderPatches(), l.sphereRows, size), size, spots.firstOfCylinder(i),
+                  spots.ofCylinder);
         });
         const std::size_t top = std::size_t{l.sphereRows + l.cylinderRows} * l.width;
-        inParts(r.meshVertices.size(), [&](std::uint32_t i) {
-            set(top + 2 * std::size_t{i}, light.at(spots.ofVertex(i, false)));
-            set(top + 2 * std::size_t{i} + 1, light.at(spots.ofVertex(i, true)));
-        });
+        const std::uint32_t first = spots.ofVertex(0, false);
+        inParts(2 * spots.vertices, [&](std::uint32_t i) { set(top + i, light[first + i], leans[first + i]); });
     }
     std::vector<std::uint8_t> take() { return std::move(texels_); }
 
 private:
-    void set(std::size_t texel, const glm::vec3& light) {
-        for (std::size_t c = 0; c < 3; ++c)
-            texels_[kBouncedChannels * texel + 1 + c] = toByte(std::sqrt(light[static_cast<int>(c)]));
-    }
-    template <typename LightAt>
-    void patch(std::uint32_t i, std::uint32_t inRow, std::uint32_t top, const glm::uvec2& size,
-               const LightAt& lightAt) {
-        const std::size_t corner = (top + std::size_t{i / inRow} * size.y) * layout_.width + i % inRow * size.x;
-        for (std::uint32_t k = 0; k < size.x * size.y; ++k)
-            set(corner + std::size_t{k / size.x} * layout_.width + k % size.x, lightAt(placeInPatch(k, size)));
+    void set(std::size_t texel, const glm::vec3& light, const glm::vec3& lean) {
+        // A slit along the horizon leans by 1.8 of its openness. Spots see their own copy of an assembly alone, so
+        // where others hide the sky theirs may be longer.
+        const float longest = 1.8f / 255 * static_cast<float>(texels_[4 * texel]), length = glm::length(lean);
+        const float scale = length > longest ? longest / length : 1;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int i = static_cast<int>(c);
+            texels_[4 * texel + 1 + c] = toByte(std::sqrt(light[i]));
+            texels_[lower_ + 4 * texel + c] = toByte((scale * lean[i] * 256 + 128) / 255);
+        }
     }
 
     const OcclusionLayout& layout_;
     std::vector<std::uint8_t> texels_;
+    std::size_t lower_;  // first byte of the lower half
 };
 
 }  // namespace
@@ -179,9 +203,8 @@ std::vector<std::uint8_t> bouncedLight(const Representation& r, const OcclusionL
     BouncedAtlas atlas(layout, open);
     const LightSpots spots = findLightSpots(r, layout, baked, stop);
     if (stop.stop_requested()) return atlas.take();
-    Surroundings light(spots, findBases(r, spots));
-    for (int i = 0; i < kBounces && !stop.stop_requested(); ++i) light.bounce();
-    atlas.add(r, spots, light);
+    const SpotNormals normals(spots);
+    atlas.add(spots, bounce(spots, normals, findBases(r, spots), stop), findLeans(spots, normals));
     return atlas.take();
 }
 

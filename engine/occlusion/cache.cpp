@@ -149,7 +149,7 @@ std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std
     finished.layout = {header.sphereEdge,    header.around,     header.along,        header.width,
                        header.height,        header.sphereRows, header.cylinderRows, header.sphereCount,
                        header.cylinderCount, header.vertexCount};
-    const std::uint64_t texels = std::uint64_t{header.width} * header.height * (header.bounced ? kBouncedChannels : 1);
+    const std::uint64_t texels = std::uint64_t{header.width} * header.height * (header.bounced ? kBytesPerBounced : 1);
     const std::uint64_t bits = (std::uint64_t{header.sphereCount} + 7) / 8;
     if (!holdsItsPatches(finished.layout, mostSide) || content.size() != sizeof header + texels + bits ||
         header.openTexels > finished.layout.texelCount())

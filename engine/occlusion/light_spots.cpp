@@ -30,12 +30,27 @@ std::uint32_t nearestTexel(const glm::vec2& uv, const glm::uvec2& size) {
     return at.y * size.x + at.x;
 }
 
+/// Results of consecutive primitives.
+struct Part {
+    std::vector<SeenSpot> seen;
+    std::vector<std::uint32_t> ends;  // for each spot, within `seen`
+    std::vector<SkyLean> sky;         // of each spot
+
+    void end(const SkyLean& of) {
+        ends.push_back(static_cast<std::uint32_t>(seen.size()));
+        sky.push_back(of);
+    }
+};
+
 class Seer {
 public:
     Seer(const Representation& r, const BakedOcclusion& baked, const LightSpots& spots)
         : r_(r), baked_(baked), spots_(spots), surfaces_(r), spheresAlone_(r.cylinders.empty() && r.triangles.empty()) {
-        for (const glm::dmat3& frame : occlusionDirections(directionsFor(spots.count())))
-            directions_.emplace_back(glm::transpose(frame)[2]);
+        for (const glm::dmat3& turn : occlusionDirections(kSets)) {
+            directions_.emplace_back();
+            for (const glm::dmat3& frame : occlusionDirections(directionsFor(spots.count())))
+                directions_.back().emplace_back(turn * glm::transpose(frame)[2]);
+        }
         for (std::uint32_t k = 0; k < spots.ofSphere.x * spots.ofSphere.y; ++k)
             ofSphere_.push_back(octahedralNormal(placeInPatch(k, spots.ofSphere)));
         itemOfVertex_.resize(r.meshVertices.size(), kNone);
@@ -44,50 +59,63 @@ public:
                 itemOfVertex_[v] = static_cast<std::uint32_t>(r.spheres.size() + r.cylinders.size() + i);
     }
 
-    void sphere(std::uint32_t i, std::vector<SeenSpot>& seen, std::vector<std::uint32_t>& ends) const {
-        if (ofSphere_.size() == 1) all(i, seen), ends.push_back(static_cast<std::uint32_t>(seen.size()));
-        if (ofSphere_.size() == 1) return;
+    void sphere(std::uint32_t i, Part& part) const {
+        if (ofSphere_.size() == 1) {
+            all(i, part.seen);
+            return part.end({});
+        }
         const NearSpheres near = surfaces_.findNear(i);
         std::vector<glm::vec3> open;
         for (const glm::vec3& normal : ofSphere_)
             if (!near.bury(r_.pointOfBall(i, normal))) open.push_back(normal);
-        for (const glm::vec3& normal : ofSphere_) {
-            if (const std::optional<glm::vec3> there = outside(i, normal, open, near)) {
-                const glm::vec3 point = r_.pointOfBall(i, *there);
-                if (spheresAlone_)
-                    each(
-                        *there, [&](const glm::vec3& d) { return surfaces_.from(i, point, d, near); }, seen);
-                else
-                    from(i, point, *there, seen);
+        for (std::uint32_t k = 0; k < ofSphere_.size(); ++k) {
+            const std::optional<glm::vec3> normal = outside(i, ofSphere_[k], open, near);
+            if (!normal) {
+                part.end({});
+                continue;
             }
-            ends.push_back(static_cast<std::uint32_t>(seen.size()));
+            const glm::vec3 point = r_.pointOfBall(i, *normal);
+            const auto ray = [&](const glm::vec3& d) {
+                return spheresAlone_ ? surfaces_.from(i, point, d, near) : surfaces_.from(i, point, d);
+            };
+            each(setOf(k, spots_.ofSphere), *normal, ray, part);
         }
     }
-    void cylinder(std::uint32_t i, std::vector<SeenSpot>& seen, std::vector<std::uint32_t>& ends) const {
+    void cylinder(std::uint32_t i, Part& part) const {
         const Cylinder& c = r_.cylinders[i];
+        const glm::vec3 axis = glm::normalize(c.b - c.a);
         const auto item = static_cast<std::uint32_t>(r_.spheres.size()) + i;
         for (std::uint32_t k = 0; k < spots_.ofCylinder.x * spots_.ofCylinder.y; ++k) {
             const glm::vec2 place = placeInPatch(k, spots_.ofCylinder);
-            const glm::vec3 normal = directionAbout(glm::normalize(c.b - c.a), place.x);
+            const glm::vec3 normal = directionAbout(axis, place.x);
             const glm::vec3 point = glm::mix(c.a, c.b, place.y) + c.radius * normal;
-            if (!surfaces_.buries(item, point)) from(item, point, normal, seen);
-            ends.push_back(static_cast<std::uint32_t>(seen.size()));
+            if (surfaces_.buries(item, point))
+                part.end({});
+            else
+                from(item, setOf(k, spots_.ofCylinder), point, normal, part);
         }
     }
-    void vertex(std::uint32_t i, std::vector<SeenSpot>& seen, std::vector<std::uint32_t>& ends) const {
+    void vertex(std::uint32_t i, Part& part) const {
         const std::uint32_t item = itemOfVertex_[i];
-        if (item == kNone) return ends.insert(ends.end(), 2, static_cast<std::uint32_t>(seen.size())), void();
+        if (item == kNone) return part.end({}), part.end({});
         const float step = r_.triangles[item - r_.spheres.size() - r_.cylinders.size()].step();
         const glm::vec3 point = decodePosition(r_.meshVertices[i], step), normal = decodeNormal(r_.meshVertices[i]);
-        from(item, point + kLift * normal, normal, seen);
-        ends.push_back(static_cast<std::uint32_t>(seen.size()));
+        from(item, i % kSets, point + kLift * normal, normal, part);
         // The inner side of a closed surface gets no light.
-        if (baked_.ofVertex(i, true) > 0) from(item, point - kLift * normal, -normal, seen);
-        ends.push_back(static_cast<std::uint32_t>(seen.size()));
+        if (baked_.ofVertex(i, true) > 0)
+            from(item, i % kSets, point - kLift * normal, -normal, part);
+        else
+            part.end({});
     }
 
 private:
     static constexpr std::uint32_t kNone = 0xffffffffu;
+    static constexpr int kSets = 4;
+
+    /// Spots next to each other send rays in other directions, so that interpolation averages four sets.
+    static std::uint32_t setOf(std::uint32_t spot, const glm::uvec2& size) {
+        return spot % size.x % 2 + spot / size.x % 2 * 2;
+    }
 
     /// The normal where a texel of a sphere looks from: its own or, where that is inside of another sphere, one at the
     /// crease on the way to the next open texel. @param open  normals of the sphere's open texels
@@ -109,22 +137,31 @@ private:
         return out;
     }
 
-    void from(std::uint32_t self, const glm::vec3& point, const glm::vec3& normal, std::vector<SeenSpot>& seen) const {
+    void from(std::uint32_t self, std::uint32_t set, const glm::vec3& point, const glm::vec3& normal,
+              Part& part) const {
         each(
-            normal, [&](const glm::vec3& direction) { return surfaces_.from(self, point, direction); }, seen);
+            set, normal, [&](const glm::vec3& direction) { return surfaces_.from(self, point, direction); }, part);
     }
-    /// Adds what ray(direction) meets in each direction above a surface.
+    /// A spot that sees what ray(direction) meets in each direction above a surface.
     template <typename Ray>
-    void each(const glm::vec3& normal, const Ray& ray, std::vector<SeenSpot>& seen) const {
-        for (const glm::vec3& direction : directions_) {
+    void each(std::uint32_t set, const glm::vec3& normal, const Ray& ray, Part& part) const {
+        glm::vec3 all{}, open{};
+        float allWeight = 0, openWeight = 0;
+        for (const glm::vec3& direction : directions_[set]) {
             const float cosine = glm::dot(direction, normal);
             if (cosine <= 0) continue;
-            if (const auto met = ray(direction)) seen.push_back(spotAt(*met, cosine));
+            all += cosine * direction, allWeight += cosine;
+            if (const auto met = ray(direction))
+                part.seen.push_back(spotAt(*met, cosine));
+            else
+                open += cosine * direction, openWeight += cosine;
         }
+        if (allWeight == 0) return part.end({});
+        part.end({1.5f * (open - openWeight / allWeight * all) / allWeight, true});
     }
     /// Of a sphere that has one value.
     void all(std::uint32_t i, std::vector<SeenSpot>& seen) const {
-        for (const glm::vec3& direction : directions_) {
+        for (const glm::vec3& direction : directions_[0]) {
             const glm::vec3 point = r_.pointOfBall(i, direction);
             if (surfaces_.buries(i, point)) continue;
             if (const auto met = surfaces_.from(i, point, direction)) seen.push_back(spotAt(*met, 1));
@@ -158,15 +195,9 @@ private:
     const LightSpots& spots_;
     NearestSurface surfaces_;
     bool spheresAlone_;
-    std::vector<glm::vec3> directions_;
+    std::vector<std::vector<glm::vec3>> directions_;
     std::vector<glm::vec3> ofSphere_;          // normals of a sphere's texels
     std::vector<std::uint32_t> itemOfVertex_;  // one of its triangles, as NearestSurface counts
-};
-
-/// Results of consecutive primitives.
-struct Part {
-    std::vector<SeenSpot> seen;
-    std::vector<std::uint32_t> ends;  // for each spot, within `seen`
 };
 
 }  // namespace
@@ -192,11 +223,11 @@ LightSpots findLightSpots(const Representation& r, const OcclusionLayout& layout
         Part& part = parts[n];
         for (auto i = static_cast<std::uint32_t>(n * kPart); i < end && !stop.stop_requested(); ++i) {
             if (i < spots.spheres)
-                seer.sphere(i, part.seen, part.ends);
+                seer.sphere(i, part);
             else if (i < spots.spheres + spots.cylinders)
-                seer.cylinder(i - spots.spheres, part.seen, part.ends);
+                seer.cylinder(i - spots.spheres, part);
             else
-                seer.vertex(i - spots.spheres - spots.cylinders, part.seen, part.ends);
+                seer.vertex(i - spots.spheres - spots.cylinders, part);
         }
     });
     if (stop.stop_requested()) return spots;
@@ -205,9 +236,11 @@ LightSpots findLightSpots(const Representation& r, const OcclusionLayout& layout
     std::size_t seen = 0;
     for (const Part& part : parts) seen += part.seen.size();
     spots.seen.reserve(seen);
+    spots.sky.reserve(spots.count());
     for (Part& part : parts) {
         const auto before = static_cast<std::uint32_t>(spots.seen.size());
         spots.seen.insert(spots.seen.end(), part.seen.begin(), part.seen.end());
+        spots.sky.insert(spots.sky.end(), part.sky.begin(), part.sky.end());
         for (const std::uint32_t end : part.ends) spots.first.push_back(before + end);
         part = {};
     }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -21,6 +22,13 @@ struct SeenSpot {
     std::uint16_t open = 0;    ///< openness where the ray ends, in 65535ths
 };
 
+/// Where a spot sees the sky: 3/2 of the covariance of a direction and whether it is open, weighted by the cosine to
+/// the surface. An open or closed spot has none. At most 0.35 long.
+struct SkyLean {
+    glm::vec3 lean{};
+    bool known = false;  ///< false: the spot is inside other spheres
+};
+
 /// Spots in linear order: all spheres' patches, then all cylinders', row by row, then two per vertex of a mesh: its
 /// outer and inner side.
 struct LightSpots {
@@ -31,6 +39,7 @@ struct LightSpots {
     glm::uvec2 ofSphere{}, ofCylinder{};  ///< width and height of patches
     std::uint32_t spheres = 0, cylinders = 0, vertices = 0;
     std::vector<SeenSpot> seen;
+    std::vector<SkyLean> sky;
     /// First of `seen` of each spot, and the end of the last. Spots inside other spheres see nothing.
     std::vector<std::uint32_t> first;
 

@@ -18,11 +18,13 @@
 layout(set = 0, binding = ATLAS) uniform sampler2D occlusionAtlas;
 layout(set = 0, binding = SHADOW) uniform sampler2D shadowMap;
 layout(constant_id = kOcclusionId) const bool kOcclusion = true;
-// Baked light at a point: x is the openness, 0 (closed) to 1; yzw, with kBounce, are square roots of the light from its
-// surroundings.
-const vec4 kOpen = vec4(1.0, 0.0, 0.0, 0.0);
-vec4 bakedIn(vec4 texel) { return kBounce ? texel : vec4(texel.r, 0.0, 0.0, 0.0); }
-vec4 bakedIn(float texel) { return vec4(texel, 0.0, 0.0, 0.0); }
+Baked bakedIn(float open) { return Baked(open, vec3(0.0), 0.0); }
+/// @param lower  texel of the lower half of an atlas with bounced light (engine/occlusion/bounced_light.h)
+Baked bakedIn(vec4 texel, vec4 lower) {
+    precise vec3 sky = (lower.rgb - 128.0 / 255.0) * (255.0 / 256.0);
+    precise float lean = dot(copyRow1.xyz, sky);  // that row is the direction upwards
+    return Baked(texel.r, texel.gba, lean);
+}
 layout(constant_id = kCapId) const int kCap = 0;
 layout(constant_id = kShadowId) const bool kShadow = false;
 // kCoded: the target takes sRGB-coded colour; otherwise linear light.
@@ -47,23 +49,34 @@ float between(vec4 texels, vec2 share) {
     return texel;
 }
 
-/// @param place  position of the patch: patchPlace()
-vec4 patchTexel(vec2 place, vec2 uv, vec2 texels) {
-    if (!kCells) return bakedIn(textureLod(occlusionAtlas, place + uv * ((texels - 1.0) * view.atlasTexel), 0.0));
-    Cell cell = findCell(uv, texels);
-    ivec2 at = ivec2(place + cell.first);
+/// @param at  the first of the cell's texels
+vec4 cellOfAtlas(ivec2 at, vec2 share) {
     vec4 first = texelFetch(occlusionAtlas, at, 0), right = texelFetch(occlusionAtlas, at + ivec2(1, 0), 0);
     vec4 below = texelFetch(occlusionAtlas, at + ivec2(0, 1), 0), last = texelFetch(occlusionAtlas, at + 1, 0);
-    if (!kBounce)
-        return bakedIn(between(floor(vec4(first.r, right.r, below.r, last.r) * 255.0 + 0.5), cell.share));
-    precise vec4 upper = first + (right - first) * cell.share.x, lower = below + (last - below) * cell.share.x;
-    precise vec4 texel = upper + (lower - upper) * cell.share.y;
+    if (!kBounce) return vec4(between(floor(vec4(first.r, right.r, below.r, last.r) * 255.0 + 0.5), share));
+    precise vec4 upper = first + (right - first) * share.x, lower = below + (last - below) * share.x;
+    precise vec4 texel = upper + (lower - upper) * share.y;
     return texel;
 }
+/// @param place  position of the patch: patchPlace()
+Baked patchTexel(vec2 place, vec2 uv, vec2 texels) {
+    if (!kCells) {
+        vec2 at = place + uv * ((texels - 1.0) * view.atlasTexel);
+        vec4 texel = textureLod(occlusionAtlas, at, 0.0);
+        return kBounce ? bakedIn(texel, textureLod(occlusionAtlas, at + vec2(0.0, 0.5), 0.0)) : bakedIn(texel.r);
+    }
+    Cell cell = findCell(uv, texels);
+    ivec2 at = ivec2(place + cell.first);
+    vec4 texel = cellOfAtlas(at, cell.share);
+    if (!kBounce) return bakedIn(texel.r);
+    return bakedIn(texel, cellOfAtlas(at + ivec2(0, textureSize(occlusionAtlas, 0).y / 2), cell.share));
+}
 /// On some drivers lanes without a triangle also fetch: their addresses must stay inside the atlas.
-vec4 vertexTexelOfAtlas(uint vertex, uint side) {
-    ivec2 last = textureSize(occlusionAtlas, 0) - 1, at = vertexPlace(vertex, side, effects.bakedCylinders);
-    return bakedIn(texelFetch(occlusionAtlas, clamp(at, ivec2(0), last), 0));
+Baked vertexTexelOfAtlas(uint vertex, uint side) {
+    ivec2 size = textureSize(occlusionAtlas, 0), at = vertexPlace(vertex, side, effects.bakedCylinders);
+    vec4 texel = texelFetch(occlusionAtlas, clamp(at, ivec2(0), size - 1), 0);
+    if (!kBounce) return bakedIn(texel.r);
+    return bakedIn(texel, texelFetch(occlusionAtlas, clamp(at + ivec2(0, size.y / 2), ivec2(0), size - 1), 0));
 }
 #ifdef CELLS
 /// Texels in words of four: software devices gather a word as fast as a texel. The last texel of each word repeats as
@@ -71,7 +84,7 @@ vec4 vertexTexelOfAtlas(uint vertex, uint side) {
 /// slower.)
 layout(set = 0, binding = CELLS) uniform usamplerBuffer cellTexels;
 uint countWords(uint texels) { return (texels + 1u) / 3u; }
-vec4 cellTexel(uint firstWord, vec2 uv, vec2 texels) {
+Baked cellTexel(uint firstWord, vec2 uv, vec2 texels) {
     Cell cell = findCell(uv, texels);
     float word = floor((cell.first.x + 0.5) * (1.0 / 3.0));
     uint inRow = countWords(uint(texels.x)), at = firstWord + uint(cell.first.y * float(inRow) + word);
@@ -83,27 +96,27 @@ vec4 cellTexel(uint firstWord, vec2 uv, vec2 texels) {
 }
 uint sphereWords() { return countWords(sphereEdge()) * sphereEdge(); }
 uint cylinderWords() { return countWords(cylinderTexels().x) * cylinderTexels().y; }
-vec4 sphereTexel(uint index, vec2 uv) {
+Baked sphereTexel(uint index, vec2 uv) {
     vec2 texels = vec2(sphereEdge());
     if (kCells && !kBounce) return cellTexel(index * sphereWords(), uv, texels);
     return patchTexel(patchPlace(spherePatch(index)), uv, texels);
 }
-vec4 cylinderTexel(uint index, vec2 uv) {
+Baked cylinderTexel(uint index, vec2 uv) {
     uvec2 texels = cylinderTexels();
     if (kCells && !kBounce) return cellTexel(view.spheres * sphereWords() + index * cylinderWords(), uv, vec2(texels));
     return patchTexel(patchPlace(cylinderPatch(index)), uv, vec2(texels));
 }
 /// Vertices follow the patches, four texels per word.
-vec4 vertexTexel(uint vertex, uint side) {
+Baked vertexTexel(uint vertex, uint side) {
     if (!kCells || kBounce) return vertexTexelOfAtlas(vertex, side);
     uint at = 2u * vertex + side, first = view.spheres * sphereWords() + effects.bakedCylinders * cylinderWords();
     uint four = texelFetch(cellTexels, clamp(int(first + at / 4u), 0, textureSize(cellTexels) - 1)).x;
     return bakedIn(float(four >> 8u * (at & 3u) & 0xffu) * (1.0 / 255.0));
 }
 #else
-vec4 vertexTexel(uint vertex, uint side) { return vertexTexelOfAtlas(vertex, side); }
-vec4 sphereTexel(uint index, vec2 uv) { return patchTexel(patchPlace(spherePatch(index)), uv, vec2(sphereEdge())); }
-vec4 cylinderTexel(uint index, vec2 uv) {
+Baked vertexTexel(uint vertex, uint side) { return vertexTexelOfAtlas(vertex, side); }
+Baked sphereTexel(uint index, vec2 uv) { return patchTexel(patchPlace(spherePatch(index)), uv, vec2(sphereEdge())); }
+Baked cylinderTexel(uint index, vec2 uv) {
     return patchTexel(patchPlace(cylinderPatch(index)), uv, vec2(cylinderTexels()));
 }
 #endif
@@ -114,21 +127,24 @@ vec2 cylinderCoordinate(Hit hit, vec3 objectAxis) {
     return vec2(angleAbout(objectAxis, toObject(hit.normal)), hit.along);
 }
 /// @param place  position of the primitive's patch: patchPlace()
-vec4 sphereOcclusion(Hit hit, vec2 place) {
+Baked sphereOcclusion(Hit hit, vec2 place) {
     return shadesOcclusion(hit) ? patchTexel(place, sphereCoordinate(hit), vec2(sphereEdge())) : kOpen;
 }
-vec4 cylinderOcclusion(Hit hit, vec3 objectAxis, vec2 place) {
+Baked cylinderOcclusion(Hit hit, vec3 objectAxis, vec2 place) {
     if (!shadesOcclusion(hit)) return kOpen;
     return patchTexel(place, cylinderCoordinate(hit, objectAxis), vec2(cylinderTexels()));
 }
 
 /// @param vertices  vertex numbers of the triangle
-vec4 meshOcclusion(Hit hit, uvec3 vertices) {
+Baked meshOcclusion(Hit hit, uvec3 vertices) {
     if (!shadesOcclusion(hit)) return kOpen;
     uint side = hit.back ? 1u : 0u;
-    precise vec4 mean = vertexTexel(vertices.x, side) * hit.shares.x + vertexTexel(vertices.y, side) * hit.shares.y +
-                         vertexTexel(vertices.z, side) * hit.shares.z;
-    return mean;
+    Baked a = vertexTexel(vertices.x, side), b = vertexTexel(vertices.y, side), c = vertexTexel(vertices.z, side);
+    precise float open = a.open * hit.shares.x + b.open * hit.shares.y + c.open * hit.shares.z;
+    if (!kBounce) return bakedIn(open);
+    precise vec3 light = a.light * hit.shares.x + b.light * hit.shares.y + c.light * hit.shares.z;
+    precise float lean = a.lean * hit.shares.x + b.lean * hit.shares.y + c.lean * hit.shares.z;
+    return Baked(open, light, lean);
 }
 
 /// Occlusion is baked for the whole scene. Clipping lets in light that the bake ignores: brightens dark parts, and
@@ -183,10 +199,10 @@ vec3 markedColor(vec3 base, uint mark) {
 }
 
 /// In linear light. @param base  linear colour @param q  planePoint() of the pixel
-vec3 computeLight(Hit hit, vec3 base, vec4 baked, vec2 q) {
-    baked.x = max(baked.x, leastOcclusion());
-    if (kClip && !hit.cap) baked.x = opened(baked.x);
-    if (kBounce && kCopyColors != 0) baked.yzw *= sqrt(copyColor());  // the surroundings are of the same copy
+vec3 computeLight(Hit hit, vec3 base, Baked baked, vec2 q) {
+    baked.open = max(baked.open, leastOcclusion());
+    if (kClip && !hit.cap) baked.open = opened(baked.open);
+    if (kBounce && kCopyColors != 0) baked.light *= sqrt(copyColor());  // the surroundings are of the same copy
     if (kClip && hit.cap && effects.capColor != 0u) base = linearColor(effects.capColor);
     int material = kMaterial;
     if (kOwnMaterials) {
@@ -200,11 +216,11 @@ vec3 computeLight(Hit hit, vec3 base, vec4 baked, vec2 q) {
     if (kContours && hit.contour) lit = effects.contour.rgb;
     return kFog ? mix(lit, effects.fog.rgb, fogAt(hit.Z)) : lit;
 }
-vec3 computeLight(Hit hit, uint colorBits, vec4 baked, vec2 q) {
+vec3 computeLight(Hit hit, uint colorBits, Baked baked, vec2 q) {
     return computeLight(hit, linearColor(colorBits), baked, q);
 }
 vec3 asTargetTakesIt(vec3 lit) { return kCoded ? srgbFromLinear(clamp(lit, 0.0, 1.0)) : lit; }
-vec3 computeColor(Hit hit, uint colorBits, vec4 baked, vec2 q) {
+vec3 computeColor(Hit hit, uint colorBits, Baked baked, vec2 q) {
     return asTargetTakesIt(computeLight(hit, colorBits, baked, q));
 }
 #endif

@@ -10,7 +10,7 @@ struct Seen {
 #ifdef TRIANGLES
     uvec3 corners;  // triangles: indices of the corners' colours; otherwise all equal `look`
 #endif
-    vec4 baked;  // patchTexel()
+    Baked baked;  // patchTexel()
 };
 
 #ifdef TRIANGLES

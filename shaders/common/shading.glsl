@@ -34,6 +34,15 @@ float meanPower(float facing, float close, float power) {
 }
 #endif
 
+/// Baked light at a point.
+struct Baked {
+    float open;  // 0 closed to 1 open
+    // With kBounce, otherwise 0:
+    vec3 light;  // square roots of the light of the surroundings
+    float lean;  // how much higher its part of the sky is than if as much were open in each direction
+};
+const Baked kOpen = Baked(1.0, vec3(0.0), 0.0);
+
 /// Fractions of the light at a point.
 struct Reach {
     float direct, ambient;
@@ -69,12 +78,11 @@ vec3 bounced(float open, vec3 root) {
 
 /// @param material  one of common/layout.h
 /// @param base      linear base colour
-/// @param baked     how open the point is, and the square root of the light of its surroundings
 /// @param sun       fraction of the direct light
-vec3 shade(int material, vec3 base, vec3 normal, vec4 baked, float sun) {
+vec3 shade(int material, vec3 base, vec3 normal, Baked baked, float sun) {
     if (!kLighting) {
-        float open = mix(1.0, baked.x, kDeepening);
-        return kBounce ? base * (open + bounced(open, baked.yzw)) : base * open;
+        float open = mix(1.0, baked.open, kDeepening);
+        return kBounce ? base * (open + bounced(open, baked.light)) : base * open;
     }
     if (material == kGlow) {
         precise float own = fma(max(normal.z, 0.0), kGlowFacing, kGlowRim);
@@ -94,9 +102,12 @@ vec3 shade(int material, vec3 base, vec3 normal, vec4 baked, float sun) {
     float gloss = glossy(facing, 0.16 * kHighlight);
 #endif
     precise float highlight = material == kMatte || kHighlight == 0.0 ? 0.0 : gloss * sun;
-    Reach reach = computeReach(base, baked.x);
+    Reach reach = computeReach(base, baked.open);
     precise vec3 arriving = fma(ambient, vec3(reach.ambient), vec3(direct * reach.direct));
-    if (kBounce) arriving += level * kAmbient * bounced(reach.direct, baked.yzw);
+    if (kBounce) {
+        precise vec3 more = fma(slope, vec3(baked.lean * kDeepening), level * bounced(reach.direct, baked.light));
+        arriving += more * kAmbient;
+    }
     if (material == kMetal) {
         precise float x2 = facing * facing, x4 = x2 * x2;
         precise float x8 = x4 * x4;

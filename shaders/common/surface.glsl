@@ -36,10 +36,10 @@ void writeRimmed(vec4 seen) {
 
 /// Writes a hit. The caller passes what the bake says of it, since it knows the patch.
 #if defined(IDENTITY)
-void writeSurface(Hit hit, uint atom, vec4 baked) { identity = uvec2(atom, floatBitsToUint(baked.x)); }
+void writeSurface(Hit hit, uint atom, Baked baked) { identity = uvec2(atom, floatBitsToUint(baked.open)); }
 #else
 /// @param base  linear colour
-void writeSurface(Hit hit, vec3 base, vec4 baked) {
+void writeSurface(Hit hit, vec3 base, Baked baked) {
 #if defined(SURFACE)
     surface = vec4(hit.Z, hit.normal);
 #else
@@ -53,7 +53,7 @@ void writeSurface(Hit hit, vec3 base, vec4 baked) {
 }
 #endif
 /// The same with data from the looks.
-void writeSurface(Hit hit, uint colorBits, uint atom, vec4 baked) {
+void writeSurface(Hit hit, uint colorBits, uint atom, Baked baked) {
 #ifdef IDENTITY
     writeSurface(hit, atom, baked);
 #else

@@ -43,6 +43,12 @@ glm::dvec3 surroundings(const std::vector<std::uint8_t>& texels, std::size_t tex
     return light;
 }
 
+/// Where the texel sees the sky.
+glm::dvec3 leanOf(const std::vector<std::uint8_t>& texels, std::size_t texel) {
+    const std::uint8_t* lower = &texels[texels.size() / 2 + 4 * texel];
+    return (glm::dvec3(lower[0], lower[1], lower[2]) - 128.0) / 256.0;
+}
+
 /// Each sees the other alone, so light goes to and fro: a = B (o + (1 - o) b) and b = A (o + (1 - o) a).
 TEST(BouncedAtlas, OfTwoBallsSolvesTheirEquations) {
     constexpr std::uint32_t kA = 0xff4080e0u, kB = 0xffc0e060u;
@@ -72,11 +78,15 @@ TEST(BouncedAtlas, OfALoneBallIsDark) {
     r.radius = 2;
     const OcclusionLayout l = layoutWith(r, 6);
     const std::vector<std::uint8_t> texels = bounced(r, l, 255);
-    for (std::size_t i = 0; i < 36; ++i) EXPECT_EQ(surroundings(texels, i / 6 * l.width + i % 6), glm::dvec3(0));
+    for (std::size_t i = 0; i < 36; ++i) {
+        EXPECT_EQ(surroundings(texels, i / 6 * l.width + i % 6), glm::dvec3(0));
+        EXPECT_EQ(leanOf(texels, i / 6 * l.width + i % 6), glm::dvec3(0));
+    }
 }
 
-/// With every place open, the surroundings are the mean colour of what random rays meet.
-TEST(BouncedAtlas, OfTheColoursAroundIsTheirMean) {
+/// With every place open, the surroundings are the mean colour of what random rays meet, and the sky is where they meet
+/// nothing.
+TEST(BouncedAtlas, IsWhatRandomRaysMeet) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> at(-6, 6), unit(0, 1);
     Representation r;
@@ -88,7 +98,7 @@ TEST(BouncedAtlas, OfTheColoursAroundIsTheirMean) {
     const std::vector<std::uint8_t> texels = bounced(r, l, 255);
     const reference::OcclusionScene truth(r);
     reference::Random rays(1);
-    double squares = 0;
+    double squares = 0, leanSquares = 0, leanErrors = 0;
     int count = 0;
     for (std::size_t ball = 0; ball < r.spheres.size(); ++ball)
         for (const glm::ivec2 place : {glm::ivec2(0, 1), {2, 1}, {3, 4}, {2, 3}, {5, 2}}) {
@@ -105,16 +115,20 @@ TEST(BouncedAtlas, OfTheColoursAroundIsTheirMean) {
             for (std::size_t k = 0; k < r.spheres.size(); ++k)
                 buried |= k != ball && glm::distance(point, glm::dvec3(r.spheres[k].center)) < r.spheres[k].radius;
             if (buried) continue;
-            glm::dvec3 sum(0);
+            glm::dvec3 sum(0), open(0);
             int met = 0;
             for (int i = 0; i < 2000; ++i) {
                 const double square = rays.unit(), turn = rays.unit();
-                const auto hit = truth.nearest(point + 1e-3 * n, reference::cosineDirection(n, square, turn));
+                const glm::dvec3 direction = reference::cosineDirection(n, square, turn);
+                const auto hit = truth.nearest(point + 1e-3 * n, direction);
+                if (!hit) open += direction / 2000.0;
                 if (hit) sum += toLinear(r.sphereLooks[hit->primitive].color), ++met;
             }
-            if (met < 400) continue;  // few rays say little
             const std::size_t texel = (ball / l.spherePatches() * 6 + static_cast<std::size_t>(place.y)) * l.width +
                                       ball % l.spherePatches() * 6 + static_cast<std::size_t>(place.x);
+            const glm::dvec3 lean = 1.5 * open - (1 - met / 2000.0) * n, leanError = leanOf(texels, texel) - lean;
+            leanSquares += glm::dot(lean, lean), leanErrors += glm::dot(leanError, leanError);
+            if (met < 400) continue;  // few rays say little
             for (int c = 0; c < 3; ++c) {
                 const double difference = surroundings(texels, texel)[c] - sum[c] / met;
                 EXPECT_LT(std::abs(difference), 0.4);
@@ -124,6 +138,7 @@ TEST(BouncedAtlas, OfTheColoursAroundIsTheirMean) {
         }
     EXPECT_GT(count, 150);
     EXPECT_LT(std::sqrt(squares / count), 0.05);
+    EXPECT_LT(leanErrors, 0.15 * leanSquares);
 }
 
 /// Sticks and meshes take part: a stick and a mesh beside a red ball see red, and it sees them.
@@ -244,7 +259,7 @@ TEST(BouncedAtlas, OfATranslucentCartoonIsDark) {
         const OcclusionLayout l = occlusionLayouts(0, 0, r.meshVertices.size(), 4096).front();
         const std::vector<std::uint8_t> texels = bounced(r, l, 128);
         double sum = 0;
-        for (std::size_t i = 0; i < texels.size() / 4; ++i) sum += surroundings(texels, i).y;
+        for (std::size_t i = 0; i < texels.size() / kBytesPerBounced; ++i) sum += surroundings(texels, i).y;
         return sum;
     };
     EXPECT_EQ(sumLight(0.25), 0);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <set>
 
+#include "engine/occlusion/bounced_light.h"
 #include "engine/occlusion/cache.h"
 #include "tests/support/temporary_folder.h"
 
@@ -92,7 +93,7 @@ TEST(OcclusionCache, GivesBackBouncedLight) {
     bake.bounced = true;
     ASSERT_TRUE(writeOcclusion(cache, "name", bake));
     EXPECT_FALSE(readOcclusion(cache, "name", r)) << "one byte per texel";
-    bake.atlas.resize(4 * bake.atlas.size(), 9);
+    bake.atlas.resize(kBytesPerBounced * bake.atlas.size(), 9);
     ASSERT_TRUE(writeOcclusion(cache, "name", bake));
     const auto read = readOcclusion(cache, "name", r);
     ASSERT_TRUE(read);
