@@ -18,7 +18,7 @@ namespace {
 constexpr float kLift = 1e-2f;
 
 /// Fewer for many spots: time and memory are proportional to both.
-int directionsFor(std::uint64_t spots) { return spots <= 50'000 ? 64 : spots <= 1'000'000 ? 32 : 16; }
+int directionsFor(std::uint64_t spots) { return spots <= 100'000 ? 64 : spots <= 1'000'000 ? 32 : 16; }
 
 std::uint16_t fraction(float value) {
     return static_cast<std::uint16_t>(std::clamp(value, 0.0f, 1.0f) * 65535.0f + 0.5f);

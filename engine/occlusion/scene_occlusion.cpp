@@ -115,10 +115,13 @@ void SceneOcclusion::prepare(const OcclusionSettings& asked, const std::optional
     of_ = scene_;
     wanted_ = wanted(asked, viewDirection);
     const OcclusionSettings settings = settingsForMotion(asked, *of_.representation);
+    const bool bounce = settings.bounce && of_.representation->copies.colors.empty();
     options_ = {settings.directions, computeBudget(settings.bytes, of_.representation->meshVertices.size()),
                 settings.maps,       settings.detail,
-                viewDirection,       settings.bounce && of_.representation->copies.colors.empty(),
+                viewDirection,       bounce,
                 settings.moving};
+    // Rays take longer than any bake, and the noise of few directions would be most of what is left of the error.
+    if (bounce) options_.directions = std::min(2 * options_.directions, OcclusionSettings::kMostDirections);
     if (options_.path == OcclusionMaps::automatic) options_.path = automaticMaps_;
     cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // positions of moving atoms do not recur
     worthKeeping_ = settings.worthKeeping;

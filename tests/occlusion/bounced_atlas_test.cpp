@@ -207,6 +207,7 @@ TEST(BouncedAtlas, ChangesNothingOnceItIsOff) {
     EXPECT_NE(renderer->render(s).rgba, before);
     s.occlusion.bounce = false;
     EXPECT_EQ(renderer->render(s).rgba, before);
+    s.occlusion.directions *= 2;
     const LayerPicture off = renderer->layers(s);
     for (std::size_t i = 0; i < on.occlusion.size(); ++i) ASSERT_NEAR(off.occlusion[i], on.occlusion[i], 1e-5) << i;
 }

@@ -139,9 +139,11 @@ TEST_P(LightOfNeighbours, IsNearerToPaths) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, LightOfNeighbours,
-    testing::Values(Colorful{"Well", well, "sample:", 0.7}, Colorful{"Dna", dna, "sample:dna", 0.55},
+    testing::Values(Colorful{"Well", well, "sample:", 0.7}, Colorful{"Dna", dna, "sample:dna", 0.5},
                     Colorful{"Chains", [] { return hemoglobin(ColorScheme::chain); }, "4hhb.pdb", 0.5},
+                    Colorful{"Elements", [] { return hemoglobin(ColorScheme::element); }, "4hhb.pdb", 0.5},
                     Colorful{"Pocket", [] { return pocket(ColorScheme::chain); }, "1hpv.pdb", 0.5},
+                    Colorful{"PocketElements", [] { return pocket(ColorScheme::element); }, "1hpv.pdb", 0.5},
                     Colorful{"DnaCartoon", dnaCartoon, "sample:dna", 1}),
     [](const auto& test) { return std::string(test.param.name); });
 
