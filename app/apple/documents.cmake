@@ -18,7 +18,7 @@ set(formats
     "GROMACS structure|org.gromacs.gro|public.plain-text|gro:gro"
     "PDBQT structure|edu.scripps.pdbqt|public.plain-text|pdbqt:pdbqt"
     "Chemical Markup Language|org.xml-cml.cml|public.xml|cml:cml"
-    "Simulation topology|org.charmm.psf|public.plain-text|:psf :prmtop,parm7"
+    "Simulation topology|org.charmm.psf|public.plain-text|:psf :prmtop,parm7 :top,itp"
     "AMBER coordinates|org.ambermd.inpcrd|public.plain-text|:inpcrd,rst7,restrt"
     "LAMMPS simulation|org.lammps.data|public.plain-text|:lmp,data :lammpstrj,dump"
     "HOOMD simulation|org.glotzerlab.gsd|public.data|:gsd"

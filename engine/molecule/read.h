@@ -27,6 +27,7 @@ enum class Format {
     cml,
     psf,
     prmtop,
+    top,
     inpcrd,
     lammps,
     lammpstrj,

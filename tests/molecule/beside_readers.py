@@ -26,7 +26,7 @@ def pairs(bonds):
 
 class Mdanalysis:
     KINDS = {".lmp": "DATA", ".data": "DATA", ".lammpstrj": "LAMMPSDUMP", ".dump": "LAMMPSDUMP", ".parm7": "TOP",
-             ".prmtop": "TOP", ".txyz": "TXYZ", ".arc": "ARC"}
+             ".prmtop": "TOP", ".top": "ITP", ".itp": "ITP", ".txyz": "TXYZ", ".arc": "ARC"}
 
     def __init__(self):
         import MDAnalysis
@@ -47,7 +47,7 @@ class Mdanalysis:
         for key in ("names", "resnames", "resids", "segids", "charges", "masses", "types"):
             if not hasattr(atoms, key) or (key == "masses" and kind in ("TXYZ", "ARC")):
                 continue
-            if key == "resids" and (kind == "LAMMPSDUMP" or name.endswith(".gsd")):  # it numbers them itself
+            if key == "resids" and (kind in ("LAMMPSDUMP", "ITP") or name.endswith(".gsd")):  # it numbers them itself
                 continue
             found[key] = list(getattr(atoms, key))
         if hasattr(universe, "bonds"):

@@ -94,7 +94,7 @@ TEST_P(Mutation, IsAMoleculeOrAnError) {
 }
 
 TEST(MutatedSeeds, AreMoleculesOrErrors) {
-    for (const char* seed : {"water.psf", "water.prmtop", "water.inpcrd", "water.data", "beads.lammpstrj",
+    for (const char* seed : {"water.psf", "water.prmtop", "water.top", "water.inpcrd", "water.data", "beads.lammpstrj",
                              "salt.poscar", "water.xsf", "water.txyz", "water.mae"}) {
         SCOPED_TRACE(seed);
         expectMoleculeOrError(seed, readBeginning(std::string(NACRE_SOURCE_DIR "/tests/fuzz/seeds/") + seed), 1500);

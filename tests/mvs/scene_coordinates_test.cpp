@@ -61,6 +61,19 @@ TEST(SceneCoordinates, ATopologyTakesAFrameOfATrajectory) {
     EXPECT_TRUE(molecule.guide->warnings.empty());
 }
 
+TEST(SceneCoordinates, AGromacsTopologyHasAsManyMoleculesAsItSays) {
+    const std::string topology =
+        "[ moleculetype ]\nH2 1\n[ atoms ]\n1 H 1 H2 HA 1\n2 H 1 H2 HB 1\n[ bonds ]\n1 2\n"
+        "[ moleculetype ]\nHE 1\n[ atoms ]\n1 He 1 HE HE 1\n"
+        "[ molecules ]\nHE 1\nH2 1\n";
+    const Molecule gas = placed(dcd(1), R"(, "coordinates_ref": "places")", topology);
+    ASSERT_EQ(gas.atoms.size(), 3u);
+    EXPECT_EQ(gas.atoms[2].position, glm::vec3(2, 12, 22));
+    EXPECT_EQ(gas.atoms[0].element, 2);
+    ASSERT_EQ(gas.bonds.size(), 1u);
+    EXPECT_EQ(gas.bonds[0].a, 1u);
+}
+
 TEST(SceneCoordinates, ModelsOfAStructureFileAreFramesAsWell) {
     EXPECT_EQ(placed(kXyz, R"(, "coordinates_ref": "places", "model_index": 1)").atoms[2].position, glm::vec3(0, 1, 5));
     EXPECT_EQ(placed(dcd(1), R"(, "coordinates_ref": "places")", kXyz).atoms[2].position, glm::vec3(2, 12, 22));

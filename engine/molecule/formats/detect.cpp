@@ -128,6 +128,16 @@ bool isPdbRecord(std::string_view line) {
     return std::any_of(std::begin(kRecords), std::end(kRecords), [&](auto record) { return startsWith(line, record); });
 }
 
+/// A GROMACS topology begins with comments, and then a section or a directive of its preprocessor.
+bool isTop(std::string_view head) {
+    std::string_view line;
+    for (LineReader lines(head); (line.empty() || line.front() == ';') && lines.next();) line = trim(lines.line());
+    bool begins = startsWith(line, "[");
+    for (const std::string_view directive : {"#include", "#define", "#ifdef", "#ifndef"})
+        begins = begins || startsWith(line, directive);
+    return begins && (contains(head, "moleculetype") || contains(head, "defaults") || contains(head, ".itp\""));
+}
+
 std::size_t decimals(std::string_view number) {
     const std::size_t point = number.find('.');
     return point == std::string_view::npos || !parseNumber(number) ? 0 : number.size() - point - 1;
@@ -181,6 +191,7 @@ Guess guessByContent(std::string_view text) {
             return is(Format::cml);
         if (contains(lower, "pdbx:datablock")) return isNot("pdbml");
     }
+    if (isTop(head)) return is(Format::top);
     if (const Guess guess = guessByFirstLines(text)) return guess;
     return guessByLines(head);
 }

@@ -23,6 +23,7 @@ Molecule readPdbqt(const std::string& name, std::string_view text, const ReadOpt
 Molecule readCml(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readPsf(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readPrmtop(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readTop(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readInpcrd(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readLammps(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readLammpstrj(const std::string& name, std::string_view text, const ReadOptions&);
@@ -50,6 +51,7 @@ constexpr FormatRow kFormats[] = {
     {Format::cml, "cml", "CML", "cml", false, readCml},
     {Format::psf, "psf", "PSF", "psf", false, readPsf},
     {Format::prmtop, "prmtop", "PRMTOP", "prmtop parm7", false, readPrmtop},
+    {Format::top, "top", "TOP", "top itp", false, readTop},
     {Format::inpcrd, "inpcrd", "INPCRD", "inpcrd rst7 restrt", false, readInpcrd},
     {Format::lammps, "lammps", "LAMMPS data", "lmp data", false, readLammps},
     {Format::lammpstrj, "lammpstrj", "LAMMPS dump", "lammpstrj dump", false, readLammpstrj, nullptr, dumpSpans},

@@ -90,13 +90,8 @@ private:
         Atom atom;
         atom.name = Name(fields.name);
         atom.element = elementOfTopology(builder_, stated, fields.name, fields.residue);
-        // "163A" has an insertion code.
-        std::string_view number = fields.number;
-        const bool code = number.size() > 1 && isLetter(number.back());
-        const char insertion = code ? number.back() : '\0';
-        if (code) number.remove_suffix(1);
-        const auto residue = parseInteger(number).value_or(0);
-        builder_.addAtom(atom, fields.segment, static_cast<std::int32_t>(residue), insertion, fields.residue);
+        const auto [number, insertion] = residueNumber(fields.number);
+        builder_.addAtom(atom, fields.segment, number, insertion, fields.residue);
         builder_.molecule().residues.back().segment = Name(fields.segment);
         keepTopology(builder_, stated);
     }

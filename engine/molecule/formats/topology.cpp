@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/molecule/text.h"
+
 namespace nacre {
 
 Element elementOfTopology(MoleculeBuilder& builder, const TopologyAtom& stated, std::string_view name,
@@ -15,11 +17,18 @@ Element elementOfTopology(MoleculeBuilder& builder, const TopologyAtom& stated, 
     return pdb::elementByLooseName(name, Name(residue));
 }
 
+std::pair<std::int32_t, char> residueNumber(std::string_view text) {
+    const bool hasCode = text.size() > 1 && isLetter(text.back());
+    const char code = hasCode ? text.back() : '\0';
+    if (hasCode) text.remove_suffix(1);
+    return {static_cast<std::int32_t>(parseInteger(text).value_or(0)), code};
+}
+
 void keepTopology(MoleculeBuilder& builder, const TopologyAtom& stated) {
     const auto usable = [](double value) { return std::abs(value) <= 1e6 ? static_cast<float>(value) : 0.0f; };
     builder.molecule().types.emplace_back(stated.type);
     builder.molecule().partialCharges.push_back(usable(stated.charge));
-    builder.molecule().masses.push_back(usable(stated.mass));
+    builder.molecule().masses.push_back(stated.mass == kUnknownMass ? 0 : usable(stated.mass));
 }
 
 Molecule withoutPositions(MoleculeBuilder& builder, const char* format) {
