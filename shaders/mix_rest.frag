@@ -2,6 +2,7 @@
 // Composites the translucent rest over the picture, as one layer.
 //   INPUT / SAMPLED   where its sums are
 #extension GL_GOOGLE_include_directive : require
+#include "common/layers.glsl"
 #include "common/mixed_rest.glsl"
 
 #ifdef INPUT
@@ -20,5 +21,6 @@ layout(location = 0) out vec4 color;  // straight alpha
 void main() {
     float depth = depthHere();
     if (depth == 0.0) discard;
-    color = mixedRest(sumHere(), depth);
+    color = asHalves(mixedRest(sumHere(), depth));
+    color.a = 1.0 - color.a;
 }

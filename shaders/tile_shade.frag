@@ -4,8 +4,6 @@
 //   CYLINDERS, TRIANGLES   the scene has some
 //   SURFACE / IDENTITY   layers instead of colour
 //   DEPTH                writes the hit's depth to the depth buffer, for later draws
-//   TRANSLUCENT          composites a layer from tile_layers.comp over the picture: colour, by the depth test; or the
-//                        rest, which lies in front of opaque shapes
 #extension GL_GOOGLE_include_directive : require
 #define TILES
 #define COPY_OF_PIXEL
@@ -16,7 +14,6 @@
 #include "common/count.glsl"
 #include "common/sight.glsl"
 #include "common/tile_place.glsl"
-#include "common/mixed_rest.glsl"
 
 #ifdef TEXELS
 layout(set = 0, binding = 3) uniform usamplerBuffer numberTexels;
@@ -32,25 +29,9 @@ void fetchView() { view = push; }
 #include "common/span_view.glsl"
 #endif
 
-#ifdef TRANSLUCENT
-layout(constant_id = kLayerId) const int kLayer = 0;
-uint wordHere(int i) { return numberAt(uint(kLayerWords) * placeHere() + uint(i)); }
-uint numberHere() { return wordHere(kLayer); }
-#else
 uint numberHere() { return numberAt(placeHere()); }
-#endif
 
 void main() {
-#ifdef TRANSLUCENT
-    if (kLayer == kOrderedLayers) {
-        float depth = uintBitsToFloat(wordHere(kLayerWords - 1));
-        if (depth == 0.0) discard;
-        uvec4 sum = uvec4(wordHere(kLayer), wordHere(kLayer + 1), wordHere(kLayer + 2), wordHere(kLayer + 3));
-        color = mixedRest(uintBitsToFloat(sum), depth);
-        gl_FragDepth = 0.0;
-        return;
-    }
-#endif
     fetchView();
     uint number = numberHere() & kNumber;
     if (number == 0u) discard;

@@ -12,8 +12,9 @@
 namespace nacre {
 namespace {
 
-constexpr std::uint32_t kBlockSide = 1536;  ///< samples, without those of the rim
-static_assert(kBlockSide / FinerPlaces::kMany % PictureRect::kStep == 0);
+/// Samples of a block, without those of the rim. Where few are wanted, buffers of a small block stay in the caches.
+constexpr std::uint32_t kBlockSide = 1536, kSideOfPlaces = 768;
+static_assert(kSideOfPlaces / FinerPlaces::kMany % PictureRect::kStep == 0 && kBlockSide % kSideOfPlaces == 0);
 
 /// Adds a number of each row to that of the same pass.
 template <typename Row, typename Number>
@@ -206,7 +207,7 @@ void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atl
                                const FinerPlaces* places, std::uint32_t n, const Drew& drew) {
     const PictureRect& all = wanted.inner;
     bool first = places == nullptr;  // of the picture's frames
-    const std::uint32_t side = kBlockSide / n;
+    const std::uint32_t side = (places ? kSideOfPlaces : kBlockSide) / n;
     const std::uint32_t most = wanted.view.quarterTurns == 0 ? side : std::max(all.width, all.height);
     for (std::uint32_t top = 0; top < all.height; top += most)
         for (std::uint32_t left = 0; left < all.width; left += most) {

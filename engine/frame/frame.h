@@ -91,10 +91,10 @@ struct Frame {
     std::vector<graph::Image> targets;             ///< none where compute or the resolve shades `numbers`
     std::optional<graph::Image> samples;           ///< several per pixel; the first target is their mean
     // Translucent primitives:
-    std::vector<graph::Image> layers;           ///< numbers of the nearest layer first
-    std::vector<graph::Image> layerDepths;      ///< their depth
-    graph::Image restColors, restDepths;        ///< sums over further layers: weighted colours, optical depth
-    std::optional<graph::Buffer> layerNumbers;  ///< numbers and sums where compute finds them, imported
+    std::vector<graph::Image> layers;          ///< numbers of the nearest layer first
+    std::vector<graph::Image> layerDepths;     ///< their depth
+    graph::Image restColors, restDepths;       ///< sums over further layers: weighted colours, optical depth
+    std::optional<graph::Buffer> layerColors;  ///< of all layers, where compute shades them; imported
     // Of `tiles`, imported:
     std::optional<graph::Buffer> entries;  ///< where the device makes the lists: their entries in any order
     std::optional<graph::Buffer> lists;    ///< and the lists

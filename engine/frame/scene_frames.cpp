@@ -105,7 +105,7 @@ void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request,
     prepared.shape.listRounds = tiles->rounds();
     if (!choice.has(Effect::Kind::tileTranslucency)) return;
     passes::TileWork work;
-    work.kept = layout::kLayerWords;
+    work.result = passes::TileResult::layers;
     work.marksSmall = marksSmall(view, request);
     work.mask = inputs.mask;
     work.longestList = choice.overflow.longestListOfLayers;
@@ -237,7 +237,7 @@ void SceneFrames::bind(DeclaredFrame& declared, const PreparedFrame& prepared) {
         imports.bind(*frame.entries, view.tiles->entries());
         imports.bind(*frame.lists, view.tiles->sortedEntries());
     }
-    if (frame.layerNumbers) imports.bind(*frame.layerNumbers, view.translucent->tiles->pixels());
+    if (frame.layerColors) imports.bind(*frame.layerColors, view.translucent->tiles->pixels());
     if (frame.edges) {
         imports.bind(*frame.edges, view.tiles->edges());
         imports.bind(frame.edgePixels, view.tiles->edgePixels());

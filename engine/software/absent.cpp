@@ -25,6 +25,7 @@ void shadeSamples(gpu::PassContext&, const SceneView&, const SampledSpheres&, gr
     refuse();
 }
 void drawLayersByTiles(gpu::PassContext&, const SceneView&, vk::ImageView, vk::ImageView) { refuse(); }
+void drawLayerColor(gpu::PassContext&, const SceneView&, std::uint32_t) { refuse(); }
 void findEdgesByTiles(gpu::PassContext&, const SceneView&) { refuse(); }
 void drawEdgesByTiles(gpu::PassContext&, const SceneView&, vk::ImageView) { refuse(); }
 void drawEdgeColors(gpu::PassContext&, const SceneView&, const graph::Clear&) { refuse(); }

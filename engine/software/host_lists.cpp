@@ -82,7 +82,7 @@ void SoftwareLister::build(HostLists& lists, const ListedView& v, const TileWork
     const TileScenery scenery{r.spheres,      spheres_,   r.cylinders,       cylinders_, r.wires, r.triangles,
                               r.meshVertices, triangles_, r.coarseTriangles, r.meshes,   boxes,   work.triangleChunks};
     TileView asked = tileView(seen, v.view, v.image, !work.edges && !work.subsamples && !work.marksSmall);
-    asked.layers = work.kept;
+    asked.layers = work.result == TileResult::layers;
     asked.edges = work.edges;
     asked.small = work.small();
     asked.mask = work.mask;

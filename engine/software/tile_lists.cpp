@@ -323,7 +323,7 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     keptSpheres_ = kept_.size();
     for (const TileCall& call : s.cylinderCalls) addCylinders(view, s, call);
     const bool drawsTriangles =
-        (view.centers || view.edges) && view.layers == 1 && view.contour == 0 && !s.triangleCalls.empty();
+        (view.centers || view.edges) && !view.layers && view.contour == 0 && !s.triangleCalls.empty();
     if (drawsTriangles)
         addFrontTriangles(view, s);
     else

@@ -20,7 +20,7 @@ struct TileView : ScreenView {
     bool frontsOnly = false;         ///< triangles are invisible from behind
     float wireScale = 1;             ///< pixels per pixel of the picture, for the width of wires
     const TileMask* mask = nullptr;  ///< null: all tiles are drawn
-    std::uint32_t layers = 1;        ///< number of nearest primitives per pixel
+    bool layers = false;             ///< all layers are seen, not only the nearest
 };
 
 /// Primitives of a stream with one transform.

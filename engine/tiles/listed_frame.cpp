@@ -119,7 +119,7 @@ std::shared_ptr<const TileFrame> ListedFrames::prepare(const ListedView& v, Tile
     frame.constants = makeConstants(seen.constants, seen.copies, frame.tiles());
     frame.cleared =
         frame.shaded() && !frame.byDevice && (!r.cylinders.empty() || !r.wires.empty() || !r.triangles.empty());
-    upload(frame, seen.copies, v.image, work.kept);
+    upload(frame, seen.copies, v.image);
     frame.edgeData.drawn = work.edges;
     frame.edgeData.everywhere = seen.smallestPixels < TileWork::kSmallPixels;
     // A surface at grazing angles has triangles that no pixel centre hits, and an outline may be narrower than a pixel.
@@ -142,44 +142,42 @@ void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::Bu
 
 /// Tiles are drawn where something may be visible. Elsewhere words of earlier frames are cleared, unless the device
 /// makes the lists: it writes all pixels.
-void ListedFrames::prepareWords(PixelWords& words, const ListedFrame& f, graph::Extent image, std::uint32_t kept,
+void ListedFrames::prepareWords(PixelWords& words, const ListedFrame& f, graph::Extent image, TileResult result,
                                 const char* name) const {
     constexpr std::size_t kBin = TileSet::kBinPixels;
     const TileSet& tiles = f.tiles();
-    const std::size_t bytes = 4 * kept * TileBins::pixels(image.width, image.height);
+    const std::size_t bytes = 4 * pixelWords(result) * TileBins::pixels(image.width, image.height);
     const bool grows = words.buffer.size < bytes;
     if (grows) words.quads = nullptr, words.picture = nullptr;
-    reserve(device_, words, bytes, kReadByTiles | Usage::eTransferSrc, vk::Format::eR32Uint, name);
+    reserve(device_, words, bytes, kReadByTiles | Usage::eTransferSrc,
+            result == TileResult::layers ? vk::Format::eR32G32Uint : vk::Format::eR32Uint, name);
     if (grows && device_.caps().tiles.texels)
         words.quads = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32G32B32A32Uint, name);
     // Where streams are storage buffers, passes that read the picture still read texels.
     if (grows && device_.caps().tiles.shade && !device_.caps().tiles.texels)
         words.picture = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32Uint, name);
-    if (f.byDevice) return;
-    const std::size_t pitch = kept * tiles.across() * kBin;
+    if (f.byDevice || result == TileResult::layers) return;  // of layers, only drawn tiles are read
+    const std::size_t pitch = tiles.across() * kBin;
     auto* pixels = reinterpret_cast<std::uint32_t*>(words.buffer.mapped);
     const auto clear = [&](std::size_t x, std::size_t y, std::size_t across, std::size_t down) {
-        for (std::size_t row = y; row < y + down; ++row)
-            std::fill_n(pixels + row * pitch + kept * x, kept * across, 0u);
+        for (std::size_t row = y; row < y + down; ++row) std::fill_n(pixels + row * pitch + x, across, 0u);
     };
-    if (kept == 1) {  // of layers, only spans are read
-        if (grows || words.across != tiles.across()) {
-            words.written.clear();
-            words.across = tiles.across();
-            words.cleared = 0;
-        }
-        if (words.cleared < bytes) {  // only the used part of a buffer that has room to grow
-            std::memset(words.buffer.mapped + words.cleared, 0, bytes - words.cleared);
-            words.cleared = bytes;
-        }
-        for (const TileSet::Span& s : words.written)
-            for (std::size_t x = s.x; x < s.endX; ++x)
-                if (s.y >= tiles.down() || !f.holds(s.y * std::size_t{tiles.across()} + x))
-                    clear(x * kBin, s.y * kBin, kBin, kBin);
-        words.written.assign(tiles.spans().begin(), tiles.spans().end());
-        if (f.cleared && (&words != &f.numbers || !f.seeded()))
-            for (const TileSet::Span& s : words.written) clear(s.x * kBin, s.y * kBin, (s.endX - s.x) * kBin, kBin);
+    if (grows || words.across != tiles.across()) {
+        words.written.clear();
+        words.across = tiles.across();
+        words.cleared = 0;
     }
+    if (words.cleared < bytes) {  // only the used part of a buffer that has room to grow
+        std::memset(words.buffer.mapped + words.cleared, 0, bytes - words.cleared);
+        words.cleared = bytes;
+    }
+    for (const TileSet::Span& s : words.written)
+        for (std::size_t x = s.x; x < s.endX; ++x)
+            if (s.y >= tiles.down() || !f.holds(s.y * std::size_t{tiles.across()} + x))
+                clear(x * kBin, s.y * kBin, kBin, kBin);
+    words.written.assign(tiles.spans().begin(), tiles.spans().end());
+    if (f.cleared && (&words != &f.numbers || !f.seeded()))
+        for (const TileSet::Span& s : words.written) clear(s.x * kBin, s.y * kBin, (s.endX - s.x) * kBin, kBin);
     if (!tiles.masked()) return;
     constexpr std::size_t kTile = TileSet::kTilePixels;
     for (const TileSet::Span& s : tiles.spans())
@@ -204,7 +202,7 @@ void ListedFrames::writeSeeds(ListedFrame& f) {
     });
 }
 
-void ListedFrames::upload(ListedFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
+void ListedFrames::upload(ListedFrame& f, const PlacedCopies& copies, graph::Extent image) const {
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
     reserve(device_, f.rows, rowBytes, kReadByTiles, vk::Format::eR32G32B32A32Sfloat, "copies");
     std::memcpy(f.rows.buffer.mapped, copies.rows.data(), rowBytes);
@@ -213,13 +211,17 @@ void ListedFrames::upload(ListedFrame& f, const PlacedCopies& copies, graph::Ext
         reserve(device_, f.words, 4 * f.host->words(), kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
         f.host->write(reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped));
     }
-    prepareWords(f.numbers, f, image, kept, "primitive numbers");
+    prepareWords(f.numbers, f, image, f.result, "primitive numbers");
     if (f.seeded()) writeSeeds(f);
-    const std::span<const TileSet::Span> drawn = f.tiles().spans();
+    const bool masked = f.result == TileResult::layers && f.tiles().masked();
+    const std::vector<TileSet::Span> rows = masked ? f.tiles().drawnRows() : std::vector<TileSet::Span>();
+    const std::span<const TileSet::Span> drawn = masked ? rows : f.tiles().spans();
+    const float side = masked ? TileSet::kTilePixels : TileSet::kBinPixels;
+    f.rowCount = static_cast<std::uint32_t>(drawn.size());
     reserve(device_, f.spanVertices, drawn.size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
             vk::Format::eUndefined, "rows of tiles");
     auto* spans = reinterpret_cast<TileSpanVertex*>(f.spanVertices.buffer.mapped);
-    const glm::vec2 ndc = 2.0f * TileSet::kBinPixels / glm::vec2(image.width, image.height);
+    const glm::vec2 ndc = 2.0f * side / glm::vec2(image.width, image.height);
     for (const TileSet::Span& s : drawn)
         *spans++ = {glm::vec4(glm::vec2(s.x, s.y) * ndc, glm::vec2(s.endX, s.endY) * ndc) - 1.0f};
 }
@@ -290,7 +292,7 @@ void ListedFrames::uploadEdges(ListedFrame& f, graph::Extent image, const EdgePl
     reserve(device_, f.edgeData.pixels, 4 * (layout::kEdgeHeader + pixels), kReadByTiles, vk::Format::eR32Uint,
             "edge pixels");
     if (f.shaded())
-        prepareWords(f.edgeData.numbers, f, image, 1, "primitive numbers");
+        prepareWords(f.edgeData.numbers, f, image, TileResult::words, "primitive numbers");
     else
         reserve(device_, f.edgeData.colors, 8 * pixels, kReadByTiles, vk::Format::eR32G32Uint, "edge colours");
     auto* words = reinterpret_cast<std::uint32_t*>(f.edgeData.pixels.buffer.mapped);

@@ -92,10 +92,11 @@ public:
     bool copies = false;       ///< primitives have the transforms of copies
     bool cleared = false;      ///< the device writes covered pixels only; the others are cleared
     TileResult result{};
-    TileBuffer words;         ///< HostLists::write(), or as shaders/common/list_layout.glsl says
-    TileBuffer rows;          ///< PlacedCopies::rows
-    PixelWords numbers;       ///< of the nearest primitives, counted from 1; sights, where edges are drawn
-    TileBuffer spanVertices;  ///< TileSet::spans() as vertices
+    TileBuffer words;            ///< HostLists::write(), or as shaders/common/list_layout.glsl says
+    TileBuffer rows;             ///< PlacedCopies::rows
+    PixelWords numbers;          ///< of the nearest primitives, counted from 1; sights, where edges are drawn
+    TileBuffer spanVertices;     ///< TileSet::spans() as vertices; of masked layers, drawnRows()
+    std::uint32_t rowCount = 0;  ///< of those
     TileEdges edgeData;
 
     const PixelWords& sights() const { return shaded() ? edgeData.numbers : numbers; }
@@ -117,15 +118,14 @@ public:
 
 private:
     /// Reserves the words of an image's pixels, and clears leftovers of earlier frames that will not be overwritten.
-    /// @param kept  words per pixel
-    void prepareWords(PixelWords& words, const ListedFrame& frame, graph::Extent image, std::uint32_t kept,
+    void prepareWords(PixelWords& words, const ListedFrame& frame, graph::Extent image, TileResult result,
                       const char* name) const;
     static void writeSeeds(ListedFrame& frame);
     bool prepareLists(ListedFrame& frame, const ListedView& view, const TileWork& work);
     void uploadCalls(ListedFrame& frame, const SceneView& seen, float small, std::uint64_t room,
                      std::uint32_t share) const;
     const MeasuredPrimitives& measuredPrimitives(const Representation& representation, const SceneView& seen);
-    void upload(ListedFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
+    void upload(ListedFrame& frame, const PlacedCopies& copies, graph::Extent image) const;
     void uploadEdges(ListedFrame& frame, graph::Extent image, const EdgePlaces* places) const;
 
     const gpu::Device& device_;

@@ -22,6 +22,19 @@ void TileSet::cover(std::uint32_t width, std::uint32_t height, const TileMask* m
     }
 }
 
+std::vector<TileSet::Span> TileSet::drawnRows() const {
+    std::vector<Span> rows;
+    for (const Span& s : spans_)
+        for (std::uint32_t y = s.y * kTilesInBin; y < s.endY * kTilesInBin; ++y)
+            for (std::uint32_t x = s.x * kTilesInBin, end = x; x < s.endX * kTilesInBin; x = end + 1) {
+                for (end = x; end < s.endX * kTilesInBin && draws(end, y);) ++end;
+                if (end > x)
+                    rows.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
+                                    static_cast<std::uint16_t>(end), static_cast<std::uint16_t>(y + 1)});
+            }
+    return rows;
+}
+
 void TileSet::writeTiles(std::uint32_t* to) const {
     constexpr int kUnwanted = 12, kSmall = 31;  // shaders/common/tile_entries.glsl
     for (const Tile& t : tiles_)

@@ -35,6 +35,8 @@ public:
     bool draws(std::uint32_t x, std::uint32_t y) const {
         return covers_ || !masked() || mask_.unwanted(x, y) != kAllUnwanted;
     }
+    /// Neighbouring tiles of a row that are drawn, in bins that show anything. In tiles.
+    std::vector<Span> drawnRows() const;
     /// Whether a bin may show a primitive smaller than TileWork::small().
     bool showsSmall(std::size_t x, std::size_t y) const {
         return !smallBins_.empty() && smallBins_[y * across_ + x] != 0;

@@ -29,7 +29,10 @@ enum class TileResult : std::uint8_t {
     words,   ///< the nearest primitive's number, to a buffer
     colors,  ///< its shaded colour, to a buffer
     image,   ///< its number, to an image
+    layers,  ///< the colours of its translucent layers as halves, to a buffer
 };
+/// Words of the buffer.
+constexpr std::uint32_t pixelWords(TileResult result) { return result == TileResult::layers ? layout::kLayerWords : 1; }
 
 /// Options of a frame.
 struct TileWork {
@@ -40,7 +43,6 @@ struct TileWork {
     bool frontSpheres = false;       ///< the host finds the nearest sphere of each pixel
     bool marksSmall = false;         ///< TileFrame::showsSmall() is asked
     bool subsamples = false;         ///< pixels are samples of a picture's pixels, and are not tested at their centres
-    std::uint32_t kept = 1;          ///< words per pixel; more than 1: of several layers
     std::uint32_t longestList = 0;   ///< a frame with a longer list is not uploaded
     const TileMask* mask = nullptr;  ///< null: all tiles are drawn
     std::span<const Chunk> triangleChunks = {};  ///< optional

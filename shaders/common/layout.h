@@ -84,9 +84,8 @@ const int kTapsId = 62;         // pixels sampled per texel of a depth map: 1, 2
 const int kSpreadId = 63;       // float: distance of the taps, pixels
 const int kOrderedBitsId = 64;  // bool: heights are words that have the order of their floats
 
-/// Translucent layers in order, and the words of a pixel for them: their numbers, weighted colour and weight of the
-/// rest, its optical depth.
-const int kOrderedLayers = 2, kLayerWords = kOrderedLayers + 5;
+/// Translucent layers in order; and the words of a pixel for their colours and that of the rest, as halves.
+const int kOrderedLayers = 2, kLayerWords = 2 * (kOrderedLayers + 1);
 
 /// Z of a far plane that clips nothing; for a near plane -kNoPlane.
 constexpr float kNoPlane = 1e30f;

@@ -1,5 +1,8 @@
 // Output of a fragment shader for a hit: colour, or one of the layers. Selected by SURFACE or IDENTITY.
 #include "color.glsl"
+#ifdef TRANSLUCENT
+#include "layers.glsl"
+#endif
 
 #ifndef PLACE
 #define PLACE gl_FragCoord.xy  // that the hit is of
@@ -59,7 +62,7 @@ void writeSurface(Hit hit, uint colorBits, uint atom, Baked baked) {
 #else
     writeSurface(hit, linearColor(colorBits), baked);
 #ifdef TRANSLUCENT
-    color.a = unpackOpacity(colorBits);
+    color = asHalves(vec4(color.rgb, unpackOpacity(colorBits)));
 #endif
 #endif
 }

@@ -4,10 +4,10 @@ const int kTile = 8;
 
 /// Corner of a tile, pixels. @param tile  x | unwanted quarters << 12 | y << 16 | small primitives << 31, from a list
 uvec2 tileCorner(uint tile) { return uvec2(tile & 0xfffu, tile >> 16 & 0xfffu) * uint(kTile); }
+bool wantsQuarter(uint tile, uint quarter) { return (tile >> 12 >> quarter & 1u) == 0u; }
 /// Whether a pixel of a tile, counted row by row, is in a wanted quarter.
 bool isWanted(uint tile, uint pixel) {
-    uint quarter = pixel / uint(kTile * kTile / 2) * 2u + pixel % uint(kTile) / uint(kTile / 2);
-    return (tile >> 12 >> quarter & 1u) == 0u;
+    return wantsQuarter(tile, pixel / uint(kTile * kTile / 2) * 2u + pixel % uint(kTile) / uint(kTile / 2));
 }
 
 #include "bounding_disc.glsl"

@@ -26,9 +26,6 @@ struct TileShading {
     vk::ImageView atlas;
     Output output = Output::color;
     bool depth = false;  ///< also writes the depth buffer
-    /// If set, composites one translucent layer of a view where the depth test passes; 0: nearest,
-    /// layout::kOrderedLayers: the rest.
-    std::optional<std::uint32_t> layer{};
 };
 void draw(gpu::PassContext& context, const SceneView& view, const TileShading& pass);
 /// Requests the pipeline.
@@ -44,10 +41,11 @@ struct SampledSpheres {
 void shadeSamples(gpu::PassContext& context, const SceneView& view, const SampledSpheres& input, graph::Extent frame,
                   const ResolvePlace& place);
 
-/// Compute: writes for each pixel of the view's tiles the numbers of the nearest primitives, and adds up the rest in
-/// front of opaque shapes: layout::kLayerWords.
+/// Compute: shades what each pixel of the view's tiles shows in front of opaque shapes: TileResult::layers.
 /// @param view  of translucent primitives only @param opaque  depth buffer
 void drawLayersByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas, vk::ImageView opaque);
+/// Composites a layer over the picture. @param layer  0: nearest, layout::kOrderedLayers: the rest
+void drawLayerColor(gpu::PassContext& context, const SceneView& view, std::uint32_t layer);
 
 /// Compute: lists the edge pixels, found from the numbers and colours of the nearest primitives.
 void findEdgesByTiles(gpu::PassContext& context, const SceneView& view);

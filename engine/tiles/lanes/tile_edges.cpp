@@ -105,24 +105,38 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
     context.commands.dispatch(f.edgeData.groups, 1, 1);
 }
 
-void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const graph::Clear& clear) {
+/// Draws the rows of bins with colours of a buffer. @param d  with its fragment stage and constants
+static void drawColors(gpu::PassContext& context, const SceneView& view, const TileBuffer& colors,
+                       gpu::GraphicsPipeline d) {
     const ListedFrame& f = listedFrame(view);
-    const bool texels = context.device.caps().tiles.texels;
     if (f.tiles().spans().empty()) return;
-    const gpu::Layout& layout = context.pipelines.layout(
-        {"edge colours", texels ? kColorTexels : kColorStorage, kDraw, sizeof(layout::TileConstants)});
-    gpu::GraphicsPipeline d = context.pipeline();
+    const gpu::Layout& layout =
+        context.pipelines.layout({"colours of tiles", context.device.caps().tiles.texels ? kColorTexels : kColorStorage,
+                                  kDraw, sizeof(layout::TileConstants)});
     d.detail = "tiles";
     d.vertex = shaders::tileSpanVertex;
-    d.fragment = texels ? shaders::edgeColorTexels : shaders::edgeColorStorage;
     d.constants.set(layout::kTilesInBinId, TileSet::kTilesInBin);
-    d.constants.set(layout::kCodedId, view.coded);
-    for (int i = 0; i < 4; ++i) d.constants.set(layout::kClearId + i, clear.value[static_cast<std::size_t>(i)]);
     d.streams = spanStreams();
     d.layout = *layout.pipeline;
     d.colorsWritten = 1;
-    bindTiles(context, layout, d, f.constants, [&](TileBindings& to) { to.read(f.edgeData.colors); });
+    bindTiles(context, layout, d, f.constants, [&](TileBindings& to) { to.read(colors); });
     drawSpans(context, f);
+}
+
+void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const graph::Clear& clear) {
+    gpu::GraphicsPipeline d = context.pipeline();
+    d.fragment = context.device.caps().tiles.texels ? shaders::edgeColorTexels : shaders::edgeColorStorage;
+    d.constants.set(layout::kCodedId, view.coded);
+    for (int i = 0; i < 4; ++i) d.constants.set(layout::kClearId + i, clear.value[static_cast<std::size_t>(i)]);
+    drawColors(context, view, listedFrame(view).edgeData.colors, std::move(d));
+}
+
+void drawLayerColor(gpu::PassContext& context, const SceneView& view, std::uint32_t layer) {
+    gpu::GraphicsPipeline d = context.pipeline();
+    d.fragment = context.device.caps().tiles.texels ? shaders::layerColorTexels : shaders::layerColorStorage;
+    d.constants.set(layout::kLayerId, layer);
+    d.blend = gpu::Blend::over;
+    drawColors(context, view, listedFrame(view).numbers, std::move(d));
 }
 
 }  // namespace nacre::passes

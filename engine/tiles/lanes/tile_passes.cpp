@@ -33,10 +33,6 @@ gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded, bool r
     return NACRE_TILE_SHADER(tileNearest);
 }
 
-Stage layerShader(bool texels) {
-    return texels ? NACRE_STAGE(tileTranslucentTexels) : NACRE_STAGE(tileTranslucentStorage);
-}
-
 Stage shadeShader(Output output, bool texels, TileScene scene, bool depth) {
     if (depth) return {NACRE_TILE_SHADER(tileColorDepth)};
     switch (output) {
@@ -93,15 +89,8 @@ gpu::GraphicsPipeline spanPipeline(gpu::PipelineContext& context, const SceneVie
     gpu::GraphicsPipeline d = context.pipeline();
     d.detail = "tiles";
     d.vertex = shaders::tileSpanVertex;
-    if (shading.layer) {
-        d.fragment = layerShader(texels).of(view);
-        d.constants.set(layout::kLayerId, *shading.layer);
-        d.depth = gpu::DepthUse::test;
-        d.blend = gpu::Blend::over;
-    } else {
-        d.fragment = shadeShader(shading.output, texels, tileScene(*view.buffers), shading.depth).of(view);
-        if (shading.depth) d.depth = gpu::DepthUse::write;
-    }
+    d.fragment = shadeShader(shading.output, texels, tileScene(*view.buffers), shading.depth).of(view);
+    if (shading.depth) d.depth = gpu::DepthUse::write;
     setTileView(d.constants, view);
     setShadingConstants(d.constants, view);
     d.streams = spanStreams();

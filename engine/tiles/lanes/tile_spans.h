@@ -8,7 +8,7 @@ namespace nacre::passes {
 /// Binds the rows of bins, and draws them.
 inline void drawSpans(gpu::PassContext& context, const ListedFrame& frame) {
     context.commands.bindVertexBuffers(0, {*frame.spanVertices.buffer.handle}, {0});
-    context.commands.draw(4, static_cast<std::uint32_t>(frame.tiles().spans().size()), 0, 0);
+    context.commands.draw(4, frame.rowCount, 0, 0);
 }
 
 /// The vertex stream of drawSpans().

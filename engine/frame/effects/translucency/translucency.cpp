@@ -8,6 +8,7 @@
 #include "engine/passes/select_opacity.h"
 #include "engine/passes/tile_frame.h"
 #include "engine/tiles/lanes/lane_passes.h"
+#include "engine/tiles/tiles.h"
 #include "shaders.h"
 
 namespace nacre {
@@ -38,15 +39,25 @@ passes::GeometryPass restPass(const passes::Reads& last) {
     return pass;
 }
 
+/// Compute shades all layers of a pixel.
 void declareByTiles(Frame& f, const FrameShape& shape) {
     const std::uint64_t pixels = TileBins::pixels(shape.extent.width, shape.extent.height);
     static_assert(kTranslucentLayers == layout::kOrderedLayers);
-    f.layerNumbers = f.graph.importBuffer("translucent layers", layout::kLayerWords * sizeof(std::uint32_t) * pixels);
+    f.layerColors = f.graph.importBuffer(
+        "translucent layers", passes::pixelWords(passes::TileResult::layers) * sizeof(std::uint32_t) * pixels);
     f.lit(f.graph.compute("translucent layers").samples(f.depth))
-        .writes(*f.layerNumbers)
+        .writes(*f.layerColors)
         .record(records(f, [atlas = f.atlas, opaque = f.depth](gpu::PassContext& c, const SceneView& scene) {
             passes::drawLayersByTiles(c, *scene.translucent, c.view(atlas), c.view(opaque));
         }));
+}
+
+/// @param layer  kOrderedLayers: the rest
+void declareColorByTiles(Frame& f, graph::PassBuilder pass, std::uint32_t layer) {
+    pass.reads(*f.layerColors).color(f.targets[0]);
+    pass.record(records(f, [layer](gpu::PassContext& c, const SceneView& scene) {
+        passes::drawLayerColor(c, *scene.translucent, layer);
+    }));
 }
 
 /// A pass over the screen that reads what earlier passes left in its own pixels. @param images  one or two
@@ -83,14 +94,6 @@ void declareOpaqueDepth(Frame& f) {
             pass.constants.set(layout::kDepthStepsId, format.steps);
             drawFromPixels(c, pass, std::array{c.view(nearest)});
         }));
-}
-
-/// @param layer  kOrderedLayers: the rest
-void declareColorByTiles(Frame& f, graph::PassBuilder pass, std::uint32_t layer) {
-    f.lit(pass.reads(*f.layerNumbers).depthTest(f.depth)).color(f.targets[0]);
-    pass.record(records(f, [atlas = f.atlas, layer](gpu::PassContext& c, const SceneView& scene) {
-        passes::draw(c, *scene.translucent, passes::TileShading{c.view(atlas), passes::Output::color, false, layer});
-    }));
 }
 
 }  // namespace
@@ -141,7 +144,7 @@ void declareTranslucentRest(Frame& f, const FrameShape& shape) {
 void declareRestColor(Frame& f, const FrameChoice& choice) {
     if (choice.layers() == 0) return;
     graph::PassBuilder pass = f.graph.graphics(kRestColor);
-    if (f.layerNumbers) return declareColorByTiles(f, pass, layout::kOrderedLayers);
+    if (f.layerColors) return declareColorByTiles(f, pass, layout::kOrderedLayers);
     pass.input(f.restColors).input(f.restDepths).color(f.targets[0]);
     pass.record(records(f, [sums = f.restColors, depths = f.restDepths](gpu::PassContext& c, const SceneView&) {
         passes::FullScreenPass over{c.inputIsSampled ? shaders::mixRestSampled : shaders::mixRestInput, {}, {}};
@@ -152,7 +155,7 @@ void declareRestColor(Frame& f, const FrameChoice& choice) {
 
 void declareTranslucentColor(Frame& f, std::uint32_t layer) {
     graph::PassBuilder pass = f.graph.graphics(kTranslucentColor + std::to_string(layer + 1));
-    if (f.layerNumbers) return declareColorByTiles(f, pass, layer);
+    if (f.layerColors) return declareColorByTiles(f, pass, layer);
     f.lit(pass.samples(f.layers[layer])).depthTest(f.depth).color(f.targets[0]);
     pass.record(records(f, [atlas = f.atlas, numbers = f.layers[layer]](gpu::PassContext& c, const SceneView& scene) {
         passes::DeferredPass shading{passes::Output::color, makeReads(c, NearestFrom::texture, atlas, numbers)};
