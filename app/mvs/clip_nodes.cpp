@@ -49,7 +49,7 @@ void dropCut(std::vector<Item>& items, const ClipRegions& regions, const Center&
 }
 
 void clipMesh(const ClipRegions& regions, Primitives::Mesh& mesh) {
-    const bool each = mesh.looks.size() == mesh.triangles.size();
+    const bool each = hasLooksOfTriangles(mesh);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         glm::dvec3 sum(0);

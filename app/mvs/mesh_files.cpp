@@ -1,55 +1,15 @@
 #include "app/mvs/mesh_files.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <optional>
 #include <vector>
 
-#include "engine/error.h"
+#include "app/mvs/mesh_builder.h"
 #include "engine/molecule/text.h"
 
 namespace nacre::app::mvs {
 namespace {
-
-/// A mesh that grows within its limits.
-class MeshBuilder {
-public:
-    explicit MeshBuilder(const std::string& name) : name_(name) { mesh_.smooth = true; }
-
-    [[noreturn]] void refuse(const std::string& place, const std::string& why) const {
-        throw Error("cannot read mesh", name_, place + why);
-    }
-    void addVertex(const std::string& place, const glm::dvec3& at) {
-        for (int i = 0; i < 3; ++i)
-            if (!(std::abs(at[i]) <= kFarthestPrimitive)) refuse(place, "a vertex needs three numbers within 1e6 Å");
-        if (mesh_.positions.size() == kMostMeshVertices)
-            refuse("", "it has more than " + std::to_string(kMostMeshVertices) + " vertices");
-        mesh_.positions.push_back(at);
-    }
-    std::size_t vertices() const { return mesh_.positions.size(); }
-    /// @param corners  from 0
-    void addFace(const std::string& place, const std::vector<std::int64_t>& corners) {
-        if (corners.size() < 3) refuse(place, "a face has fewer than three corners");
-        for (const std::int64_t corner : corners)
-            if (corner < 0 || corner >= static_cast<std::int64_t>(vertices()))
-                refuse(place, "a face names a vertex that is not there");
-        if (mesh_.triangles.size() + corners.size() - 2 > kMostMeshTriangles)
-            refuse("", "it has more than " + std::to_string(kMostMeshTriangles) + " triangles");
-        const auto corner = [&](std::size_t i) { return static_cast<std::uint32_t>(corners[i]); };
-        for (std::size_t i = 2; i < corners.size(); ++i)
-            mesh_.triangles.push_back({corner(0), corner(i - 1), corner(i)});
-    }
-    Primitives::Mesh finish() {
-        if (mesh_.triangles.empty()) refuse("", "it has no faces");
-        return std::move(mesh_);
-    }
-
-private:
-    const std::string& name_;
-    Primitives::Mesh mesh_;
-};
 
 /// Splits a text into lines, without their ends.
 std::string_view nextLine(std::string_view& rest) {
@@ -59,14 +19,12 @@ std::string_view nextLine(std::string_view& rest) {
     return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
 }
 
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
-
-std::optional<PlyType> plyType(std::string_view name) {
+std::optional<NumberType> plyType(std::string_view name) {
     constexpr std::string_view kNames[] = {"char", "uchar", "short", "ushort", "int",   "uint",   "float",   "double",
                                            "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32", "float64"};
     const auto found = std::ranges::find(kNames, name);
     if (found == std::end(kNames)) return std::nullopt;
-    return static_cast<PlyType>((found - std::begin(kNames)) % 8);
+    return static_cast<NumberType>((found - std::begin(kNames)) % 8);
 }
 
 /// The values after the header.
@@ -76,7 +34,7 @@ public:
     PlyValues(Coding coding, std::string_view rest) : coding_(coding), rest_(rest) {}
 
     /// Empty: the file ends, or a word is no number.
-    std::optional<double> next(PlyType type) {
+    std::optional<double> next(NumberType type) {
         if (coding_ == Coding::ascii) {
             const std::size_t start = std::min(rest_.find_first_not_of(" \t\r\n"), rest_.size());
             const std::size_t end = std::min(rest_.find_first_of(" \t\r\n", start), rest_.size());
@@ -84,61 +42,43 @@ public:
             rest_.remove_prefix(end);
             return parseNumber(word);
         }
-        switch (type) {
-            case PlyType::int8:
-                return binary<std::int8_t>();
-            case PlyType::uint8:
-                return binary<std::uint8_t>();
-            case PlyType::int16:
-                return binary<std::int16_t>();
-            case PlyType::uint16:
-                return binary<std::uint16_t>();
-            case PlyType::int32:
-                return binary<std::int32_t>();
-            case PlyType::uint32:
-                return binary<std::uint32_t>();
-            case PlyType::float32:
-                return binary<float>();
-            default:
-                return binary<double>();
-        }
+        const std::size_t size = sizeOf(type);
+        if (rest_.size() < size) return std::nullopt;
+        const double value = numberAt(rest_.data(), type, coding_ == Coding::little);
+        rest_.remove_prefix(size);
+        return value;
     }
 
 private:
-    template <typename Value>
-    std::optional<double> binary() {
-        char bytes[sizeof(Value)];
-        if (rest_.size() < sizeof(Value)) return std::nullopt;
-        std::memcpy(bytes, rest_.data(), sizeof(Value));
-        rest_.remove_prefix(sizeof(Value));
-        if ((coding_ == Coding::little) != (std::endian::native == std::endian::little))
-            std::reverse(std::begin(bytes), std::end(bytes));
-        Value value;
-        std::memcpy(&value, bytes, sizeof(Value));
-        return static_cast<double>(value);
-    }
-
     Coding coding_;
     std::string_view rest_;
 };
 
 class PlyReader {
 public:
-    PlyReader(const std::string& name, std::string_view bytes) : mesh_(name), rest_(bytes) {}
+    PlyReader(const std::string& name, std::string_view bytes, MeshColoring::Source source)
+        : mesh_(name), rest_(bytes), source_(source) {}
 
     Primitives::Mesh read() {
         PlyValues values = header();
         for (const Element& element : elements_)
             for (std::size_t row = 0; row < element.count && !element.properties.empty(); ++row)
                 readRow(element, row, values);
-        return mesh_.finish();
+        if (source_ == MeshColoring::Source::materials && !materials_.empty()) {
+            colors_.clear();
+            for (const double index : materialOfVertex_) {
+                const bool known = index >= 0 && index < static_cast<double>(materials_.size());
+                colors_.push_back(known ? materials_[static_cast<std::size_t>(index)] : kNoMaterialColor);
+            }
+        }
+        return colors_.empty() ? mesh_.finish() : mesh_.finishBlended(colors_);
     }
 
 private:
     struct Property {
         std::string name;
-        PlyType type = PlyType::float32;
-        std::optional<PlyType> count;  ///< of a list
+        NumberType type = NumberType::float32;
+        std::optional<NumberType> count;  ///< of a list
     };
     struct Element {
         std::string name;
@@ -176,18 +116,25 @@ private:
 
     void readRow(const Element& element, std::size_t row, PlyValues& values) {
         const std::string place = element.name + " " + std::to_string(row + 1) + ": ";
-        const auto next = [&](PlyType type) {
+        const auto next = [&](NumberType type) {
             const auto value = values.next(type);
             if (!value) mesh_.refuse(place, "a number is missing");
             return *value;
         };
         glm::dvec3 at(NAN);
+        std::array<double, 3> rgb{NAN, NAN, NAN};
+        double material = -1;
         bool face = false;
         for (const Property& property : element.properties) {
             if (!property.count) {
                 const double value = next(property.type);
                 const std::size_t axis = property.name.size() == 1 ? std::string_view("xyz").find(property.name) : 3;
                 if (axis < 3) at[static_cast<int>(axis)] = value;
+                const auto channel = std::ranges::find(kChannels, property.name);
+                const bool share = property.type == NumberType::float32 || property.type == NumberType::float64;
+                if (channel != std::end(kChannels))
+                    rgb[static_cast<std::size_t>(channel - std::begin(kChannels))] = share ? 255 * value : value;
+                if (property.name == "material_index") material = value;
                 continue;
             }
             const bool used = element.name == "face" && !face && property.name.starts_with("vertex_ind");
@@ -201,23 +148,46 @@ private:
             mesh_.addFace(place, corners_);
             face = true;
         }
-        if (element.name == "vertex") mesh_.addVertex(place, at);
+        const bool colored = std::ranges::none_of(rgb, [](double value) { return std::isnan(value); });
+        if (element.name == "material" && source_ == MeshColoring::Source::materials) {
+            if (materials_.size() == kMostMeshVertices) mesh_.refuse(place, "there are too many materials");
+            materials_.push_back(colored ? byteColor(rgb) : kNoMaterialColor);
+        }
+        if (element.name != "vertex") return;
+        mesh_.addVertex(place, at);
+        if (source_ == MeshColoring::Source::vertices && colored) colors_.push_back(byteColor(rgb));
+        if (source_ == MeshColoring::Source::vertices && colors_.size() != (colored ? mesh_.vertices() : 0))
+            mesh_.refuse(place, "its colour is not usable");
+        if (source_ == MeshColoring::Source::materials) materialOfVertex_.push_back(material);
     }
+
+    static constexpr std::string_view kChannels[] = {"red", "green", "blue"};
 
     MeshBuilder mesh_;
     std::string_view rest_;
     std::vector<Element> elements_;
     std::vector<std::int64_t> corners_;
+    MeshColoring::Source source_;
+    std::vector<std::uint32_t> colors_, materials_;  ///< packed
+    std::vector<double> materialOfVertex_;
 };
 
 }  // namespace
 
-Primitives::Mesh readObj(const std::string& name, std::string_view text) {
+Primitives::Mesh readObj(const std::string& name, std::string_view text, const MeshColoring& coloring) {
     constexpr std::size_t kLongestLine = 1'000'000;
+    using enum MeshColoring::Source;
     MeshBuilder mesh(name);
     std::vector<std::int64_t> corners;
+    std::vector<std::uint32_t> colors;
+    std::uint32_t material = kNoMaterialColor;
+    bool hasColors = false;
     for (std::size_t number = 1; !text.empty(); ++number) {
         const std::string_view line = nextLine(text);
+        if (line.starts_with("usemtl ")) {
+            const auto found = coloring.materials.find(splitWords(line)[1]);
+            material = found == coloring.materials.end() ? kNoMaterialColor : found->second;
+        }
         if (!line.starts_with("v ") && !line.starts_with("f ")) continue;
         const std::string place = "line " + std::to_string(number) + ": ";
         if (line.size() > kLongestLine) mesh.refuse(place, "it is too long");
@@ -226,6 +196,12 @@ Primitives::Mesh readObj(const std::string& name, std::string_view text) {
             glm::dvec3 at;
             for (int i = 0; i < 3; ++i) at[i] = parseNumber(words[static_cast<std::size_t>(i + 1)]).value_or(NAN);
             mesh.addVertex(place, at);
+            if (coloring.source != vertices) continue;
+            std::array<double, 3> rgb{255, 255, 255};
+            const bool colored = words.count >= 7;
+            for (std::size_t i = 0; i < 3 && colored; ++i) rgb[i] = 255 * parseNumber(words[4 + i]).value_or(1);
+            hasColors |= colored;
+            colors.push_back(byteColor(rgb));
             continue;
         }
         corners.clear();
@@ -235,10 +211,14 @@ Primitives::Mesh readObj(const std::string& name, std::string_view text) {
             corners.push_back(index < 0 ? index + static_cast<std::int64_t>(mesh.vertices()) : index - 1);
         }
         mesh.addFace(place, corners);
+        if (coloring.source == materials) colors.resize(mesh.triangles().size(), material);
     }
-    return mesh.finish();
+    if (coloring.source == materials) return mesh.finishColored(colors);
+    return hasColors ? mesh.finishBlended(colors) : mesh.finish();
 }
 
-Primitives::Mesh readPly(const std::string& name, std::string_view bytes) { return PlyReader(name, bytes).read(); }
+Primitives::Mesh readPly(const std::string& name, std::string_view bytes, const MeshColoring& coloring) {
+    return PlyReader(name, bytes, coloring.source).read();
+}
 
 }  // namespace nacre::app::mvs

@@ -95,7 +95,9 @@ constexpr NodeRow kRows[] = {
     {"volume_representation:grid_slice", "",
      "type dimension absolute_index relative_index relative_isovalue absolute_isovalue", "",
      "from black to the colour; without what lies below the isovalue: the mean where the scene gives none"},
-    {"shape", "parse", "", "", "the triangles of OBJ and PLY files"},
+    {"shape", "parse", "", "",
+     "triangles of OBJ, PLY and VTP files; colours of the file by obj_coloring, ply_coloring and vtp_attribute of "
+     "custom"},
     {"primitives", "root structure", "color label_color tooltip opacity label_opacity instances",
      "label_show_tether label_tether_length label_attachment label_background_color snapshot_key",
      "its primitives: the rows below"},

@@ -149,6 +149,38 @@ std::vector<std::uint32_t> namedColorList(std::string_view name) {
     return colors;
 }
 
+std::vector<std::uint32_t> molstarColorList(std::string_view name) {
+    constexpr std::pair<std::string_view, std::string_view> kNames[] = {{"orange-red", "OrRd"},
+                                                                        {"blue-green", "BuGn"},
+                                                                        {"purple-blue-green", "PuBuGn"},
+                                                                        {"green-blue", "GnBu"},
+                                                                        {"purple-blue", "PuBu"},
+                                                                        {"blue-purple", "BuPu"},
+                                                                        {"red-purple", "RdPu"},
+                                                                        {"purple-red", "PuRd"},
+                                                                        {"yellow-orange-red", "YlOrRd"},
+                                                                        {"yellow-orange-brown", "YlOrBr"},
+                                                                        {"yellow-green", "YlGn"},
+                                                                        {"yellow-green-blue", "YlGnBu"},
+                                                                        {"red-blue", "RdBu"},
+                                                                        {"red-grey", "RdGy"},
+                                                                        {"pink-yellow-green", "PiYG"},
+                                                                        {"brown-white-green", "BrBG"},
+                                                                        {"purple-green", "PRGn"},
+                                                                        {"purple-orange", "PuOr"},
+                                                                        {"red-yellow-green", "RdYlGn"},
+                                                                        {"red-yellow-blue", "RdYlBu"},
+                                                                        {"turbo-no-black", "Chainbow"}};
+    for (const auto& [own, named] : kNames)
+        if (own == name) return namedColorList(named);
+    // "set-1", "viridis"
+    std::string plain(name);
+    std::erase(plain, '-');
+    for (const ColorList& list : kLists)
+        if (lowerCase(list.name) == lowerCase(plain)) return namedColorList(list.name);
+    return {};
+}
+
 std::map<std::string, std::uint32_t> namedColorMap(std::string_view name) {
     std::map<std::string, std::uint32_t> colors;
     if (name == "ElementSymbol") {

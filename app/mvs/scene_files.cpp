@@ -70,13 +70,14 @@ std::shared_ptr<const DensityMap> SceneFiles::map(const std::string& uri, const 
     });
 }
 
-Primitives::Mesh SceneFiles::mesh(const std::string& uri, const std::string& format) {
+Primitives::Mesh SceneFiles::mesh(const std::string& uri, const std::string& format, const MeshColoring& coloring) {
     const std::string& text = bytes(uri);
     const std::string name = nacre::printable(uri, 200);
     countParsed(uri, text.size());
-    if (format == "ply") return readPly(name, text);
-    if (format != "obj") throw Error("cannot read mesh", name, "its format is neither obj nor ply");
-    return readObj(name, text);
+    if (format == "ply") return readPly(name, text, coloring);
+    if (format == "vtp") return readVtp(name, text, coloring);
+    if (format != "obj") throw Error("cannot read mesh", name, "its format is not obj, ply or vtp");
+    return readObj(name, text, coloring);
 }
 
 std::vector<glm::vec3> SceneFiles::positions(const std::string& ref, std::size_t frame, std::size_t atoms) {

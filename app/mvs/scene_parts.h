@@ -16,6 +16,7 @@
 #include "app/mvs/annotations.h"
 #include "app/mvs/build_scene.h"
 #include "app/mvs/expressions.h"
+#include "app/mvs/mesh_files.h"
 #include "app/mvs/node_table.h"
 #include "engine/molecule/trajectory/trajectory.h"
 #include "engine/scene/build/primitives.h"
@@ -48,8 +49,8 @@ public:
     Molecule molecule(const std::string& uri, std::string text, ReadOptions options);
     /// A map of a file, read once. @throws Error
     std::shared_ptr<const DensityMap> map(const std::string& uri, const std::string& channel);
-    /// A mesh of a file. @param format  "obj" or "ply" @throws Error
-    Primitives::Mesh mesh(const std::string& uri, const std::string& format);
+    /// A mesh of a file. @param format  "obj", "ply" or "vtp" @throws Error
+    Primitives::Mesh mesh(const std::string& uri, const std::string& format, const MeshColoring& coloring);
     /// Records the file of a coordinates node. @param ref  of the node
     void addCoordinates(const std::string& ref, const std::string& uri) { coordinates_.emplace(ref, uri); }
     bool hasCoordinates(const std::string& ref) const { return coordinates_.contains(ref); }

@@ -42,6 +42,8 @@ public:
         node.ref = textAt(json, "ref");
         if (const auto params = json.find("params"); params != json.end() && !params->is_null())
             node.params = std::move(*params);
+        if (const auto custom = json.find("custom"); custom != json.end() && custom->is_object())
+            node.custom = std::move(*custom);
         const auto children = json.find("children");
         if (children == json.end() || children->is_null()) return node;
         node.children.reserve(std::min(children->size(), kMostNodes));

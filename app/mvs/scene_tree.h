@@ -18,6 +18,7 @@ constexpr std::size_t kMostSnapshots = 10'000;
 struct Node {
     std::string kind;
     Json params = Json::object();
+    Json custom;  ///< extensions of the format: an object, or null
     std::vector<Node> children;
     std::string ref;    ///< for references from other nodes; may be empty
     std::string place;  ///< for messages: "root/download 1/parse 1"

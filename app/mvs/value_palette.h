@@ -31,6 +31,8 @@ std::uint32_t mixedColor(std::uint32_t from, std::uint32_t to, double share);
 
 /// The packed colours of a list named in MolViewSpec ("Viridis"); none if there is no such list.
 std::vector<std::uint32_t> namedColorList(std::string_view name);
+/// As above by Mol*'s own names ("viridis", "red-yellow-blue").
+std::vector<std::uint32_t> molstarColorList(std::string_view name);
 /// Colours by word ("ElementSymbol": "Fe"), packed; none if there is no such palette.
 std::map<std::string, std::uint32_t> namedColorMap(std::string_view name);
 

@@ -100,6 +100,16 @@ Molecule shown(const std::string& children, const std::string& file = kObj, cons
     return buildScene(parseScene(json, "scene.mvsj"), 0, "scene.mvsj", sources);
 }
 
+SceneGuide shownWith(const std::string& custom, const std::string& file, const std::string& format) {
+    SceneSources sources;
+    sources.fetch = [&](const std::string&) { return file; };
+    const std::string json = R"({"root": {"kind": "root", "children": [{"kind": "download", "params": {"url": "a"},
+        "children": [{"kind": "parse", "params": {"format": ")" +
+                             format + R"("}, "children": [{"kind": "shape", "custom": )" + custom +
+                             R"(, "children": [{"kind": "opacity", "params": {"opacity": 0.5}}]}]}]}]}})";
+    return *buildScene(parseScene(json, "scene.mvsj"), 0, "scene.mvsj", sources).guide;
+}
+
 TEST(SceneShapes, HaveAColourAnOpacityAndInstances) {
     const Molecule plain = shown("");
     ASSERT_EQ(plain.guide->primitives.meshes.size(), 1u);
@@ -118,6 +128,89 @@ TEST(SceneShapes, HaveAColourAnOpacityAndInstances) {
     EXPECT_EQ(drawn.guide->primitives.meshes[1].positions[0], glm::dvec3(1, 10, 0));
     EXPECT_EQ(drawn.guide->primitives.meshes[1].looks.at(0).color, 0xff00ff00u);
     EXPECT_EQ(drawn.guide->primitives.meshes[1].looks.at(0).opacity, 0.5);
+}
+
+std::vector<std::uint32_t> colorsOf(const Primitives::Mesh& mesh) {
+    std::vector<std::uint32_t> colors;
+    for (const PrimitiveLook& look : mesh.looks) colors.push_back(look.color);
+    return colors;
+}
+
+constexpr std::uint32_t kMeshGrey = packedColor(0x808080), kMeshBlue = packedColor(0x0000ff),
+                        kMeshWhite = packedColor(0xffffff);
+
+TEST(SceneShapes, TakeColoursOfVertices) {
+    const std::string obj =
+        "v 0 0 0 1 0 0\nv 1 0 0 0 0.5 9\nv 0 1 0\nv 0 0 1 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n";
+    const Primitives::Mesh tetrahedron = shownWith(R"({"obj_coloring": "vertex"})", obj, "obj").primitives.meshes.at(0);
+    EXPECT_TRUE(tetrahedron.blends);
+    EXPECT_EQ(colorsOf(tetrahedron),
+              (std::vector<std::uint32_t>{packedColor(0xff0000), packedColor(0x0080ff), kMeshWhite, kMeshBlue}));
+    std::string ply = kPly;
+    ply.replace(ply.find("property uchar red"), 18, "property uchar red\nproperty uchar green\nproperty uchar blue");
+    for (std::size_t at; (at = ply.find(" 255 7")) != std::string::npos;) ply.replace(at, 6, " 9 8 7 7");
+    ply.replace(ply.find("4 4 0 7\n0 4 0 7"), 15, "4 4 0 0 255 7\n0 4 0 0 255 7");
+    const Primitives::Mesh square = shownWith(R"({"ply_coloring": "vertex"})", ply, "ply").primitives.meshes.at(0);
+    EXPECT_EQ(colorsOf(square),
+              (std::vector<std::uint32_t>{packedColor(0x090807), packedColor(0x090807), kMeshBlue, kMeshBlue}));
+    EXPECT_EQ(shownWith(R"({"ply_coloring": "uniform"})", ply, "ply").primitives.meshes.at(0).looks.size(), 1u);
+    // Shares, in a file of floating-point numbers.
+    std::string shares = ply;
+    for (const char* channel : {"red", "green", "blue"})
+        shares.replace(shares.find(std::string("uchar ") + channel), 5, "float");
+    EXPECT_EQ(colorsOf(shownWith(R"({"ply_coloring": "vertex"})", shares, "ply").primitives.meshes.at(0))[2],
+              kMeshBlue);
+}
+
+TEST(SceneShapes, TakeValuesOfVtp) {
+    const std::string vtp =
+        "<VTKFile type='PolyData'><PolyData><Piece NumberOfPoints='3' NumberOfPolys='1'><PointData>"
+        "<DataArray type='Float32' Name='q'>0 5 10</DataArray></PointData><Points>"
+        "<DataArray type='Float32' NumberOfComponents='3'>0 0 0 1 0 0 0 1 0</DataArray></Points><Polys>"
+        "<DataArray type='Int32' Name='connectivity'>0 1 2</DataArray>"
+        "<DataArray type='Int32' Name='offsets'>3</DataArray></Polys></Piece></PolyData></VTKFile>";
+    const SceneGuide plain = shownWith("{}", vtp, "vtp");
+    EXPECT_EQ(colorsOf(plain.primitives.meshes.at(0)), std::vector<std::uint32_t>{kMeshWhite});
+    const SceneGuide shaded =
+        shownWith(R"({"vtp_attribute": "q", "vtp_palette": "greys", "vtp_domain": [0, 5]})", vtp, "vtp");
+    EXPECT_TRUE(shaded.warnings.empty());
+    EXPECT_EQ(colorsOf(shaded.primitives.meshes.at(0)),
+              (std::vector<std::uint32_t>{kMeshWhite, packedColor(0), packedColor(0)}));
+    const SceneGuide odd = shownWith(R"({"vtp_attribute": "p", "vtp_palette": "pink", "vtp_domain": 1})", vtp, "vtp");
+    EXPECT_EQ(odd.warnings.size(), 3u);
+    EXPECT_EQ(colorsOf(odd.primitives.meshes.at(0)), std::vector<std::uint32_t>{kMeshWhite});
+}
+
+TEST(SceneShapes, TakeColoursOfMaterials) {
+    const std::string obj =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nusemtl shell\nf 1 2 3 4\nusemtl core\nf 1 2 3\n";
+    const std::string custom =
+        R"({"obj_coloring": "custom", "obj_material_colors": {"shell": "blue", "core": "#fff"}})";
+    const Primitives::Mesh mesh = shownWith(custom, obj, "obj").primitives.meshes.at(0);
+    EXPECT_FALSE(mesh.blends);
+    EXPECT_EQ(colorsOf(mesh), (std::vector<std::uint32_t>{kMeshGrey, kMeshBlue, kMeshBlue, kMeshWhite}));
+    EXPECT_EQ(mesh.looks[1].opacity, 0.5);
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property int material_index\nelement face 1\nproperty list uchar int vertex_indices\n"
+        "element material 2\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n"
+        "0 0 0 1\n1 0 0 0\n0 1 0 7\n3 0 1 2\n0 0 255\n255 255 255\n";
+    EXPECT_EQ(colorsOf(shownWith(R"({"ply_coloring": "material"})", ply, "ply").primitives.meshes.at(0)),
+              (std::vector<std::uint32_t>{kMeshWhite, kMeshBlue, kMeshGrey}));
+}
+
+TEST(SceneShapes, TellOfColoursThatAreNotThere) {
+    const auto told = [](const std::string& custom, const std::string& format) {
+        const SceneGuide guide = shownWith(custom, format == "ply" ? kPly : kObj, format);
+        return guide.warnings.empty() ? "" : guide.warnings[0];
+    };
+    EXPECT_NE(told(R"({"ply_coloring": "vertex"})", "ply").find("its file has no such colours"), std::string::npos);
+    EXPECT_NE(told(R"({"ply_coloring": "custom"})", "ply").find("there is no ply_coloring 'custom'"),
+              std::string::npos);
+    EXPECT_NE(told(R"({"obj_coloring": "custom", "obj_material_colors": {"a": "none"}})", "obj")
+                  .find("there is no colour of material 'a"),
+              std::string::npos);
+    EXPECT_EQ(told(R"({"obj_coloring": "vertex", "molstar_mesh_params": {}})", "obj"), "");
 }
 
 TEST(SceneShapes, TellOfSelectors) {
@@ -149,7 +242,7 @@ TEST(SceneShapes, FilesThatCannotBeReadAreLeftOut) {
         return test::errorText([&] { shown("", file, format); });
     };
     EXPECT_NE(why("v 1 2\n", "obj").find("shape 1: it is left out: cannot read mesh: a: line 1"), std::string::npos);
-    EXPECT_NE(why("<VTKFile/>", "vtp").find("its format is neither obj nor ply"), std::string::npos);
+    EXPECT_NE(why("solid", "stl").find("its format is not obj, ply or vtp"), std::string::npos);
     EXPECT_EQ(shown("", kPly, "ply").guide->primitives.meshes.at(0).triangles.size(), 2u);
 }
 

@@ -162,6 +162,22 @@ TEST(Primitives, AMeshHasItsColoursByTriangleOrVertex) {
     EXPECT_THROW(drawn(p), Error);
 }
 
+TEST(Primitives, ColoursOfVerticesBlendIfAsked) {
+    Primitives p;
+    Primitives::Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}};  // as many as vertices
+    mesh.looks = {{0xff000001}, {0xff000002}, {0xff000003}, {0xff000004}};
+    p.meshes.push_back(mesh);
+    EXPECT_FALSE(drawn(p).blendsColors);
+    p.meshes[0].blends = true;
+    const Representation r = drawn(p);
+    EXPECT_TRUE(r.blendsColors);
+    const Triangle& last = r.triangles[3];
+    EXPECT_EQ(r.meshLooks[r.meshVertices[last.a].look].color, 0xff000002u);
+    EXPECT_EQ(r.meshLooks[r.meshVertices[last.c].look].color, 0xff000004u);
+}
+
 TEST(Primitives, JoinAMoleculeBehindItsNumbers) {
     const Molecule m = sampleMolecule("dna");
     Representation scene = represent(m, drawnAtoms(m), {Style::spacefill});

@@ -230,14 +230,18 @@ void PrimitiveMeshes::boxFaces(const std::function<glm::dvec3(unsigned)>& corner
 void PrimitiveMeshes::mesh(const Primitives::Mesh& given) {
     const std::size_t points = given.positions.size(), triangles = given.triangles.size();
     if (triangles == 0) return;
-    const bool perTriangle = given.looks.size() == triangles && triangles > 1, one = given.looks.size() == 1;
+    const bool one = given.looks.size() == 1, perTriangle = hasLooksOfTriangles(given);
     if (!one && !perTriangle && given.looks.size() != points)
         throw Error("cannot draw mesh", "",
                     "it has " + std::to_string(given.looks.size()) + " colours for " + std::to_string(triangles) +
                         " triangles and " + std::to_string(points) + " vertices");
     Mesh mesh;
+    scene_.blendsColors |= given.blends && !one;
+    std::vector<std::uint32_t> numbers;
+    if (given.blends && !one)
+        for (const PrimitiveLook& look : given.looks) numbers.push_back(numberLook(look));
     const auto findLook = [&](std::size_t triangle, std::uint32_t vertex) {
-        return numberLook(given.looks[one ? 0 : perTriangle ? triangle : vertex]);
+        return !numbers.empty() ? numbers[vertex] : numberLook(given.looks[one ? 0 : perTriangle ? triangle : vertex]);
     };
     std::vector<glm::dvec3> means(given.smooth ? points : 0);
     const auto faceNormal = [&](const std::array<std::uint32_t, 3>& t) {

@@ -79,6 +79,7 @@ struct Primitives {
         std::vector<std::array<std::uint32_t, 3>> triangles;
         /// One for all, one per triangle or one per vertex: a point takes the look of the nearest vertex.
         std::vector<PrimitiveLook> looks{{}};
+        bool blends = false;                   ///< looks are of vertices, whose colours blend in between
         bool smooth = false;                   ///< vertex normals are means over triangles; false: flat triangles
         std::optional<PrimitiveLook> wires{};  ///< if set, its edges are drawn as lines
         double wireWidth = 1;                  ///< pixels
@@ -109,6 +110,11 @@ struct Primitives {
 constexpr int kRoundSides = 48;  ///< around cones, translucent tubes and full ellipses: within 0.0022 radii
 constexpr std::size_t kMostPrimitives = 1'000'000, kMostPrimitiveTriangles = 20'000'000;
 constexpr double kFarthestPrimitive = 1e6;  ///< Å along each axis
+
+/// Whether each triangle of a mesh has a look of its own.
+inline bool hasLooksOfTriangles(const Primitives::Mesh& mesh) {
+    return !mesh.blends && mesh.looks.size() > 1 && mesh.looks.size() == mesh.triangles.size();
+}
 
 /// Error bound of an ellipsoid's mesh, relative to its longest half axis. @param count  drawn together: 2.4e-4 up to
 /// 61, then 9.8e-4 (244), 3.9e-3 (976), 0.015 (3906), and 0.057
