@@ -154,13 +154,56 @@ std::vector<glm::dvec2> besideNamed(const Room& room, const LabelSight::Named& n
     return offsets;
 }
 
-/// Centres a label with a size in space on its point, over anything there.
+// Background of a label and its wedge, in em: half its height, its margins, and the base of the wedge.
+constexpr double kPlateHalf = 0.667, kPlateBase = 0.5;
+constexpr glm::dvec2 kPlateMargin(0.3, 0.133);
+
+/// @param at  the label's point @param offset  of the text's centre @param half  size of the text, all in pixels, y up
+PlateMark makePlate(const Primitives::LabelPlate& plate, const glm::dvec2& at, const glm::dvec2& offset,
+                    const glm::dvec2& half, double em) {
+    const auto place = [&](double x, double y) { return at + glm::dvec2(x, -y); };
+    const glm::dvec2 low = offset - half - kPlateMargin * em, high = offset + half + kPlateMargin * em;
+    PlateMark mark{{}, plate.color};
+    if (plate.background)
+        mark.parts.push_back({place(low.x, high.y), place(high.x, high.y), place(high.x, low.y), place(low.x, low.y)});
+    if (plate.tether <= 0 || plate.side == glm::ivec2(0)) return mark;
+    // The point of the background that is nearest to the tip; the base lies on its edges beside it.
+    const glm::dvec2 side(plate.side), near = glm::clamp(glm::dvec2(0), low, high);
+    const glm::dvec2 x(side.x != 0 && side.y != 0 ? side.x * kPlateBase * em : kPlateBase / 2 * em, 0);
+    const glm::dvec2 y(0, side.x != 0 && side.y != 0 ? side.y * kPlateBase * em : kPlateBase / 2 * em);
+    const auto wedge = [&](const glm::dvec2& a, const glm::dvec2& b) {
+        mark.parts.push_back({at, place(a.x, a.y), place(b.x, b.y)});
+    };
+    if (side.x != 0 && side.y != 0) {
+        wedge(near, near + x / 2.0);
+        wedge(near, near + y / 2.0);
+    } else if (side.x != 0) {
+        wedge(near - y, near + y);
+    } else {
+        wedge(near - x, near + x);
+    }
+    return mark;
+}
+
+/// Centres a label with a size in space on its point, or beside it, over anything there.
 void putInSpace(Room& room, const PlacedLabel& label, const Room::Seen& seen) {
     constexpr double kLeast = 3, kMost = 2000;  // pixels
     const double em = std::min(label.size * seen.scale, kMost);
     if (em < kLeast) return;
     const double wide = room.widthOfRuns(label.text, em);
-    room.put(label.text, seen.at + glm::dvec2(-wide / 2, (kRise - kDrop) / 2 * em), em);
+    const Primitives::LabelPlate& plate = label.plate;
+    const glm::dvec2 half(wide / 2, kPlateHalf * em), side(plate.side);
+    glm::dvec2 offset = side * half;
+    if (plate.tether > 0 && plate.side != glm::ivec2(0)) {
+        const double share = side.x != 0 && side.y != 0 ? 0.5 : 1;
+        offset += side * (share * plate.tether + kPlateMargin) * em;
+    }
+    if (plate.background || plate.tether > 0) {
+        PlateMark mark = makePlate(plate, seen.at, offset, half, em);
+        if (!mark.parts.empty()) room.marks.plates.push_back(std::move(mark));
+    }
+    const glm::dvec2 middle = seen.at + glm::dvec2(offset.x, -offset.y);
+    room.put(label.text, middle + glm::dvec2(-wide / 2, (kRise - kDrop) / 2 * em), em);
 }
 
 /// Puts a label at the offset of its rule, with a leader line if that is away from its anchor.
@@ -223,6 +266,7 @@ void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vect
         if (!room.place(labels[i].text, anchors[i].at, wishes, others, held[i])) ++room.marks.crowded;
     }
     room.ink = 0;
+    std::ranges::reverse(room.marks.plates);  // nearer labels were placed first
 }
 
 double luminance(const std::array<float, 3>& c) {

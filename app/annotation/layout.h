@@ -56,7 +56,15 @@ struct BackMark {
     static constexpr double kStrength = 0.8;
 };
 
+/// A translucent background of a label, and the wedge from its point: convex polygons that share edges.
+struct PlateMark {
+    std::vector<std::vector<glm::dvec2>> parts;
+    std::uint32_t color = 0;  ///< packed
+    static constexpr double kStrength = 0.5;
+};
+
 struct Marks {
+    std::vector<PlateMark> plates;  ///< behind everything else, farther ones first
     std::vector<BackMark> backs;
     std::vector<LineMark> lines;  ///< drawn in this order, each kind over the previous
     std::vector<ShapeMark> shapes;

@@ -233,6 +233,16 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
             return nearRows(p.y, line.width + marks.haloWidth + glm::distance(line.points.front(), line.points.back()));
         });
     };
+    for (const PlateMark& plate : marks.plates) {
+        bool any = false;
+        for (const std::vector<glm::dvec2>& part : plate.parts) {
+            const auto [top, bottom] = std::ranges::minmax(part, {}, &glm::dvec2::y);
+            if (bottom.y < first || top.y > static_cast<double>(first) + rows) continue;
+            rasterizePolygon(library, part, coverage);
+            any = true;
+        }
+        if (any) coverage.pour(plate.color, PlateMark::kStrength, rgba);
+    }
     for (const BackMark& back : marks.backs)
         if (back.low.y < static_cast<double>(first) + rows && back.high.y > first)
             rasterizePolygon(library, {back.low, {back.high.x, back.low.y}, back.high, {back.low.x, back.high.y}},

@@ -297,6 +297,7 @@ void addLabels(const std::vector<Primitives::Label>& labels, const glm::dvec3& c
         one.text = label.text;
         one.size = label.size;
         one.color = label.color.value_or(0);
+        one.plate = label.plate;
         one.named = {{}, {one.at}, {0.0}};
     }
 }

@@ -20,12 +20,13 @@ namespace nacre::app {
 /// A text with its position: Å from the scene's centre.
 struct PlacedLabel {
     glm::dvec3 at{};
-    std::string text;           ///< with markup
-    bool ofAtom = false;        ///< placed beside an atom, not on top
-    double radius = 0;          ///< of that atom, Å
-    LabelSight::Named named{};  ///< its atoms, and those that do not hide it, if labels may be hidden
-    double size = 0;            ///< Å per em: has a size in space, and covers what lies there; 0: as all labels
-    std::uint32_t color = 0;    ///< packed; 0: as all labels
+    std::string text;                ///< with markup
+    bool ofAtom = false;             ///< placed beside an atom, not on top
+    double radius = 0;               ///< of that atom, Å
+    LabelSight::Named named{};       ///< its atoms, and those that do not hide it, if labels may be hidden
+    double size = 0;                 ///< Å per em: has a size in space, and covers what lies there; 0: as all labels
+    std::uint32_t color = 0;         ///< packed; 0: as all labels
+    Primitives::LabelPlate plate{};  ///< of a label with a size in space
     /// From its anchor to its centre, em, to the right and up; empty: where it fits.
     std::optional<glm::dvec2> offset{};
 };

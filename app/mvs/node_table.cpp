@@ -98,9 +98,10 @@ constexpr NodeRow kRows[] = {
     {"shape", "parse", "", "",
      "triangles of OBJ, PLY and VTP files; colours of the file by obj_coloring, ply_coloring and vtp_attribute of "
      "custom"},
-    {"primitives", "root structure", "color label_color tooltip opacity label_opacity instances",
-     "label_show_tether label_tether_length label_attachment label_background_color snapshot_key",
-     "its primitives: the rows below"},
+    {"primitives", "root structure",
+     "color label_color tooltip opacity label_opacity label_show_tether label_tether_length label_attachment "
+     "label_background_color instances",
+     "snapshot_key", "its primitives: the rows below"},
     {"primitives_from_uri", "root structure", "uri format references", "", ""},
     {"primitive", "primitives", "kind", "", "kinds: the rows below"},
     {"primitive:tube", "", "kind start end radius dash_length color tooltip", "", ""},

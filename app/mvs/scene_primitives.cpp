@@ -31,6 +31,7 @@ public:
         labelColor_ = readColor(group.param("label_color")).value_or(kWhite);
         opacity_ = std::clamp(number(group, "opacity", 1), 0.0, 1.0);
         tooltip_ = nodeText(group, "tooltip");
+        readPlate();
     }
 
     Primitives read() {
@@ -55,6 +56,29 @@ public:
     }
 
 private:
+    void readPlate() {
+        constexpr double kLongest = 100;  // sizes of a label
+        if (const auto color = readColor(group_.param("label_background_color")))
+            plate_ = {.color = *color, .background = true};
+        else if (group_.param("label_background_color"))
+            warnings_.add(group_, "its label_background_color is no colour");
+        const double tether = std::clamp(number(group_, "label_tether_length", 1), 0.0, kLongest);
+        if (flag(group_, "label_show_tether", false)) plate_.tether = tether / kEmOfSize;
+        const std::string attachment = nodeText(group_, "label_attachment");
+        const std::size_t dash = attachment.find('-');
+        const auto index = [](const std::string& word, std::initializer_list<const char*> words) {
+            return static_cast<int>(std::ranges::find(words, word) - words.begin()) - 1;
+        };
+        // The side of the label that is at the point: a label that is attached at its top lies below.
+        const int up = index(attachment.substr(0, dash), {"top", "middle", "bottom"});
+        const int right =
+            dash == std::string::npos ? 2 : index(attachment.substr(dash + 1), {"right", "center", "left"});
+        if (up <= 1 && right <= 1)
+            plate_.side = {right, up};
+        else if (!attachment.empty())
+            warnings_.add(group_, "there is no label_attachment '" + nacre::printable(attachment, 40) + "'");
+    }
+
     void one(const Node& node) {
         const std::string kind = nodeText(node, "kind");
         const NodeRow* row = nodeRow("primitive:" + kind);
@@ -259,8 +283,8 @@ private:
     }
 
     void addLabel(const Node& node, const glm::dvec3& at, const std::string& text, double size) {
-        all_.labels.push_back(
-            {at, withoutMarkup(text), kEmOfSize * size, readColor(node.param("label_color")).value_or(labelColor_)});
+        all_.labels.push_back({at, withoutMarkup(text), kEmOfSize * size,
+                               readColor(node.param("label_color")).value_or(labelColor_), plate_});
     }
 
     void label(const Node& node) {
@@ -381,6 +405,7 @@ private:
     std::span<const Structure> structures_;
     SceneWarnings& warnings_;
     std::uint32_t color_ = kWhite, labelColor_ = kWhite;
+    Primitives::LabelPlate plate_{.color = packedColor(0x808080)};
     double opacity_ = 1;
     std::string tooltip_;
     Primitives all_;

@@ -140,6 +140,7 @@ std::uint32_t behindGlasses(std::uint32_t color) {
 Marks behindGlasses(Marks marks) {
     const auto change = [](std::uint32_t& color) { color = behindGlasses(color); };
     change(marks.color), change(marks.halo);
+    for (PlateMark& plate : marks.plates) change(plate.color);
     for (ShapeMark& shape : marks.shapes) change(shape.color);
     for (DiscMark& disc : marks.discs) change(disc.color), change(disc.ring);
     for (RampMark& ramp : marks.ramps) std::ranges::for_each(ramp.colors, change);
@@ -153,6 +154,13 @@ void drawMarks(const Marks& marks, const glm::dvec2& corner) {
     const auto toScreen = [&](const glm::dvec2& p) { return place(p + corner); };
     const auto haloWidth = static_cast<float>(marks.haloWidth);
     const ImU32 halo = (marks.halo & 0xffffff) | 0xd8000000;
+    for (const PlateMark& plate : marks.plates)
+        for (const std::vector<glm::dvec2>& part : plate.parts) {
+            std::vector<ImVec2> corners;
+            for (const glm::dvec2& p : part) corners.push_back(toScreen(p));
+            list.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()),
+                                     (plate.color & 0xffffff) | static_cast<ImU32>(255 * PlateMark::kStrength) << 24);
+        }
     for (const BackMark& back : marks.backs)
         list.AddRectFilled(toScreen(back.low), toScreen(back.high),
                            (marks.halo & 0xffffff) | static_cast<ImU32>(255 * BackMark::kStrength) << 24);

@@ -111,6 +111,41 @@ TEST(WordLayout, LabelsInSpaceAreClipped) {
     EXPECT_NE(shown({0, 1}).find("atom"), std::string::npos);
 }
 
+TEST(WordLayout, LabelsInSpaceHaveASideABackgroundAndATether) {
+    PlacedWords words;
+    words.labels = {{{0, 0, 0}, "name", false, 0}};
+    words.labels[0].size = 1;
+    const double em = square(400).pixelsPerAngstrom;
+    const auto laidOut = [&](const Primitives::LabelPlate& plate) {
+        words.labels[0].plate = plate;
+        return layOut(words, square(400), 14, {}, kWhite, measureWidth);
+    };
+    const auto lowest = [](const PlateMark& mark, std::size_t part) {
+        return std::ranges::max(mark.parts.at(part), {}, &glm::dvec2::y).y;
+    };
+    EXPECT_TRUE(laidOut({}).plates.empty());
+    const Marks centred = laidOut({.tether = 2, .color = 7, .background = true});
+    ASSERT_EQ(centred.plates.size(), 1u);
+    EXPECT_EQ(centred.plates[0].color, 7u);
+    ASSERT_EQ(centred.plates[0].parts.size(), 1u) << "no wedge to a label on its point";
+    EXPECT_NEAR(lowest(centred.plates[0], 0), 200 + 0.8 * em, 1e-6);
+    const Box middle = markBox(centred.texts.at(0));
+    EXPECT_NEAR((middle.left + middle.right) / 2, 200, 1e-6);
+    // Beside the point, to the right; and above, two em away.
+    EXPECT_NEAR(markBox(laidOut({.side = {1, 0}}).texts.at(0)).left, 200, 1e-6);
+    const Marks above = laidOut({.side = {0, 1}, .tether = 2, .background = true});
+    ASSERT_EQ(above.plates.at(0).parts.size(), 2u);
+    EXPECT_NEAR(lowest(above.plates[0], 0), 200 - 2 * em, 1e-6);
+    EXPECT_NEAR(lowest(above.plates[0], 1), 200, 1e-6) << "the wedge ends at the point";
+    const Marks corner = laidOut({.side = {-1, -1}, .tether = 2});
+    ASSERT_EQ(corner.plates.at(0).parts.size(), 2u) << "two halves of a wedge, without a background";
+    EXPECT_NEAR(markBox(corner.texts.at(0)).right, 200 - 1.3 * em, 1e-6);
+    words.labels.push_back(words.labels[0]);
+    words.labels[1].at.z = 5;  // nearer
+    words.labels[1].plate.color = 9;
+    EXPECT_EQ(laidOut({.color = 7, .background = true}).plates.at(1).color, 9u);
+}
+
 TEST(WordLayout, LabelsOfGroupsStandBesideTheirAtoms) {
     PlacedWords words;
     PlacedLabel label{{0, 0, 0}, "ligand", false, 1};

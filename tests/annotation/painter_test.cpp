@@ -70,6 +70,25 @@ TEST(WordPainter, IsSharpAtAnySize) {
     EXPECT_LT(static_cast<double>(partly), 0.12 * static_cast<double>(fully));
 }
 
+TEST(WordPainter, PlatesAreHalfOpaqueAndHaveNoSeams) {
+    const WordPainter painter;
+    Picture picture = filled(100, 1, 1);
+    Marks marks;
+    marks.plates = {{{{{20, 20}, {50, 20}, {50, 60}, {20, 60}}, {{50, 20}, {80, 40}, {50, 60}}}, 0xff000000}};
+    painter.paint(marks, picture.rgba.data(), 100, 0, 100);
+    const auto red = [&](std::size_t x, std::size_t y) { return picture.rgba[4 * (100 * y + x)]; };
+    constexpr float kHalf = 0.214f;  // linear light of half of white, in sRGB
+    EXPECT_NEAR(red(30, 40), kHalf, 0.01f);
+    EXPECT_NEAR(red(49, 40), kHalf, 0.01f);
+    EXPECT_NEAR(red(50, 40), kHalf, 0.01f);
+    EXPECT_NEAR(red(60, 40), kHalf, 0.01f);
+    EXPECT_EQ(red(90, 40), 1);
+    Picture bands = filled(100, 1, 1);
+    for (std::uint32_t row = 0; row < 100; row += 10)
+        painter.paint(marks, bands.rgba.data() + std::size_t{row} * 400, 100, row, 10);
+    EXPECT_EQ(picture.rgba, bands.rgba);
+}
+
 TEST(WordPainter, LeavesRightAlphaWhereNothingWas) {
     const WordPainter painter;
     Picture over = filled(200, 1, 1), clear = filled(200, 0, 0);

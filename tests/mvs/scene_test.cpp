@@ -251,6 +251,28 @@ TEST(ScenePrimitives, AtomsOfAllCopiesGiveTheirPlace) {
         EXPECT_LT(glm::distance(label.at, extremeSphere(places).center), 0.5) << label.text;
 }
 
+TEST(ScenePrimitives, LabelsHavePlates) {
+    const auto group = [](const std::string& params) {
+        return built(R"({"root": {"kind": "root", "children": [{"kind": "primitives", "params": {)" + params +
+                     R"(}, "children": [{"kind": "primitive", "params":
+        {"kind": "label", "position": [0, 0, 0], "text": "a"}}]}]}})");
+    };
+    const auto plate = [&](const std::string& params) { return group(params).guide->primitives.labels.at(0).plate; };
+    EXPECT_FALSE(plate("").background);
+    EXPECT_EQ(plate(R"("label_tether_length": 2)"), plate("")) << "without a tether";
+    const Primitives::LabelPlate full = plate(R"("label_attachment": "bottom-left", "label_show_tether": true,
+        "label_tether_length": 3, "label_background_color": "blue")");
+    EXPECT_EQ(full.side, glm::ivec2(1, 1)) << "the text lies to the right of its point, and above";
+    EXPECT_NEAR(full.tether, 5, 1e-9);  // em
+    EXPECT_TRUE(full.background);
+    EXPECT_EQ(full.color, packedColor(0x0000ff));
+    EXPECT_EQ(plate(R"("label_attachment": "top-right")").side, glm::ivec2(-1, -1));
+    EXPECT_EQ(plate(R"("label_attachment": "middle-center")").side, glm::ivec2(0, 0));
+    const Molecule odd = group(R"("label_attachment": "left", "label_background_color": "none")");
+    EXPECT_EQ(odd.guide->warnings.size(), 2u);
+    EXPECT_EQ(odd.guide->primitives.labels.at(0).plate, plate(""));
+}
+
 TEST(ScenePrimitives, DistancesAreRoundedAndBoxesHaveRoom) {
     const Molecule molecule = built(R"({"root": {"kind": "root", "children": [{"kind": "primitives", "children": [
         {"kind": "primitive", "params": {"kind": "distance_measurement", "start": [0, 0, 0], "end": [3.5, 0, 0]}},

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -85,11 +86,21 @@ struct Primitives {
         double wireWidth = 1;                  ///< pixels
         bool faces = true;
     };
+    /// Where a label with a size lies, and what is behind it.
+    struct LabelPlate {
+        /// Side of its point on which the text lies, to the right and up: 1, 0 (centred) or -1.
+        glm::ivec2 side{0, 0};
+        double tether = 0;        ///< em; length of a wedge from the point to the text, if that lies beside it
+        std::uint32_t color = 0;  ///< packed; of the wedge and of the background
+        bool background = false;
+        friend bool operator==(const LabelPlate&, const LabelPlate&) = default;
+    };
     struct Label {
         glm::dvec3 at{};
         std::string text;                      ///< with the markup of labels
         double size = 0;                       ///< em size in Å, at `at`; 0: that of all labels
         std::optional<std::uint32_t> color{};  ///< packed; empty: that of all labels
+        LabelPlate plate{};
     };
 
     std::vector<Line> lines;
