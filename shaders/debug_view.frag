@@ -19,6 +19,7 @@ layout(location = 0) out vec4 color;
 layout(constant_id = kDebugViewId) const int kDebugView = 0;
 layout(constant_id = kTileId) const int kTile = 16;
 layout(constant_id = kCodedId) const bool kCoded = false;
+layout(constant_id = kBounceId) const bool kBounce = false;
 
 /// Fragments in a pixel: every doubling is a step from indigo (1) over teal, green, yellow (8), orange to red (32).
 vec3 heat(float fragments) {
@@ -72,6 +73,7 @@ void main() {
     } else if (kDebugView == kDebugPatches) {
         // Shows the atlas on the plane z = 0, as large as the scene; it pans and zooms with the view without rotation.
         vec2 size = vec2(textureSize(source, 0));
+        if (kBounce) size.y *= 0.5;  // the second half tells where places see the sky
         vec2 texel = planePoint(gl_FragCoord.xy) * vec2(1.0, -1.0) * view.perRange * max(size.x, size.y) + 0.5 * size;
         if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, size))) discard;
         color.rgb = vec3(texelFetch(source, ivec2(texel), 0).x);

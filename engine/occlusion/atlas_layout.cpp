@@ -33,7 +33,7 @@ OcclusionLayout layoutFor(const PatchSize& size, std::size_t spheres, std::size_
     // Nearly square, and a multiple of both patch widths: rows begin with a whole word of four texels.
     const std::uint32_t step = std::lcm(size.edge, size.around);
     const double side = std::sqrt(static_cast<double>(std::max<std::uint64_t>(layout.texelCount(), 1)));
-    layout.width = std::min(roundUp(static_cast<std::uint64_t>(side), step), maxSize / step * step);
+    layout.width = std::max(std::min(roundUp(static_cast<std::uint64_t>(side), step), maxSize / step * step), step);
     const auto rows = [&](std::uint64_t count, std::uint32_t w, std::uint32_t h) {
         const std::uint64_t perRow = layout.width / w;
         return (count + perRow - 1) / perRow * h;
@@ -50,11 +50,11 @@ OcclusionLayout layoutFor(const PatchSize& size, std::size_t spheres, std::size_
 }  // namespace
 
 std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t cylinders, std::size_t vertices,
-                                              std::uint32_t maxSize) {
+                                              std::uint32_t maxWidth, std::uint32_t maxHeight) {
     std::vector<OcclusionLayout> layouts;
     for (const PatchSize& size : kSizes) {
-        const OcclusionLayout layout = layoutFor(size, spheres, cylinders, vertices, maxSize);
-        if (layout.height <= maxSize) layouts.push_back(layout);
+        const OcclusionLayout layout = layoutFor(size, spheres, cylinders, vertices, maxWidth);
+        if (layout.width <= maxWidth && layout.height <= maxHeight) layouts.push_back(layout);
     }
     return layouts;
 }

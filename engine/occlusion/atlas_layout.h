@@ -29,9 +29,9 @@ struct OcclusionLayout {
 };
 
 /// Patch sizes from finest to coarsest, each laid out for these numbers of primitives and vertices.
-/// @param maxSize  largest image side; layouts that exceed it are left out
+/// @param maxWidth, maxHeight  layouts that exceed them are left out
 std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t cylinders, std::size_t vertices,
-                                              std::uint32_t maxSize);
+                                              std::uint32_t maxWidth, std::uint32_t maxHeight);
 
 /// Whether all patches lie within the atlas, sphere patches above cylinder patches, with at most `mostSide` texels per
 /// side. True for the layouts above; check stored layouts.

@@ -21,7 +21,7 @@ constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
 constexpr std::uint64_t kBytesPerVertex = kBytesPerTexel + 2 * kBytesPerOpen + sizeof(AtlasWord) / 2 + 1;
 
 /// Of an atlas with bounced light: its texel, the bytes that are copied into it, and the texel that it replaces.
-constexpr std::uint64_t kBytesForBounced = 3 * kBytesPerBounced;
+constexpr std::uint64_t kPeakBytesPerBounced = 3 * kBytesPerBounced;
 
 /// Width of an atlas for the usual memory: on every device.
 constexpr std::uint32_t kUsualSide = 4096;
@@ -55,6 +55,13 @@ Error tooLittleMemory(const Representation& r, std::uint64_t patches, std::uint3
                      " primitives and vertices need " + megabytes(patches) + " beside a depth map of " +
                      megabytes(DepthMapSizes::mostBytes(pixels)) + ", and the limit is " +
                      std::to_string(budget >> 20) + " MB (raise --occlusion-memory, or render with --occlusion off)");
+}
+
+Error tooSmallImages(const Representation& r, std::uint32_t side) {
+    return Error("cannot bake ambient occlusion", "",
+                 std::to_string(r.spheres.size() + r.cylinders.size() + r.meshVertices.size()) +
+                     " primitives and vertices do not fit an image of " + std::to_string(side) + " x " +
+                     std::to_string(side) + " texels, the device's largest (render with --occlusion off)");
 }
 
 /// The finest patches that fit into the given device memory.
@@ -127,7 +134,12 @@ Patches finestPatches(const gpu::Caps& caps, const Representation& representatio
     const std::uint32_t side = options.budgetBytes <= OcclusionSettings::kUsualBytes
                                    ? std::min(kUsualSide, caps.maxImageSize)
                                    : caps.maxImageSize;
-    const std::vector<OcclusionLayout> layouts = occlusionLayouts(spheres, cylinders, vertices, side);
+    const std::uint32_t height = options.bounce ? side / 2 : side;  // bounced light fills a second half
+    const std::vector<OcclusionLayout> layouts = occlusionLayouts(spheres, cylinders, vertices, side, height);
+    if (layouts.empty()) {
+        if (side == caps.maxImageSize) throw tooSmallImages(representation, side);
+        result.bytes = options.budgetBytes;  // more memory allows larger images
+    }
     for (std::size_t i = 0; i < layouts.size(); ++i) {
         const OcclusionLayout& layout = layouts[i];
         if (stop.stop_requested()) return result;
@@ -135,7 +147,7 @@ Patches finestPatches(const gpu::Caps& caps, const Representation& representatio
         // Estimated from a sample first: visiting every texel takes longer.
         result.bytes = bakeBytes(layout, 0, 0);
         if (result.bytes > room) continue;
-        if (options.bounce && (bouncedBytes(layout) > options.budgetBytes || 2 * layout.height > side)) {
+        if (options.bounce && bouncedBytes(layout) > options.budgetBytes) {
             result.bytes = bouncedBytes(layout);
             continue;
         }
@@ -168,7 +180,7 @@ std::uint64_t bakeBytes(const OcclusionLayout& layout, std::uint64_t openTexels,
 }
 
 std::uint64_t bouncedBytes(const OcclusionLayout& layout) {
-    return std::uint64_t{layout.width} * layout.height * kBytesForBounced;
+    return std::uint64_t{layout.width} * layout.height * kPeakBytesPerBounced;
 }
 
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,

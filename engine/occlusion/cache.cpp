@@ -151,8 +151,8 @@ std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std
                        header.cylinderCount, header.vertexCount};
     const std::uint64_t texels = std::uint64_t{header.width} * header.height * (header.bounced ? kBytesPerBounced : 1);
     const std::uint64_t bits = (std::uint64_t{header.sphereCount} + 7) / 8;
-    if (!holdsItsPatches(finished.layout, mostSide) || content.size() != sizeof header + texels + bits ||
-        header.openTexels > finished.layout.texelCount())
+    if (!holdsItsPatches(finished.layout, mostSide) || (header.bounced ? 2u : 1u) * header.height > mostSide ||
+        content.size() != sizeof header + texels + bits || header.openTexels > finished.layout.texelCount())
         return std::nullopt;
     const auto* atlas = reinterpret_cast<const std::uint8_t*>(content.data()) + sizeof header;
     finished.atlas.assign(atlas, atlas + texels);

@@ -12,7 +12,7 @@
 namespace nacre {
 
 /// Increase it whenever the result of bakes changes: patch sizes, directions, open texels, shaders.
-constexpr std::uint32_t kOcclusionVersion = 11;
+constexpr std::uint32_t kOcclusionVersion = 12;
 /// Maximum size of the cache.
 constexpr std::uint64_t kOcclusionCacheBytes = 512ull << 20;
 

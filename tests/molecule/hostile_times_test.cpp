@@ -47,7 +47,7 @@ glm::vec3 scattered(std::size_t i, float size) {
 
 void findOpenTexels(const Representation& r) {
     const PrimitiveTree tree(r);
-    const auto layouts = occlusionLayouts(r.spheres.size(), r.cylinders.size(), 0, 16384);
+    const auto layouts = occlusionLayouts(r.spheres.size(), r.cylinders.size(), 0, 16384, 16384);
     EXPECT_GT(openTexels(layouts.back(), r, tree).words.size(), 0u);
     std::size_t most = 0;
     for (std::uint32_t i = 0; i < r.spheres.size(); i += 100) {

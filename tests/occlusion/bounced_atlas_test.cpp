@@ -29,7 +29,8 @@ void addBall(Representation& r, const glm::vec3& center, float radius, std::uint
 }
 
 OcclusionLayout layoutWith(const Representation& r, std::uint32_t edge) {
-    for (const OcclusionLayout& l : occlusionLayouts(r.spheres.size(), r.cylinders.size(), r.meshVertices.size(), 4096))
+    for (const OcclusionLayout& l :
+         occlusionLayouts(r.spheres.size(), r.cylinders.size(), r.meshVertices.size(), 4096, 4096))
         if (l.sphereEdge == edge) return l;
     throw std::logic_error("no such layout");
 }
@@ -257,7 +258,7 @@ TEST(BouncedAtlas, OfATranslucentCartoonIsDark) {
         const Representation r = represent(dna, drawnAtoms(dna), look);
         EXPECT_FALSE(r.coarseTriangles.empty());
         EXPECT_EQ(translucentParts(r).triangles.empty(), opacity == 1.0);
-        const OcclusionLayout l = occlusionLayouts(0, 0, r.meshVertices.size(), 4096).front();
+        const OcclusionLayout l = occlusionLayouts(0, 0, r.meshVertices.size(), 4096, 4096).front();
         const std::vector<std::uint8_t> texels = bounced(r, l, 128);
         double sum = 0;
         for (std::size_t i = 0; i < texels.size() / kBytesPerBounced; ++i) sum += surroundings(texels, i).y;

@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Colorful{"Elements", [] { return hemoglobin(ColorScheme::element); }, "4hhb.pdb", 0.5},
                     Colorful{"Pocket", [] { return pocket(ColorScheme::chain); }, "1hpv.pdb", 0.5},
                     Colorful{"PocketElements", [] { return pocket(ColorScheme::element); }, "1hpv.pdb", 0.5},
-                    Colorful{"DnaCartoon", dnaCartoon, "sample:dna", 1}),
+                    Colorful{"DnaCartoon", dnaCartoon, "sample:dna", 0.84}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

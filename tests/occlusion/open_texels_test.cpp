@@ -27,7 +27,7 @@ Representation crowd(std::uint32_t seed) {
 }
 
 OcclusionLayout findLayout(const Representation& r, std::uint32_t edge) {
-    for (const OcclusionLayout& layout : occlusionLayouts(r.spheres.size(), 0, 0, 4096))
+    for (const OcclusionLayout& layout : occlusionLayouts(r.spheres.size(), 0, 0, 4096, 4096))
         if (layout.sphereEdge == edge) return layout;
     return {};
 }
@@ -89,7 +89,7 @@ TEST(OpenTexels, KeepTheSticksOfAllThreads) {
         r.cylinders.push_back({{x, 0, 0}, 1, {x + 3, 0, 0}});
     }
     OcclusionLayout layout;
-    for (const OcclusionLayout& l : occlusionLayouts(0, r.cylinders.size(), 0, 4096))
+    for (const OcclusionLayout& l : occlusionLayouts(0, r.cylinders.size(), 0, 4096, 4096))
         if (l.sphereEdge > 1) layout = l;
     const auto texelsBy = [&](unsigned threads) {
         setThreadsPerTask(threads);

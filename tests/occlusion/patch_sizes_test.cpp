@@ -40,7 +40,7 @@ BakePreparation prepared(const Representation& r, std::uint64_t megabytes, Occlu
 }
 
 TEST(PatchSizes, FallInStepsOfAtMostOneAndAHalf) {
-    const auto layouts = occlusionLayouts(1000, 1000, 0, 16384);
+    const auto layouts = occlusionLayouts(1000, 1000, 0, 16384, 16384);
     ASSERT_EQ(layouts.front().sphereEdge, 32u);
     ASSERT_EQ(layouts.back().sphereEdge, 1u);
     for (std::size_t i = 1; i < layouts.size(); ++i) {
@@ -89,6 +89,26 @@ TEST(PatchSizes, LeaveAMapTheRestBeforeABakeFails) {
     EXPECT_GT(patches, options.budgetBytes / 2);
     EXPECT_LE(patches + occlusion::DepthMapSizes::mostBytes(p.maps.pixels), options.budgetBytes);
     EXPECT_GT(patches + occlusion::DepthMapSizes::mostBytes(p.maps.pixels + 8), options.budgetBytes);
+}
+
+/// An atlas with bounced light has a second half below the first.
+TEST(PatchSizes, FitTheDevicesImages) {
+    const Representation r = ball(4000);
+    gpu::Caps caps;
+    caps.maxImageSize = 128;
+    occlusion::BakeOptions options{.budgetBytes = 64 << 20};
+    for (const bool bounce : {false, true}) {
+        options.bounce = bounce;
+        const OcclusionLayout layout = occlusion::prepareBake(caps, r, options).layout;
+        EXPECT_GE(layout.sphereEdge, 1u);
+        EXPECT_LE(layout.width, caps.maxImageSize);
+        EXPECT_LE(layout.height * (options.bounce ? 2 : 1), caps.maxImageSize);
+    }
+    caps.maxImageSize = 64;  // 4096 texels
+    options.bounce = false;
+    EXPECT_NO_THROW(occlusion::prepareBake(caps, r, options));
+    options.bounce = true;
+    EXPECT_THROW(occlusion::prepareBake(caps, r, options), Error);
 }
 
 /// Paths and devices may draw fewer maps at a time.

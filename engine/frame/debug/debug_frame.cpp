@@ -57,6 +57,7 @@ void drawDebugView(gpu::PassContext& context, const SceneView& view, DebugView w
     const vk::ImageView images[] = {source, under ? under : source};
     FullScreenPass pass{chooseShader(what), {}, debugViewNames()[static_cast<std::size_t>(what)]};
     pass.constants.set(layout::kDebugViewId, static_cast<std::int32_t>(what));
+    pass.constants.set(layout::kBounceId, view.bounced);
     drawShown(context, view, std::move(pass), tile, images);
 }
 
