@@ -152,6 +152,30 @@ INSTANTIATE_TEST_SUITE_P(
         TranslucentCase{"CrowdInPerspective", Projection::perspective, true, 1, 1, 128, crowd}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
+/// Tiles that a mask leaves out, or shifts, would show.
+TEST(TranslucentEdges, HaveTheColoursOfOneOrMoreSamples) {
+    const Representation r = crowd();
+    ValidatedRenderer renderer(Visibility::automatic, r);
+    RenderSettings s = settings(r, 217, Projection::orthographic, {20, 30, 10});
+    s.view.width = 333;
+    std::vector<Picture> whole;
+    for (s.supersample = 1; s.supersample <= FinerPlaces::kMany; s.supersample *= 2)
+        whole.push_back(renderer->render(s));
+    s.supersample = RenderSettings::kEdges;
+    const Picture p = renderer->render(s);
+    constexpr float kAlike = 2 / 255.0f;
+    std::array<int, 3> seen{};  // pixels that only one of the pictures has so
+    for (std::size_t i = 0; i < p.rgba.size(); i += 4) {
+        std::array<float, 3> away{};
+        for (std::size_t n = 0; n < whole.size(); ++n)
+            for (std::size_t c = i; c < i + 4; ++c) away[n] = std::max(away[n], std::abs(p.rgba[c] - whole[n].rgba[c]));
+        const auto least = std::ranges::min_element(away);
+        ASSERT_LT(*least, kAlike) << i / 4 % 333 << ", " << i / 4 / 333;
+        if (std::ranges::count_if(away, [](float a) { return a < kAlike; }) == 1) ++seen[least - away.begin()];
+    }
+    for (const int pixels : seen) EXPECT_GT(pixels, 100);
+}
+
 struct Crossing {
     double Z;
     std::uint32_t atom;
