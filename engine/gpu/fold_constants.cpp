@@ -25,7 +25,7 @@ void forEach(Words words, const Visit& visit) {
     });
 }
 
-/// The result of an operation on booleans or integers of 32 bits, if it is one of those that conditions have.
+/// The result of an operation on two booleans or integers of 32 bits; null for operations that conditions rarely have.
 std::optional<std::uint32_t> evaluate(std::uint32_t operation, std::uint32_t a, std::uint32_t b) {
     const auto signedA = static_cast<std::int32_t>(a), signedB = static_cast<std::int32_t>(b);
     switch (operation) {
@@ -51,6 +51,10 @@ std::optional<std::uint32_t> evaluate(std::uint32_t operation, std::uint32_t a, 
             return a < b;
         case kOpSLessThan:
             return signedA < signedB;
+        case kOpULessThanEqual:
+            return a <= b;
+        case kOpSLessThanEqual:
+            return signedA <= signedB;
         default:
             return std::nullopt;
     }

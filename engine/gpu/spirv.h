@@ -61,6 +61,8 @@ enum : std::uint32_t {
     kOpSGreaterThanEqual = 175,
     kOpULessThan = 176,
     kOpSLessThan = 177,
+    kOpULessThanEqual = 178,
+    kOpSLessThanEqual = 179,
     kOpControlBarrier = 224,
     kOpMemoryBarrier = 225,
     kOpAtomicStore = 228,
