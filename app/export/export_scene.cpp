@@ -30,10 +30,10 @@ struct ExportGroup {
     auto operator<=>(const ExportGroup&) const = default;
 };
 
-Error tooManyTriangles(std::size_t count) {
+Error tooManyTriangles(std::size_t count, const char* advice = "fewer --sides, or --atoms instanced") {
     return {"cannot export molecule", "",
             "it would have " + std::to_string(count) + " triangles, more than the limit of " +
-                std::to_string(kMostExportTriangles) + " (fewer --sides, or --atoms instanced)"};
+                std::to_string(kMostExportTriangles) + " (" + advice + ")"};
 }
 
 class SceneExporter {
@@ -80,7 +80,7 @@ private:
         eachList(scene_.copies.spheres, scene_.spheres.size(),
                  [&](auto i, auto list) { count += scene_.ellipsoid(i) ? listCopies(list).size() : 0; });
         const std::size_t triangles = count * trianglesPerEllipsoid(ellipsoidPieces(count));
-        if (triangles > kMostExportTriangles) throw tooManyTriangles(triangles);
+        if (triangles > kMostExportTriangles) throw tooManyTriangles(triangles, "--atoms instanced");
         return count;
     }
 

@@ -69,7 +69,7 @@ std::vector<Option> lightRows() {
          .syntax = "on|off",
          .standard = "=",
          .help = "on: clefts get light in the colours of the atoms around them, found by rays once per molecule and\n"
-                 "colours. Needs --occlusion",
+                 "colours. Needs --occlusion, and takes twice its directions",
          .topic = Topic::occlusion,
          .facet = Facet::occlusion,
          .value = switchOf<kOnOff, &P::occlusion, &OcclusionOptions::bounce>(),

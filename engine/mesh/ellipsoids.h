@@ -16,8 +16,8 @@ struct Ellipsoid {
     double band = 0;                   ///< half the width of a band, Å; at most a fifth of an axis across it
 };
 
-/// Adds an ellipsoid. Its vertices lie on it, with its normals; triangles lie up to 6 % of the longest axis inside with
-/// 4 pieces, and a quarter of that with twice as many.
+/// Adds an ellipsoid. Its vertices lie on it, with its normals; triangles lie up to 6 % of the half axis there inside
+/// with 4 pieces, and a quarter of that with twice as many.
 /// @param pieces  per side of an octant @param own, ofBands  values of Mesh::atoms
 void addEllipsoid(Mesh& mesh, const Ellipsoid& ellipsoid, int pieces, std::uint32_t own, std::uint32_t ofBands);
 std::size_t trianglesPerEllipsoid(int pieces);
