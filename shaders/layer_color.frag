@@ -2,6 +2,7 @@
 // Composites a layer from tile_layers.comp over the picture.
 //   TEXELS   as in common/streams.glsl
 #extension GL_GOOGLE_include_directive : require
+#include "common/layers.glsl"
 #include "common/layout.h"
 #include "common/tile_place.glsl"
 
@@ -16,8 +17,7 @@ layout(constant_id = kLayerId) const int kLayer = 0;
 layout(location = 0) out vec4 color;  // straight alpha
 
 void main() {
-    uvec2 halves = layerAt(uint(kOrderedLayers + 1) * placeHere() + uint(kLayer));
-    color = vec4(unpackHalf2x16(halves.x), unpackHalf2x16(halves.y));
+    color = fromHalves(layerAt(uint(kLayerWords / 2) * placeHere() + uint(kLayer)));
     if (kLayer == kOrderedLayers) color.a = 1.0 - color.a;
     if (color.a == 0.0) discard;
 }

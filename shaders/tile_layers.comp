@@ -74,8 +74,8 @@ void keep(int i, Hit hit, uint candidate, bool live) {
     firstNumber[i] = before ? candidate : firstNumber[i];
 }
 
-/// Hits of a chunk's entries in the lane's pixels that are seen: bit n * kPixels + i is that of entry n in pixel i. There
-/// are 64.
+/// Hits of a chunk's entries in the lane's pixels that are seen: bit n * kPixels + i is that of entry n in pixel i.
+/// There are 64.
 uvec2 hits;
 void mark(uint entry, int i, Hit hit, uint candidate, bool live) {
     float d = encodedDepth(hit.order);
@@ -120,7 +120,8 @@ void shadeHits(const int kind, uint number) {
         if (kind == kFacet) {
             seen = seenFacet(index, q);
             Facet f = loadFacet(index);
-            adds = adds && ownsEdge(projectVertex(f.a, f.step), projectVertex(f.b, f.step), projectVertex(f.c, f.step), q);
+            vec3 a = projectVertex(f.a, f.step), b = projectVertex(f.b, f.step), c = projectVertex(f.c, f.step);
+            adds = adds && ownsEdge(a, b, c, q);
         }
         uint bits = storedColor(seen);
         vec3 lit = computeLight(seen.hit, bits, seen.baked, q);
@@ -203,7 +204,8 @@ void shadeLayers(uint at, uint end, uint lane, vec2 middle, vec2 reach) {
                 vec4 sphere = handed(e.a, from);
                 uint candidate = subgroupShuffle(e.number, from);
                 bool live = balls != 0u;
-                for (int i = 0; i < kPixels; ++i) mark(from, i, numberedBallHit(candidate, sphere, through[i]), candidate, live);
+                for (int i = 0; i < kPixels; ++i)
+                    mark(from, i, numberedBallHit(candidate, sphere, through[i]), candidate, live);
                 balls &= balls - 1u;
             } while (balls != 0u);
             shadeHits(kBall, e.number);
@@ -270,9 +272,9 @@ void main() {
     uint pitch = view.across * uint(kTile * kTilesInBin);
     for (int i = 0; i < kPixels; ++i) {
         uvec2 pixel = corner + pixelOf(i, lane);
-        uint to = uint(kOrderedLayers + 1) * (pixel.y * pitch + pixel.x);
+        uint to = uint(kLayerWords / 2) * (pixel.y * pitch + pixel.x);
         store(to, nearest[i]);
         store(to + 1u, next[i]);
-        store(to + 2u, mixedRest(sums[i], depths[i]));
+        store(to + uint(kOrderedLayers), mixedRest(sums[i], depths[i]));
     }
 }

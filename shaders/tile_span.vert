@@ -1,5 +1,5 @@
 #version 440
-// A row of bins that are not empty. Passes the view constants for shading as flat varyings: as push constants of
+// A row of bins or tiles that are not empty. Passes the view constants for shading as flat varyings: as push constants of
 // the fragment stage, lavapipe 22.3 would gather them lane by lane for every pixel.
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"

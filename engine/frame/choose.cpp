@@ -165,8 +165,8 @@ void Chooser::chooseGeometry() {
                                      "many small spheres: lists would take longer"};
     because("host", kHost[static_cast<std::size_t>(choice_.host)]);
     because("prepass", tiles                  ? "compute draws no plates"
-                       : choice_.prepass      ? "plates reject fragments before they are shaded"
                        : scene_.hasEllipsoids ? "ellipsoids do not fill their spheres: no plates hide what is behind"
+                       : choice_.prepass      ? "plates reject fragments before they are shaded"
                                               : "the path tests depth after shading: plates reject nothing");
     because("effects", "those with passes or images of their own");
 }

@@ -109,7 +109,7 @@ struct Effect {
         outlines,          ///< by groups of atoms
         halos,             ///< drawn by the pass of those outlines
         translucency,      ///< layers of primitives; size: their number
-        tileTranslucency,  ///< the same, found and added up by compute
+        tileTranslucency,  ///< the same, found and shaded by compute
         volume,            ///< a density map, in front of opaque surfaces and between translucent layers
         lens,              ///< depth of field: frames of distances, and a blur of the picture
     };

@@ -70,9 +70,15 @@ PassNotes describePass(const graph::PassDecl& pass, bool conservative) {
     if (pass.kind == graph::PassKind::compute && pass.name.starts_with("translucent"))
         return {
             DepthTiming::none,
-            "two nearest layers of a tile's pixels stay in registers, then sums over the rest; lists are sorted from "
-            "near to far",
+            "the colours of a pixel's two nearest layers and sums over the rest stay in registers; lists are sorted "
+            "from near to far",
             kPositions, kRecordsOfPixel, kPrecisionShade};
+    if (pass.name.starts_with(kTranslucentColor) && pass.has(Verb::reads))
+        return {DepthTiming::none,
+                "rows of tiles; compute has shaded the layers, of which each pass reads one of three",
+                {},
+                {},
+                "fp16: colour, opacity"};
     if (pass.name.starts_with(kTranslucentColor))
         return {pass.has(Verb::depthTest) ? DepthTiming::late : DepthTiming::none,
                 "a triangle over the screen; opaque shapes hide a layer, or are seen through it",

@@ -211,7 +211,8 @@ void ListedFrames::upload(ListedFrame& f, const PlacedCopies& copies, graph::Ext
         reserve(device_, f.words, 4 * f.host->words(), kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
         f.host->write(reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped));
     }
-    prepareWords(f.numbers, f, image, f.result, "primitive numbers");
+    prepareWords(f.numbers, f, image, f.result,
+                 f.result == TileResult::layers ? "colours of layers" : "primitive numbers");
     if (f.seeded()) writeSeeds(f);
     const bool masked = f.result == TileResult::layers && f.tiles().masked();
     const std::vector<TileSet::Span> rows = masked ? f.tiles().drawnRows() : std::vector<TileSet::Span>();

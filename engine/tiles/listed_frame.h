@@ -94,7 +94,7 @@ public:
     TileResult result{};
     TileBuffer words;            ///< HostLists::write(), or as shaders/common/list_layout.glsl says
     TileBuffer rows;             ///< PlacedCopies::rows
-    PixelWords numbers;          ///< of the nearest primitives, counted from 1; sights, where edges are drawn
+    PixelWords numbers;          ///< of the nearest primitives, from 1; sights, where edges are drawn; or layers
     TileBuffer spanVertices;     ///< TileSet::spans() as vertices; of masked layers, drawnRows()
     std::uint32_t rowCount = 0;  ///< of those
     TileEdges edgeData;
@@ -105,7 +105,7 @@ public:
 /// The lists of a view that is drawn by tiles.
 inline const ListedFrame& listedFrame(const SceneView& view) { return static_cast<const ListedFrame&>(*view.tiles); }
 
-/// Rows of bins, as shaders/tile_span.vert reads them.
+/// Rows of bins or tiles, as shaders/tile_span.vert reads them.
 struct TileSpanVertex {
     glm::vec4 ndc;  ///< left, top, right, bottom
 };

@@ -105,7 +105,7 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
     context.commands.dispatch(f.edgeData.groups, 1, 1);
 }
 
-/// Draws the rows of bins with colours of a buffer. @param d  with its fragment stage and constants
+/// Draws the rows with colours of a buffer. @param d  with its fragment stage and constants
 static void drawColors(gpu::PassContext& context, const SceneView& view, const TileBuffer& colors,
                        gpu::GraphicsPipeline d) {
     const ListedFrame& f = listedFrame(view);

@@ -21,8 +21,8 @@ constexpr const char* kOpaqueDepth = "opaque depth";
 /// nearest on.
 void declareTranslucentLayers(Frame& frame, const FrameShape& shape);
 
-/// Declares the sums over further layers in front of opaque shapes. Where compute draws translucent primitives, it also
-/// finds the layers now. Call once the path is declared.
+/// Declares the sums over further layers in front of opaque shapes. Where compute draws translucent primitives, it
+/// finds and shades all layers now. Call once the path is declared.
 void declareTranslucentRest(Frame& frame, const FrameShape& shape);
 
 /// Composites the rest over the picture so far.
