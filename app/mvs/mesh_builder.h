@@ -69,7 +69,10 @@ inline std::uint32_t byteColor(const std::array<double, 3>& rgb) {
 /// A mesh that grows within its limits.
 class MeshBuilder {
 public:
-    explicit MeshBuilder(const std::string& name) : name_(name) { mesh_.smooth = true; }
+    explicit MeshBuilder(const std::string& name) : name_(name) {
+        mesh_.smooth = true;
+        mesh_.looks.clear();  // of a mesh in one colour
+    }
 
     [[noreturn]] void refuse(const std::string& place, const std::string& why) const {
         throw Error("cannot read mesh", name_, place + why);
@@ -96,8 +99,8 @@ public:
             mesh_.triangles.push_back({corner(0), corner(i - 1), corner(i)});
     }
     Primitives::Mesh finish() {
-        mesh_.looks.clear();
-        return take();
+        if (mesh_.triangles.empty()) refuse("", "it has no faces");
+        return std::move(mesh_);
     }
     /// @param colors  of vertices, packed
     Primitives::Mesh finishBlended(const std::vector<std::uint32_t>& colors) {
@@ -106,17 +109,11 @@ public:
     }
     /// @param colors  of triangles, packed
     Primitives::Mesh finishColored(const std::vector<std::uint32_t>& colors) {
-        mesh_.looks.clear();
         for (const std::uint32_t color : colors) mesh_.looks.push_back({.color = color});
-        return take();
+        return finish();
     }
 
 private:
-    Primitives::Mesh take() {
-        if (mesh_.triangles.empty()) refuse("", "it has no faces");
-        return std::move(mesh_);
-    }
-
     const std::string& name_;
     Primitives::Mesh mesh_;
 };

@@ -1,16 +1,14 @@
 // Meshes of VTK's XML PolyData files (VTP): polygons and triangle strips, in text, in base64 or after the XML, also
 // compressed by zlib. Colours by an array of values.
-#include <expat.h>
 #include <zlib.h>
 
-#include <exception>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
 
 #include "app/mvs/mesh_builder.h"
 #include "app/mvs/value_palette.h"
+#include "engine/molecule/expat_parser.h"
 #include "engine/molecule/text.h"
 
 namespace nacre::app::mvs {
@@ -24,11 +22,10 @@ using XmlAttributes = std::function<std::string_view(std::string_view)>;
 
 /// A DataArray element.
 struct VtpArray {
-    std::optional<NumberType> type;
+    std::optional<NumberType> type;  ///< empty: the file has no such array
     std::size_t components = 1;
     std::string format, text;
     std::size_t offset = 0;  ///< in the appended data
-    bool found = false;
 };
 
 struct VtpPiece {
@@ -92,9 +89,7 @@ private:
 class VtpReader {
 public:
     VtpReader(const std::string& name, std::string_view bytes, const MeshColoring& coloring)
-        : mesh_(name), coloring_(coloring), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
-        if (!parser_) throw std::bad_alloc();
-        XML_SetUserData(parser_.get(), this);
+        : mesh_(name), coloring_(coloring), parser_(this) {
         XML_SetElementHandler(parser_.get(), onStart, onEnd);
         XML_SetCharacterDataHandler(parser_.get(), onText);
         XML_SetStartDoctypeDeclHandler(parser_.get(), onDoctype);
@@ -125,30 +120,15 @@ private:
     // -- XML
 
     void parse(std::string_view text, bool last) {
-        constexpr std::size_t kPart = std::size_t{1} << 30;  // Expat counts in int
-        do {
-            const std::string_view part = text.substr(0, kPart);
-            text.remove_prefix(part.size());
-            const auto status = XML_Parse(parser_.get(), part.data(), static_cast<int>(part.size()),
-                                          last && text.empty() ? XML_TRUE : XML_FALSE);
-            if (thrown_) std::rethrow_exception(thrown_);
-            if (status != XML_STATUS_OK)
-                mesh_.refuse(line(), std::string("it is no XML: ") + XML_ErrorString(XML_GetErrorCode(parser_.get())));
-        } while (!text.empty());
+        if (const std::string why = parser_.parse(text, last); !why.empty())
+            mesh_.refuse(line(), "it is no XML: " + why);
     }
-    std::string line() const { return "line " + std::to_string(XML_GetCurrentLineNumber(parser_.get())) + ": "; }
+    std::string line() const { return "line " + std::to_string(parser_.line()) + ": "; }
 
-    /// Runs code that may throw; an exception must not pass through Expat, which is C.
     template <typename Work>
     static void guarded(void* user, Work work) {
         VtpReader& reader = *static_cast<VtpReader*>(user);
-        if (reader.thrown_) return;
-        try {
-            work(reader);
-        } catch (...) {
-            reader.thrown_ = std::current_exception();
-            XML_StopParser(reader.parser_.get(), XML_FALSE);
-        }
+        reader.parser_.guard([&] { work(reader); });
     }
     static void XMLCALL onStart(void* user, const XML_Char* name, const XML_Char** list) {
         guarded(user, [&](VtpReader& reader) {
@@ -243,15 +223,14 @@ private:
                    std::clamp<std::size_t>(integer("NumberOfComponents", 1), 1, 1000),
                    std::string(attributes("format")),
                    {},
-                   integer("offset", 0),
-                   true};
+                   integer("offset", 0)};
     }
 
     // -- arrays
 
     /// The values of an array. @param count  expected; SIZE_MAX: all that are there
     std::vector<double> valuesOf(const VtpArray& array, const std::string& place, std::size_t count) const {
-        if (!array.found) mesh_.refuse(place, "it is missing");
+        if (!array.type) mesh_.refuse(place, "it is missing");
         std::vector<double> values;
         if (array.format != "appended" && array.format != "binary") {
             std::string_view rest = array.text;
@@ -360,7 +339,7 @@ private:
     /// Values of vertices: those of points, or means of cells around; lengths of vectors.
     void takeValues(const VtpPiece& piece, std::size_t first) {
         values_.resize(mesh_.vertices(), std::numeric_limits<double>::quiet_NaN());
-        if (!piece.values.found) return;
+        if (!piece.values.type) return;
         hasValues_ = true;
         const std::size_t width = piece.values.components,
                           count = coloring_.arrayOfCells ? piece.cells() : piece.points;
@@ -416,8 +395,7 @@ private:
 
     MeshBuilder mesh_;
     const MeshColoring& coloring_;
-    std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser_;
-    std::exception_ptr thrown_;
+    ExpatParser parser_;
     std::vector<std::string> open_;  ///< elements
     VtpArray* array_ = nullptr;      ///< whose text is read
     std::vector<VtpPiece> pieces_;

@@ -1,18 +1,15 @@
 // CML (Chemical Markup Language, schema 2 and 3): <molecule> elements with an atomArray and a bondArray. All molecules
 // of a file form one model; each outermost one is a residue. Expat reads the XML as a stream, so that memory is
 // proportional to the atoms; entities are refused, so that text cannot multiply itself.
-#include <expat.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
 #include <functional>
 #include <map>
-#include <memory>
 #include <vector>
 
 #include "engine/molecule/element.h"
+#include "engine/molecule/expat_parser.h"
 #include "engine/molecule/formats/cell_sites.h"
 #include "engine/molecule/formats/molecule_builder.h"
 #include "engine/molecule/read.h"
@@ -71,28 +68,14 @@ struct CmlBond {
 class CmlReader {
 public:
     CmlReader(const std::string& name, std::size_t maxAtoms)
-        : name_(name),
-          maxAtoms_(maxAtoms),
-          builder_(name, maxAtoms),
-          parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
-        if (!parser_) throw std::bad_alloc();
-        XML_SetUserData(parser_.get(), this);
+        : name_(name), maxAtoms_(maxAtoms), builder_(name, maxAtoms), parser_(this) {
         XML_SetElementHandler(parser_.get(), onStart, onEnd);
         XML_SetCharacterDataHandler(parser_.get(), onText);
         XML_SetEntityDeclHandler(parser_.get(), onEntity);
     }
 
     Molecule run(std::string_view text) {
-        constexpr std::size_t kPiece = std::size_t{1} << 30;  // expat counts in int
-        do {
-            const std::string_view piece = text.substr(0, kPiece);
-            text.remove_prefix(piece.size());
-            const auto status = XML_Parse(parser_.get(), piece.data(), static_cast<int>(piece.size()),
-                                          text.empty() ? XML_TRUE : XML_FALSE);
-            if (thrown_) std::rethrow_exception(thrown_);
-            if (status != XML_STATUS_OK)
-                fail(std::string("not valid XML: ") + XML_ErrorString(XML_GetErrorCode(parser_.get())));
-        } while (!text.empty());
+        if (const std::string why = parser_.parse(text, true); !why.empty()) fail("not valid XML: " + why);
         FileSummary& file = builder_.molecule().file;
         file.format = "cml";
         file.records = molecules_;
@@ -103,27 +86,12 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& why) const { cannotRead(name_, why, line()); }
+    [[noreturn]] void fail(const std::string& why) const { cannotRead(name_, why, parser_.line()); }
 
-    std::uint64_t line() const {
-#if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
-        return XML_GetCurrentLineNumber64(parser_.get());
-#else
-        return XML_GetCurrentLineNumber(parser_.get());
-#endif
-    }
-
-    /// Runs code that may throw; an exception must not pass through expat, which is C.
     template <typename Work>
     static void guarded(void* user, Work work) {
         CmlReader& reader = *static_cast<CmlReader*>(user);
-        if (reader.thrown_) return;
-        try {
-            work(reader);
-        } catch (...) {
-            reader.thrown_ = std::current_exception();
-            XML_StopParser(reader.parser_.get(), XML_FALSE);
-        }
+        reader.parser_.guard([&] { work(reader); });
     }
     static void XMLCALL onStart(void* user, const XML_Char* name, const XML_Char** attributes) {
         guarded(user, [&](CmlReader& reader) { reader.start(name, Attributes(attributes)); });
@@ -221,7 +189,7 @@ private:
         if (usable)
             operations_.push_back(operation);
         else
-            builder_.leaveOut("symmetry operations", "not of a space group", line());
+            builder_.leaveOut("symmetry operations", "not of a space group", parser_.line());
     }
 
     /// The crystal's operations: those that it lists, or its space group's; empty if it states neither.
@@ -231,7 +199,7 @@ private:
         if (operations.empty() && group)
             for (const gemmi::Op operation : group->operations()) operations.push_back(operation);
         if (operations.empty() && !spaceGroup_.empty())
-            builder_.leaveOut("space groups", "the name is not known", line());
+            builder_.leaveOut("space groups", "the name is not known", parser_.line());
         const gemmi::Op identity = gemmi::parse_triplet("x,y,z");
         if (!operations.empty() && std::find(operations.begin(), operations.end(), identity) == operations.end())
             operations.insert(operations.begin(), identity);
@@ -294,10 +262,10 @@ private:
     void addAtom(const CmlAtom& given) {
         if (given.x.empty()) {
             idIndex(given.id);  // its bonds are left out as well
-            return builder_.leaveOutAtom("atom '" + printable(given.id) + "' has no coordinates", line());
+            return builder_.leaveOutAtom("atom '" + printable(given.id) + "' has no coordinates", parser_.line());
         }
         const bool flat = given.z.empty();
-        const auto position = builder_.position({given.x, given.y, flat ? "0" : given.z}, line());
+        const auto position = builder_.position({given.x, given.y, flat ? "0" : given.z}, parser_.line());
         if (!position) {
             idIndex(given.id);
             return;
@@ -305,14 +273,14 @@ private:
         flat_ += flat;
         Atom atom;
         atom.position = *position;
-        atom.element = builder_.element(given.element, line());
+        atom.element = builder_.element(given.element, parser_.line());
         atom.name = Name(atom.element != 0 ? elementSymbol(atom.element) : given.element);
         if (!given.charge.empty()) {
             const auto charge = parseInteger(given.charge);
             if (charge && *charge >= -20 && *charge <= 20)
                 atom.charge = static_cast<std::int8_t>(*charge);
             else
-                builder_.leaveOut("formal charges", "not usable", line());
+                builder_.leaveOut("formal charges", "not usable", parser_.line());
         }
         const std::size_t index = builder_.molecule().atoms.size() + atoms_.size();
         if (index >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
@@ -372,8 +340,8 @@ private:
         if (a.empty() || b.empty()) fail("a bond needs two atoms");
         ++bondCount_;
         if (pending_.size() >= builder_.mostBonds()) fail("it has more bonds than its atoms could form");
-        pending_.push_back(
-            {idIndex(a), idIndex(b), static_cast<std::uint8_t>(parseOrder(order)), static_cast<std::uint32_t>(line())});
+        pending_.push_back({idIndex(a), idIndex(b), static_cast<std::uint8_t>(parseOrder(order)),
+                            static_cast<std::uint32_t>(parser_.line())});
     }
 
     /// Names are stored once, whether an atom or a bond mentions them first.
@@ -414,8 +382,7 @@ private:
     const std::string& name_;
     std::size_t maxAtoms_;
     MoleculeBuilder builder_;
-    std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser_;
-    std::exception_ptr thrown_;
+    ExpatParser parser_;
     int depth_ = 0, moleculeDepth_ = 0;
     std::int64_t molecules_ = 0, bondCount_ = 0;
     std::int32_t outermost_ = 0;
