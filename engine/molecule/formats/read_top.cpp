@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "engine/molecule/formats/top_lines.h"
@@ -11,17 +12,19 @@ namespace nacre {
 
 namespace {
 
-/// What a force field states about a type of atoms.
+/// A row of [ atomtypes ].
 struct TopType {
     Element element = 0;  ///< 0: not stated
-    double charge = 0, mass = kUnknownMass;
+    double charge = 0;
+    std::optional<double> mass = {};
 };
 
 struct TopAtom {
     std::string_view name, type, residue;
     std::int32_t number = 0;  ///< of the residue
     char insertion = '\0';
-    double charge = 0, mass = kUnknownMass;
+    double charge = 0;
+    std::optional<double> mass = {};
     Element element = 0;  ///< 0: not stated
 };
 
@@ -130,16 +133,16 @@ private:
             atom.mass = type->second.mass;
             atom.element = type->second.element;
         }
-        const auto take = [&](std::size_t i, double& to) {
-            if (words.size() <= i) return;
+        const auto number = [&](std::size_t i, std::optional<double> otherwise) {
+            if (words.size() <= i) return otherwise;
             const auto value = parseNumber(words[i]);
             if (!value || !std::isfinite(*value))
                 cannotRead(name_, "expected an atom with charge and mass, not '" + printable(words[i]) + "'",
                            lines_.number());
-            to = *value;
+            return value;
         };
-        take(6, atom.charge);
-        take(7, atom.mass);
+        atom.charge = *number(6, atom.charge);
+        atom.mass = number(7, atom.mass);
         atoms.push_back(atom);
     }
 

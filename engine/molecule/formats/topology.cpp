@@ -9,7 +9,7 @@ namespace nacre {
 Element elementOfTopology(MoleculeBuilder& builder, const TopologyAtom& stated, std::string_view name,
                           std::string_view residue) {
     if (stated.mass == 0) return 0;
-    if (const Element element = elementFromMass(stated.mass)) {
+    if (const Element element = stated.mass ? elementFromMass(*stated.mass) : Element{0}) {
         builder.guess("elements", "from masses");
         return element;
     }
@@ -28,7 +28,7 @@ void keepTopology(MoleculeBuilder& builder, const TopologyAtom& stated) {
     const auto usable = [](double value) { return std::abs(value) <= 1e6 ? static_cast<float>(value) : 0.0f; };
     builder.molecule().types.emplace_back(stated.type);
     builder.molecule().partialCharges.push_back(usable(stated.charge));
-    builder.molecule().masses.push_back(stated.mass == kUnknownMass ? 0 : usable(stated.mass));
+    builder.molecule().masses.push_back(usable(stated.mass.value_or(0)));
 }
 
 Molecule withoutPositions(MoleculeBuilder& builder, const char* format) {

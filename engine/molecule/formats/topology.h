@@ -1,6 +1,7 @@
 #pragma once
 // Shared by readers of topologies: atoms with masses, types and charges.
 
+#include <optional>
 #include <utility>
 
 #include "engine/molecule/element.h"
@@ -9,13 +10,11 @@
 
 namespace nacre {
 
-constexpr double kUnknownMass = -1;
-
 /// Properties of an atom in a topology.
 struct TopologyAtom {
     std::string_view type;
-    double charge = 0;  ///< elementary charges
-    double mass = 0;    ///< u; 0: a virtual site; or kUnknownMass
+    double charge = 0;                ///< elementary charges
+    std::optional<double> mass = {};  ///< u; 0: a virtual site
 };
 
 /// Element by mass, else by name; both are guesses. 0 for a virtual site.
