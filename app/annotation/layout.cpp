@@ -169,14 +169,13 @@ PlateMark makePlate(const Primitives::LabelPlate& plate, const glm::dvec2& at, c
     if (plate.tether <= 0 || plate.side == glm::ivec2(0)) return mark;
     // The point of the background that is nearest to the tip; the base lies on its edges beside it.
     const glm::dvec2 side(plate.side), near = glm::clamp(glm::dvec2(0), low, high);
-    const glm::dvec2 x(side.x != 0 && side.y != 0 ? side.x * kPlateBase * em : kPlateBase / 2 * em, 0);
-    const glm::dvec2 y(0, side.x != 0 && side.y != 0 ? side.y * kPlateBase * em : kPlateBase / 2 * em);
+    const glm::dvec2 x(kPlateBase / 2 * em, 0), y(0, kPlateBase / 2 * em);
     const auto wedge = [&](const glm::dvec2& a, const glm::dvec2& b) {
         mark.parts.push_back({at, place(a.x, a.y), place(b.x, b.y)});
     };
     if (side.x != 0 && side.y != 0) {
-        wedge(near, near + x / 2.0);
-        wedge(near, near + y / 2.0);
+        wedge(near, near + side.x * x);
+        wedge(near, near + side.y * y);
     } else if (side.x != 0) {
         wedge(near - y, near + y);
     } else {
