@@ -44,8 +44,7 @@ public:
     virtual float nearest() const = 0;            ///< Z of the nearest depth
     virtual float farthest() const = 0;           ///< Z of the farthest
     virtual std::uint32_t rowPixels() const = 0;  ///< pixels per row of the buffers
-    /// Numbers of the nearest primitives from 1, or colours (of layers, too) where compute shades; row by row of all
-    /// bins. Empty where numbers are in an image.
+    /// What compute writes per pixel, row by row of all bins: TileResult. Empty where that is an image.
     virtual const gpu::Buffer& pixels() const = 0;
     virtual vk::BufferView pixelTexels() const = 0;  ///< pixels() as texels
     /// Where the device makes the lists: their entries in any order, and the lists.

@@ -151,12 +151,13 @@ void ListedFrames::prepareWords(PixelWords& words, const ListedFrame& f, graph::
     if (grows) words.quads = nullptr, words.picture = nullptr;
     reserve(device_, words, bytes, kReadByTiles | Usage::eTransferSrc,
             result == TileResult::layers ? vk::Format::eR32G32Uint : vk::Format::eR32Uint, name);
+    if (result == TileResult::layers) return;  // only drawn tiles are read, by one view
     if (grows && device_.caps().tiles.texels)
         words.quads = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32G32B32A32Uint, name);
     // Where streams are storage buffers, passes that read the picture still read texels.
     if (grows && device_.caps().tiles.shade && !device_.caps().tiles.texels)
         words.picture = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32Uint, name);
-    if (f.byDevice || result == TileResult::layers) return;  // of layers, only drawn tiles are read
+    if (f.byDevice) return;
     const std::size_t pitch = tiles.across() * kBin;
     auto* pixels = reinterpret_cast<std::uint32_t*>(words.buffer.mapped);
     const auto clear = [&](std::size_t x, std::size_t y, std::size_t across, std::size_t down) {
