@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <initializer_list>
 #include <utility>
 #include <vector>
@@ -32,8 +33,8 @@ enum Id : std::uint32_t {
     kOther
 };
 
-/// if (kSwitch && kLevel > 2) ... else ..., and a phi of both.
-Modules module() {
+/// if (kSwitch && kLevel > 2) ... else ..., and a phi of both. @param compares  kLevel with 2
+Modules module(std::uint32_t compares = kOpSGreaterThan) {
     Modules m = {0x07230203, 0x00010300, 0, 100, 0};
     append(m, kOpEntryPoint, {0, kFunction, 0x6e69616d, 0, kOut, kOther});  // of a vertex stage, "main"
     append(m, kOpName, {kThen, 0x74});
@@ -45,7 +46,7 @@ Modules module() {
     append(m, kOpSpecConstantFalse, {kBool, kSwitch});
     append(m, kOpSpecConstant, {kInt, kLevel, 5});
     append(m, kOpConstant, {kInt, kTwo, 2});
-    append(m, kOpSpecConstantOp, {kBool, kHigh, kOpSGreaterThan, kLevel, kTwo});
+    append(m, kOpSpecConstantOp, {kBool, kHigh, compares, kLevel, kTwo});
     append(m, kOpSpecConstantOp, {kBool, kBoth, kOpLogicalAnd, kSwitch, kHigh});
     append(m, kOpVariable, {98, kOut, 3});  // outputs
     append(m, kOpVariable, {98, kOther, 3});
@@ -87,6 +88,29 @@ TEST(FoldConstants, TakesTheBranchOfGivenConstants) {
     EXPECT_EQ(target(fold({{3, 1}, {8, 2}})), kElse);
     EXPECT_EQ(target(fold({{3, 1}, {8, -3}})), kElse);
     EXPECT_EQ(target(fold({{3, 0}, {8, 9}})), kElse);
+}
+
+TEST(FoldConstants, ComparesIntegers) {
+    struct Row {
+        std::uint32_t operation;
+        std::array<bool, 4> holds;  // -1, 1, 2, 3 beside 2
+    };
+    constexpr Row kRows[] = {
+        {kOpIEqual, {false, false, true, false}},          {kOpINotEqual, {true, true, false, true}},
+        {kOpUGreaterThan, {true, false, false, true}},     {kOpSGreaterThan, {false, false, false, true}},
+        {kOpUGreaterThanEqual, {true, false, true, true}}, {kOpSGreaterThanEqual, {false, false, true, true}},
+        {kOpULessThan, {false, true, false, false}},       {kOpSLessThan, {true, true, false, false}},
+        {kOpULessThanEqual, {false, true, true, false}},   {kOpSLessThanEqual, {true, true, true, false}},
+    };
+    constexpr int kLevels[] = {-1, 1, 2, 3};
+    for (const Row& row : kRows)
+        for (std::size_t i = 0; i < 4; ++i) {
+            Specialization given;
+            given.set(3, 1);
+            given.set(8, kLevels[i]);
+            EXPECT_EQ(target(foldConstants(module(row.operation), given)), row.holds[i] ? kThen : kElse)
+                << row.operation << ", " << kLevels[i];
+        }
 }
 
 bool names(const Modules& m, std::uint32_t operation, std::uint32_t id, std::size_t operand) {
